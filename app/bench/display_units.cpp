@@ -90,6 +90,11 @@ VersionSizes sizes_of(const FitReport& report, bool in_pixels, std::optional<dou
   sizes.noise = {.pixel = in_pixels ? own_noise : std::nullopt,
                  .millimetre = scaled(in_pixels ? report.noise_of_hand_m : report.rms_of_noise_m, 1e3),
                  .sigma = over(own_noise, noise)};
+  // A reading is one coordinate, a point three: what noise alone makes of them together is the report's.
+  if (!in_pixels && report.rms_of_noise_m && *report.rms_of_noise_m > 0)
+    for (ResidualSize* size : {&sizes.fitted, &sizes.held_out})
+      if (size->millimetre && own_noise)
+        size->sigma = over(1e-3 * *size->millimetre * *own_noise / *report.rms_of_noise_m, noise);
   return sizes;
 }
 
@@ -130,7 +135,7 @@ DisplayUnits::DisplayUnits(QObject* parent) : QObject(parent) {
 }
 
 QString DisplayUnits::why_not(Unit unit) const {
-  if (unit == Unit::pixel && !has_pixels_) return tr("A tracker measures in space, not in images.");
+  if (unit == Unit::pixel && !has_pixels_) return tr("A tracker or a probe measures in space, not in images.");
   if (unit == Unit::sigma && !knows_noise_) return tr("The noise is not known, so nothing can be told in units of it.");
   return {};
 }

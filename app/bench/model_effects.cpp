@@ -2,6 +2,7 @@
 #include "bench/model_effects.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "base/degrees.h"
@@ -218,6 +219,45 @@ void add_mounts(const Session& session, const std::vector<PartReport>& parts, st
   }
 }
 
+/// What touches tell of where a fixture stands: a point's place; how far out along its axis another one is.
+std::vector<widgets::ModelParameter> place_of_fixture(FixtureKind kind, const Rigid& place, const Matrix6& covariance) {
+  const auto in_mm = [](const QString& name, double value, double variance) {
+    widgets::ModelParameter p{.name = name, .unit = "mm"};
+    p.value = 1e3 * value;
+    p.sigma = 1e3 * std::sqrt(std::max(variance, 0.0));
+    return p;
+  };
+  const Vector3 z = place.rotation.col(2);
+  if (kind == FixtureKind::plane || kind == FixtureKind::gauge)
+    return {in_mm(QObject::tr("along its normal"), z.dot(place.translation), covariance(2, 2))};
+  const Matrix3 of_place = place.rotation * covariance.topLeftCorner<3, 3>() * place.rotation.transpose();
+  std::vector<widgets::ModelParameter> list;
+  const std::array<const char*, 3> names{"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    list.push_back(in_mm(names[static_cast<std::size_t>(i)], place.translation[i], of_place(i, i)));
+    // An edge may be shifted along itself.
+    if (kind == FixtureKind::line && std::abs(z[i]) > 1e-3) list.back().sigma = std::nan("");
+  }
+  return list;
+}
+
+/// The fixtures whose places are estimated.
+void add_fixtures(const Session& session, const Fit& fit, std::vector<widgets::ModelEffect>& list) {
+  for (const SessionPart& part : session.parts) {
+    const Eigen::Index column = fit.problem.column_of_mount(part.mount);
+    if (part.fixture < 0 || column < 0) continue;
+    widgets::ModelEffect shown{.id = QString("fixture:%1").arg(part.fixture)};
+    shown.title = QString::fromStdString(part.title);
+    shown.is_in_model = shown.is_permanent = true;
+    shown.help = QObject::tr("Where it stands on %1, estimated with the rest.")
+                     .arg(QString::fromStdString(mount_of(session, part.mount).link));
+    shown.parameters =
+        place_of_fixture(session.fixtures[static_cast<std::size_t>(part.fixture)].kind, estimate(fit).mount(part.mount),
+                         fit.parameter_covariance.block<6, 6>(column, column));
+    list.push_back(std::move(shown));
+  }
+}
+
 }  // namespace
 
 std::vector<widgets::ModelEffect> model_effects(const Document& document, const Diagnosis* diagnosis) {
@@ -248,6 +288,8 @@ std::vector<widgets::ModelEffect> model_effects(const Document& document, const 
   add_other_hands(document.session(), hands, list);
   if (is_joined(document.session())) {
     add_mounts(document.session(), model->parts, list);
+  } else if (document.session().is_touch()) {
+    add_fixtures(document.session(), fit, list);
   } else if (document.session().mount.estimate) {
     const bool of_cameras = document.session().rig.has_value();
     widgets::ModelEffect mount{.id = "mount",

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/session_parts.h"
+#include "bench/touch_views.h"
 #include "chain/chain.h"
 
 namespace handsight::app {
@@ -116,7 +117,15 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
                  const std::vector<ShownCamera>& shown_cameras, bool with_axes, bool at_once) {
   const Session& s = bench.document.session();
   for (const auto& [view, camera] : shown_cameras) {
+    if (touched_fixture(s, observation)) {
+      view->set_title(QObject::tr("Touch"));
+      const QString text = touched_text(s, observation, row, bench.units);
+      view->clear(text);
+      view->setAccessibleDescription(text);
+      continue;
+    }
     if (!s.rig || camera < 0 || camera >= s.rig->count()) {
+      view->set_title({});
       view->clear(s.pose_sensor ? QObject::tr("A sensor that tells poses has no images.")
                                 : QObject::tr("A tracker session has no images."));
       continue;
@@ -202,12 +211,23 @@ void show_pose(const Document& document, const Observation& observation, const I
   view.set_tcp(root_from_tcp);
   view.set_other_hands(other_hands(s, own.tcp, links));
   if (s.rig) view.set_cameras(scene_cameras(s, model.get(), observation.part, row, links));
+  view.set_fixtures(scene_fixtures(document, observation, links));
   view.set_selected_observation(observation.id);
   std::vector<widgets::SceneMarker> markers;
   if (!row) {
     view.set_tcp_est(std::nullopt);
     view.set_ghost(std::nullopt);
     view.set_markers({});
+    return;
+  }
+  if (touched_fixture(s, observation)) {
+    const TouchResidual touch = touch_residual(*row);
+    const int marker = row->markers.front().marker;
+    markers.push_back({.marker = marker, .in_root = touch.tip, .role = widgets::SceneMarkerRole::predicted});
+    markers.push_back({.marker = marker, .in_root = touch.tip + touch.off, .rms_over_sigma = row->ratio});
+    view.set_markers(std::move(markers));
+    view.set_tcp_est(std::nullopt);
+    view.set_ghost(std::nullopt);
     return;
   }
   for (const MarkerResidual& m : row->markers) {
@@ -232,7 +252,8 @@ void show_pose(const Document& document, const Observation& observation, const I
   view.set_ghost(ghost);
 }
 
-std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection, const SessionFilter& shown) {
+std::vector<widgets::SceneArrow> scene_arrows(const Session& session, const Inspection& inspection,
+                                              const SessionFilter& shown) {
   // More than so many are a cloud, and slow without a graphics card: then every n-th, and all that stand out.
   constexpr std::size_t most = 1000;
   const std::size_t every = inspection.rows.size() / most + 1;
@@ -240,7 +261,10 @@ std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection, cons
   for (std::size_t i = 0; i < inspection.rows.size(); ++i) {
     const InspectionRow& row = inspection.rows[i];
     if (!shown.is_observation_shown(row.id)) continue;
-    if (!row.tcp_from_tcp_est || (i % every != 0 && !row.outlier)) continue;
+    const auto at = static_cast<std::size_t>(row.index);  // of a session that may have grown or shrunk since
+    const bool is_touch = at < session.observations.size() && touched_fixture(session, session.observations[at]);
+    if (is_touch && !row.markers.empty() && (i % every == 0 || row.outlier)) arrows.push_back(touch_arrow(row));
+    if (is_touch || !row.tcp_from_tcp_est || (i % every != 0 && !row.outlier)) continue;
     arrows.push_back({.observation = row.id,
                       .from = row.root_from_tcp.translation,
                       .residual = row.root_from_tcp.rotation * row.tcp_from_tcp_est->translation,

@@ -42,8 +42,10 @@ void show_images(Workbench& bench, const Observation& observation, const Inspect
 void show_pose(const Document& document, const Observation& observation, const InspectionRow* row,
                widgets::RobotView& view);
 
-/// Residual arrows at every TCP of an inspection; above a thousand observations, of every n-th and of the outliers.
-std::vector<widgets::SceneArrow> scene_arrows(const Inspection& inspection, const SessionFilter& shown);
+/// Residual arrows at every TCP of an inspection, and of touches at every tip; above a thousand observations, of every
+/// n-th and of the outliers.
+std::vector<widgets::SceneArrow> scene_arrows(const Session& session, const Inspection& inspection,
+                                              const SessionFilter& shown);
 
 /// The robot's links in a posture given in the order of Session::joints.
 std::vector<Rigid> link_motions(const Session& session, const Eigen::VectorXd& position);

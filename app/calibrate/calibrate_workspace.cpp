@@ -10,6 +10,7 @@
 #include "bench/link_selection.h"
 #include "bench/observation_views.h"
 #include "bench/session_parts.h"
+#include "calibrate/fixtures_page.h"
 #include "calibrate/hands_page.h"
 #include "calibrate/objective_page.h"
 #include "calibrate/one_marker_page.h"
@@ -89,11 +90,15 @@ void CalibrateWorkspace::make_layout() {
   hands_ = new HandsPage(bench_, this);
   hands_->hide();
   lower->insertWidget(0, hands_);
+  fixtures_ = new FixturesPage(bench_, this);
+  fixtures_->hide();
+  lower->insertWidget(1, fixtures_);
   lower->addWidget(tabs_);
   lower->setStretchFactor(0, 68);
   lower->setStretchFactor(1, 68);
-  lower->setStretchFactor(2, 32);
-  lower->setSizes({800, 800, 460});
+  lower->setStretchFactor(2, 68);
+  lower->setStretchFactor(3, 32);
+  lower->setSizes({800, 800, 800, 460});
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(upper);
   rows->addWidget(lower);
@@ -240,10 +245,16 @@ void CalibrateWorkspace::connect_selection() {
 void CalibrateWorkspace::show_hands() {
   const bool is_collection = is_joined(bench_.document.session());
   hands_->setVisible(is_collection);
-  board_->setVisible(!is_collection);
-  decisions_->set_empty_text(is_collection ? tr("Observations are taken or rejected in each session.")
-                                           : tr("Play: each observation is taken, or rejected with its reason."));
+  const bool are_touches = bench_.document.session().is_touch();
+  board_->setVisible(!is_collection && !are_touches);
+  fixtures_->setVisible(are_touches);
+  for (QWidget* page : std::initializer_list<QWidget*>{objectives_, one_marker_})  // of markers that are seen
+    tabs_->setTabVisible(tabs_->indexOf(page), !are_touches);
+  decisions_->set_empty_text(are_touches     ? tr("Touches are fitted all at once: there is nothing to play.")
+                             : is_collection ? tr("Observations are taken or rejected in each session.")
+                                             : tr("Play: each observation is taken, or rejected with its reason."));
   if (is_collection) hands_->refresh();
+  if (are_touches) fixtures_->refresh();
 }
 
 WorkStatus CalibrateWorkspace::status() const {
@@ -276,7 +287,7 @@ void CalibrateWorkspace::set_robot() {
   const std::filesystem::path urdf = folder(s) / s.robot_file;
   scene_->set_robot(s.robot, urdf.parent_path());
   say_notes();
-  left_->setVisible(s.rig.has_value());
+  left_->setVisible(s.rig || s.is_touch());
   own_pose_->set_session();
   robot_is_set_ = true;
 }
@@ -374,7 +385,8 @@ void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
   show_hands();
   if (is_active()) hands_->look();
-  if (const Inspection* all = bench_.inspection()) scene_->set_arrows(scene_arrows(*all, bench_.sessions));
+  if (const Inspection* all = bench_.inspection())
+    scene_->set_arrows(scene_arrows(bench_.document.session(), *all, bench_.sessions));
   refresh_observation();
 }
 

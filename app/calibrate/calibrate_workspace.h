@@ -21,6 +21,7 @@ namespace handsight::app {
 
 class CameraStrip;
 
+class FixturesPage;
 class HandsPage;
 class ObjectivePage;
 class OneMarkerPage;
@@ -70,6 +71,7 @@ class CalibrateWorkspace : public Workspace {
   OneMarkerPage* one_marker_;
   OwnPosePage* own_pose_;
   HandsPage* hands_;
+  FixturesPage* fixtures_;
   std::vector<PlayedStep> unshown_;  // played, not yet in the views
   std::set<std::int64_t> shown_;     // observations that are in the views
   QTimer show_timer_;

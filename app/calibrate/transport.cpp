@@ -190,6 +190,8 @@ bool Transport::is_labelled() const {
 
 QString Transport::progress_text() const {
   if (bench_.document.is_open() && is_joined(bench_.document.session())) return tr("Each session is played by itself.");
+  if (bench_.document.is_open() && bench_.document.session().is_touch())
+    return tr("Touches are fitted all at once: there is nothing to play.");
   if (!bench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
   const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
@@ -206,15 +208,15 @@ QString Transport::progress_text() const {
 }
 
 void Transport::refresh() {
-  const bool open = bench_.document.is_open(),
-             labelled = open && is_labelled() && !is_joined(bench_.document.session());
+  const bool open = bench_.document.is_open(), are_touches = open && bench_.document.session().is_touch(),
+             labelled = open && is_labelled() && !is_joined(bench_.document.session()) && !are_touches;
   const bool is_over = player_.is_finished() && !player_.is_live();
   play_->setIcon(widgets::icon(player_.is_playing() ? "pause" : "play"));
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
   const auto& rig = bench_.document.session().rig;
   // Markers without names are found in the images of two cameras; trackers and sensors of poses write tables.
-  watch_->setEnabled(open && !is_joined(bench_.document.session()) &&
+  watch_->setEnabled(open && !are_touches && !is_joined(bench_.document.session()) &&
                      (!rig || is_pair(*rig) || bench_.document.session().target));
   sources_->setVisible(rig.has_value());
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);

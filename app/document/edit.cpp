@@ -42,6 +42,8 @@ Json state_json(const ObservationState& state) {
       if (seen.sigma) one[key_of(seen.camera) + "_sigma"] = {seen.sigma->u, seen.sigma->v, seen.sigma->uv};
     }
     if (s.point) one["point"] = point_json(*s.point);
+    if (s.along) one["along"] = point_json(*s.along);
+    if (s.by_distance) one["by_distance"] = true;
     if (s.point_sigma) one["sigma"] = *s.point_sigma;
     sightings.push_back(std::move(one));
   }
@@ -69,6 +71,8 @@ ObservationState parse_state(const Json& json) {
     s.marker = within(one.at("marker"), 0, most_markers - 1);
     s.by = static_cast<MarkedBy>(within(one.at("by"), 0, 2));
     s.point = point_of<Vector3>(one, "point");
+    s.along = point_of<Vector3>(one, "along");
+    s.by_distance = one.value("by_distance", false);
     for (int c = 0; c < max_cameras; ++c)
       if (const auto pixel = point_of<Vector2>(one, key_of(c).c_str()))
         see(s, c, *pixel, sigma_of(one, (key_of(c) + "_sigma").c_str()));

@@ -49,9 +49,10 @@ void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::sha
     version.row_of[told->per_observation[i].id] = static_cast<int>(i);
   version.calibration = std::make_shared<Calibration>(
       calibration_of(session, fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
-  if (session.parts.size() > 1 && !session.is_touch()) {
-    version.parts = part_reports(session, fitted, *told);
-    for (int p = 0; p < static_cast<int>(session.parts.size()); ++p)
+  const bool are_touches = session.is_touch();
+  if (session.parts.size() > 1 || are_touches) {
+    version.parts = part_reports(session, fitted, *told);  // of touches fixture by fixture
+    for (int p = 0; !are_touches && p < static_cast<int>(session.parts.size()); ++p)
       version.hands.push_back(hand_model(fit_of_part(session, fitted, p)));
   }
   version.prediction = prediction_model(fitted);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What if: an effect of any size, at any of its places, on the session's own poses.
+#include "bench/touch_views.h"
 #include "document/effect_words.h"
 #include "explain/explain_workspace.h"
 #include "explain/failing_pane.h"
@@ -75,9 +76,9 @@ void ExplainWorkspace::slide_what_if(double value) {
   try_numbers(what_if_view_, what_if_view_.numbers, effect_of(what_if_id_, {}));
   const ResidualViews& views = bench_.diagnosing.residuals()->views;
   const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
-  failing_->what_if()->set_answer(
-      tr("With this the error would be %1.")
-          .arg(bench_.units.text(size_of_error(left, !bench_.document.session().is_tracker(), views.weighing.noise))));
+  ResidualSize told = size_of_error(left, !bench_.document.session().is_tracker(), views.weighing.noise);
+  if (const ModelVersionPointer now = bench_.document.shown_model()) told = as_read(told, *now);
+  failing_->what_if()->set_answer(tr("With this the error would be %1.").arg(bench_.units.text(told)));
 }
 
 }  // namespace handsight::app

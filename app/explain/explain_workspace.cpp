@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "bench/touch_views.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/failing_pane.h"
@@ -298,8 +299,8 @@ void ExplainWorkspace::refresh_verdict() {
     if (v.state == widgets::SessionState::looking)
       v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
     if (const auto error = bench_.predicted_error()) {
-      const auto tried =
-          bench_.units.shown(size_of_error(*error, !bench_.document.session().is_tracker(), model->fit->noise));
+      const auto tried = bench_.units.shown(
+          as_read(size_of_error(*error, !bench_.document.session().is_tracker(), model->fit->noise), *model));
       if (tried.unit == bench_.units.unit()) v.predicted = tried;  // two units in one breath would mislead
     }
   }

@@ -30,10 +30,14 @@ std::string poses_csv(const Session& session, const Plan& plan) {
     if (!is_first) text += ',';
     text += cell;
   };
-  for (std::size_t j = 0; j < session.joints.size(); ++j) put(j == 0, session.joints[j]);
+  const bool are_touches = session.is_touch();  // then the fixture comes first
+  if (are_touches) put(true, "fixture");
+  for (std::size_t j = 0; j < session.joints.size(); ++j) put(j == 0 && !are_touches, session.joints[j]);
   text += '\n';
   for (const PlannedPose& pose : plan.poses) {
-    for (Eigen::Index j = 0; j < pose.position.size(); ++j) put(j == 0, format_number(pose.position[j]));
+    if (are_touches) put(true, session.fixtures.at(static_cast<std::size_t>(pose.fixture)).id);
+    for (Eigen::Index j = 0; j < pose.position.size(); ++j)
+      put(j == 0 && !are_touches, format_number(pose.position[j]));
     text += '\n';
   }
   return text;
@@ -125,7 +129,11 @@ void PosesPane::show_plan(const Plan& made, const QString& what) {
   plan_ = made;
   const Session& session = bench_.document.session();
   QString text = tr("%1 more poses would %2. Choose one to see it in 3D.").arg(made.poses.size()).arg(what);
-  if (!made.tells_apart) text = tr("No pose that the cameras could see would %1.").arg(what);
+  if (session.is_touch())
+    text = tr("%1 more touches would %2. Choose one to see it in 3D.").arg(made.poses.size()).arg(what);
+  if (!made.tells_apart)
+    text = session.is_touch() ? tr("No touch of these fixtures would %1.").arg(what)
+                              : tr("No pose that the cameras could see would %1.").arg(what);
   if (made.tells_apart && !made.poses.empty() && made.poses.back().ln_bayes_factor)
     text += ' ' + tr("Expected odds after them: %1.").arg(odds_text(made.poses.back().ln_bayes_factor->minCoeff()));
   sentence_->setText(text);
@@ -134,6 +142,13 @@ void PosesPane::show_plan(const Plan& made, const QString& what) {
   table_->setColumnCount(static_cast<int>(names.size()));
   table_->setHorizontalHeaderLabels(names);
   table_->setRowCount(static_cast<int>(made.poses.size()));
+  QStringList rows;
+  for (std::size_t r = 0; r < made.poses.size(); ++r) {
+    const int fixture = made.poses[r].fixture;
+    rows << (fixture < 0 ? QString::number(r + 1)
+                         : QString::fromStdString(session.fixtures.at(static_cast<std::size_t>(fixture)).id));
+  }
+  table_->setVerticalHeaderLabels(rows);
   for (int r = 0; r < table_->rowCount(); ++r)
     for (int c = 0; c < table_->columnCount(); ++c) {
       const int joint = find_joint(session.robot, session.joints[static_cast<std::size_t>(c)]);

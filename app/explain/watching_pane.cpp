@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "bench/observation_views.h"
+#include "bench/touch_views.h"
 #include "document/bent_robot.h"
 #include "document/effect_words.h"
 #include "findings/bill_entries.h"
@@ -267,7 +268,8 @@ void WatchingPane::set_prediction(const ModelResiduals* residuals, const Candida
   cloud_->set_after(in_unit(cloud_of(after, ids)), tr("predicted with it"));
   cloud_->set_predicted(true);
   // In mm the staircase cannot show it before it is fitted; the header tells it in px.
-  const ResidualSize left = size_of_error(rms_left(v, view->effect, numbers), !session.is_tracker(), v.weighing.noise);
+  ResidualSize left = size_of_error(rms_left(v, view->effect, numbers), !session.is_tracker(), v.weighing.noise);
+  if (const ModelVersionPointer now = bench_.document.shown_model()) left = as_read(left, *now);
   stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = left.in(bench_.units.unit())});
   std::vector<EffectTerm> bent = v.problem.terms;
   bent.insert(bent.end(), terms.begin(), terms.end());

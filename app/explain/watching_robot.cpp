@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bench/observation_views.h"
+#include "bench/touch_views.h"
 #include "document/bent_robot.h"
 #include "explain/watching_pane.h"
 #include "widgets/base/number_text.h"
@@ -41,6 +42,8 @@ void WatchingPane::show_robot() {
     robot_is_set_ = true;
   }
   robot_->set_interest(places_of_interest(session, index));
+  const Observation& chosen = session.observations[static_cast<std::size_t>(index)];
+  robot_->set_fixtures(scene_fixtures(bench_.document, chosen, link_motions(session, chosen.position)));
   if (!now || !now->fit) {
     straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
     robot_->set_posture(straight_);

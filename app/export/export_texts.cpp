@@ -131,6 +131,8 @@ namespace {
 
 /// What is asked for with the camera on the hand: where it sits.
 QString mount_text(const Session& session, const Fit& fit) {
+  if (session.is_touch())
+    return QObject::tr("Right only together with where the fixtures stand, which was estimated with it.");
   const Rigid& mount = estimate(fit).mount_from_sensor;
   const auto three = [](const Vector3& x, int decimals) {
     return QStringList{widgets::fixed_text(x.x(), decimals), widgets::fixed_text(x.y(), decimals),

@@ -215,7 +215,7 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
   view.set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
   const InspectionRow* row = bench.row(o.id);
   show_pose(bench.document, o, row, view);
-  view.set_arrows(scene_arrows(all, bench.sessions));
+  view.set_arrows(scene_arrows(bench.document.session(), all, bench.sessions));
   if (row && row->tcp_from_tcp_est)
     view.set_ghost_magnification(
         magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all.noise_m, 0.05));

@@ -266,7 +266,11 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
   v.noise_px = sizes.noise.pixel;
   v.noise_mm = sizes.noise.millimetre;
   v.blame = shown(story.blame, story.error.in_pixels);
-  if (model.fit->problem.marker_count == 1) v.why_no_blame = cannot_be_split_text();
+  const auto& source = model.fit->problem.source;
+  if (source && source->chain.is_touch)
+    v.why_no_blame = QObject::tr("Cannot be split by touches");
+  else if (model.fit->problem.marker_count == 1)
+    v.why_no_blame = cannot_be_split_text();
   v.state = shown_state(story, is_running);
   v.sentence = sentence_of(model, story, d, unit);
   // What is in the model and stands in for something else belongs before what agrees by it.

@@ -6,6 +6,7 @@
 #include "base/degrees.h"
 #include "bench/display_units.h"
 #include "bench/observation_views.h"
+#include "bench/touch_views.h"
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -15,9 +16,10 @@ namespace handsight::app {
 namespace {
 
 /// The reason that is shown: the decision's own, else whose fault it is where the observation is odd.
-QString reason_of(const Observation& o, const InspectionRow* row) {
+QString reason_of(const Observation& o, const InspectionRow* row, bool is_touch) {
   if (!o.reason.empty()) return translated(o.reason);
   if (!row || !row->outlier) return {};
+  if (is_touch) return QObject::tr("Far off along what was read: touched or read wrongly?");
   return translated(row->what_would_mend);
 }
 
@@ -29,6 +31,7 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
   const auto& observations = bench.document.session().observations;
   const bool pixels = !bench.document.session().is_tracker();
   const auto& rig = bench.document.session().rig;
+  const bool are_touches = bench.document.session().is_touch();
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& o = observations[i];
     const InspectionRow* row = bench.row(o.id);
@@ -47,9 +50,12 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
       }
       if (bench.inspection()->noise && *bench.inspection()->noise > 0)
         r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *bench.inspection()->noise;
+      if (are_touches) r.worst_over_sigma = row->ratio;
     }
+    const Fixture* fixture = touched_fixture(bench.document.session(), o);
+    if (fixture && are_touches) r.worst = QString::fromStdString(fixture->id);
     r.is_odd = (row && row->outlier) || o.decision == Decision::rejected;
-    r.reason = reason_of(o, row);
+    r.reason = reason_of(o, row, fixture != nullptr);
     list.push_back(std::move(r));
   }
   return list;
@@ -79,6 +85,7 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
 
 std::optional<widgets::Blame> shown_blame(const Workbench& bench, const InspectionRow& row) {
   const bool of_tracker = bench.document.session().is_tracker();
+  if (bench.document.session().is_touch()) return std::nullopt;
   const Blame& own = row.blame;
   switch (own.letter) {
     case 'C':
@@ -108,11 +115,23 @@ QString in_the_light_of_the_cause(const Workbench& bench, char letter) {
       .arg(name);
 }
 
+/// A touch says how far off it is, and no more.
+QString touch_sentence(const InspectionRow* row, const Observation& o) {
+  if (o.sightings.empty()) return QObject::tr("Nothing was touched in this observation.");
+  if (!row) return QObject::tr("Waits for a fit.");
+  if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
+  if (*row->ratio < widgets::noise_limit(row->coordinates))
+    return QObject::tr("Agrees with the model down to the noise. ").trimmed();
+  return QObject::tr("The reading is %1 times the noise from where the model has the tip.")
+      .arg(widgets::short_text(*row->ratio));
+}
+
 }  // namespace
 
 QString blame_sentence(const Workbench& bench, const InspectionRow* row, const Observation* observation) {
   const bool in_pixels = bench.document.session().rig.has_value();
   if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
+  if (bench.document.session().is_touch()) return touch_sentence(row, *observation);
   if (!row) {
     if (observation->sightings.empty() && observation->decision == Decision::rejected)
       return QObject::tr("Its markers were not found, at a second look neither: %1")

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "inspect/inspect_workspace.h"
 
+#include <QAbstractProxyModel>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
+#include <QTableView>
 #include <algorithm>
 
 #include "bench/camera_strip.h"
 #include "bench/link_selection.h"
 #include "bench/observation_views.h"
+#include "bench/touch_views.h"
 #include "findings/explain_texts.h"
 #include "findings/inspection_rows.h"
 #include "inspect/snap.h"
@@ -286,6 +289,18 @@ void InspectWorkspace::refresh_rows() {
   table_->set_selected_many(chosen(), bench_.selection.current().observation.value_or(widgets::kNoObservation));
 }
 
+/// A touch has one tip: in place of the worst marker stands what it touched.
+static void name_columns(QAbstractItemModel& table, bool are_touches, widgets::SizeUnit unit) {
+  constexpr int size = 1, worst = 4;
+  const auto call = [&](int column, Qt::ItemDataRole role, const QString& name, bool is_otherwise) {
+    table.setHeaderData(column, Qt::Horizontal, is_otherwise ? QVariant(name) : QVariant(), role);
+  };
+  call(worst, Qt::DisplayRole, QObject::tr("fixture"), are_touches);
+  call(worst, Qt::ToolTipRole, QObject::tr("What was touched; sorts by how far off"), are_touches);
+  call(size, Qt::ToolTipRole, QObject::tr("How far off along what was read, mm"),
+       are_touches && unit == widgets::SizeUnit::millimetre);
+}
+
 void InspectWorkspace::refresh_units() {
   using widgets::SizeUnit;
   const DisplayUnits& units = bench_.units;
@@ -296,6 +311,14 @@ void InspectWorkspace::refresh_units() {
   table_->set_units(unit, second);
   histogram_->set_unit(unit);
   map_->set_unit(unit);
+  const bool are_touches = bench_.document.session().is_touch();
+  histogram_->set_touches(are_touches);
+  // Through the filter columns cannot be named as long as there are no rows.
+  const auto* filter = qobject_cast<QAbstractProxyModel*>(table_->view()->model());
+  name_columns(*filter->sourceModel(), are_touches, unit);
+  constexpr int degree = 3, worst = 4, of_a_name = 112;  // px
+  table_->view()->setColumnHidden(degree, are_touches);  // a tip is a point: it has no turn
+  if (are_touches) table_->view()->setColumnWidth(worst, std::max(of_a_name, table_->view()->columnWidth(worst)));
 }
 
 void InspectWorkspace::refresh_plots() {
@@ -315,14 +338,14 @@ void InspectWorkspace::refresh_plots() {
   map_->set_points(map_points(bench_));
   map_->fit();
   if (!all) return;
-  scene_->set_arrows(scene_arrows(*all, bench_.sessions));
+  scene_->set_arrows(scene_arrows(s, *all, bench_.sessions));
   scene_->set_arrow_magnification(arrow_magnification(*all));
 }
 
 /// The choice of cameras over the image plane: of more than one.
 void InspectWorkspace::refresh_cameras() {
   const auto& rig = bench_.document.session().rig;
-  images_->setVisible(rig.has_value());
+  images_->setVisible(rig || bench_.document.session().is_touch());
   tabs_->setTabVisible(1, rig.has_value());
   const QStringList names = rig ? camera_names_in_words(*rig) : QStringList();
   map_camera_->setVisible(names.size() > 1);
@@ -350,14 +373,16 @@ void InspectWorkspace::refresh_observation() {
   include_->setEnabled(any([](const Observation& x) {
     return x.decision == Decision::excluded || (x.decision == Decision::rejected && !x.sightings.empty());
   }));
-  look_->setEnabled(row && row->worst_marker >= 0);
+  look_->setEnabled(row && row->worst_marker >= 0 && !(o && touched_fixture(bench_.document.session(), *o)));
   const auto& rig = bench_.document.session().rig;
   relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
   blame_->set_sentence(blame_sentence(bench_, row, o));
   const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
-  blame_->set_none_text(is_noise                                             ? tr("Nothing stands out of the noise")
-                        : row && bench_.document.session().marker_count == 1 ? cannot_be_split_text()
-                                                                             : QString());
+  const Session& s = bench_.document.session();
+  blame_->set_none_text(is_noise                     ? tr("Nothing stands out of the noise")
+                        : row && s.is_touch()        ? tr("Cannot be split by touches")
+                        : row && s.marker_count == 1 ? cannot_be_split_text()
+                                                     : QString());
   blame_->set_blame(row ? shown_blame(bench_, *row) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));

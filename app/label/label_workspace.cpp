@@ -7,6 +7,7 @@
 
 #include "bench/observation_views.h"
 #include "bench/session_parts.h"
+#include "bench/touch_views.h"
 #include "vision/corners/corner_detector.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -64,6 +65,7 @@ WorkStatus LabelWorkspace::status() const {
   if (is_joined(s)) return {WorkState::done, tr("in each session")};
   const bool any = std::any_of(s.observations.begin(), s.observations.end(),
                                [](const Observation& o) { return !o.sightings.empty(); });
+  if (bench_.document.session().is_touch()) return {WorkState::done, tr("needs no labels")};
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
   if (any) return {WorkState::done, tr("labels included")};
   if (s.target) return {WorkState::done, tr("needs no labels")};
@@ -98,8 +100,9 @@ void LabelWorkspace::show_observation() {
   const OwnSession own = own_session_of(s, o->part);
   const ShownImage left = bench_.images.image(s, *o, own.first_camera),
                    right = bench_.images.image(s, *o, own.first_camera + 1);
-  const QString none = s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
-                                      : tr("Observation %1 has no images to label.").arg(o->id);
+  const QString none = s.is_touch()     ? touched_text(s, *o, bench_.row(o->id), bench_.units)
+                       : s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
+                                        : tr("Observation %1 has no images to label.").arg(o->id);
   const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
                         const std::string& file) {
     view->set_title(file.empty() ? side : side + "  " + QString::fromStdString(std::filesystem::path(file).filename()));
@@ -112,7 +115,7 @@ void LabelWorkspace::show_observation() {
       if (!is_same || was_coming_) view->fit();
     }
   };
-  is_labelled_here_ = !is_joined(s) && (!s.rig || is_pair(*s.rig));
+  is_labelled_here_ = !is_joined(s) && !s.is_touch() && (!s.rig || is_pair(*s.rig));
   const bool is_coming = left.is_coming || right.is_coming;
   const auto camera = [&](int c) {
     return c < own.camera_count ? camera_title(*s.rig, own.first_camera + c) : QString();
@@ -121,10 +124,11 @@ void LabelWorkspace::show_observation() {
     return c < own.camera_count ? o->images[static_cast<std::size_t>(own.first_camera + c)] : std::string();
   };
   show(left_, left_loupe_, left, camera(0), file(0));
-  const bool has_second = own.camera_count != 1;
+  const bool has_second = own.camera_count != 1 && !s.is_touch();
   show(right_, right_loupe_, right, camera(1), file(1));
   was_coming_ = is_coming;
   for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
+  left_loupe_->setVisible(!s.is_touch());
   for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here_);
   hint_->setVisible(is_labelled_here_);
   refresh();
@@ -243,6 +247,9 @@ void LabelWorkspace::refresh_panel() {
   } else if (is_joined(bench_.document.session())) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in one session: open it by itself.");
+  } else if (bench_.document.session().is_touch()) {
+    state.can_use = false;
+    state.sentence = tr("Touches have no images: there is nothing to label.");
   } else if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig)) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in sessions of two cameras. These labels came with the session.");

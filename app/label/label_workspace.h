@@ -64,7 +64,7 @@ class LabelWorkspace : public Workspace {
   std::int64_t nudge_join_ = 0;  // nudges one after the other are one action
   int nudged_ = -1;
   bool is_labelled_here_ = true;  // else the labels came with the session, or belong to one of several
-  bool was_coming_ = false;  // an image of what is shown
+  bool was_coming_ = false;       // an image of what is shown
   widgets::ImageView *left_, *right_;
   widgets::Loupe *left_loupe_, *right_loupe_;
   widgets::TrianglePanel* triangle_;

@@ -132,6 +132,8 @@ std::vector<SampleSession> sample_sessions() {
       QObject::tr("Twelve observations with images, nothing hidden: label three markers, play, export."));
   add("one_camera", QObject::tr("One camera and a printed board"),
       QObject::tr("A ChArUco board on the hand, twelve images, nothing to label: play, export."));
+  add("probe_and_plate", QObject::tr("A probe and a plate"),
+      QObject::tr("No camera, no tracker: a plate in three places and two sockets were touched. What is wrong?"));
   add("hundred_poses", QObject::tr("A hundred poses"),
       QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
   add("thesis_simulation", QObject::tr("The thesis's simulation"),

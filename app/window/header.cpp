@@ -9,6 +9,7 @@
 #include <QStylePainter>
 #include <QToolButton>
 
+#include "bench/touch_views.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -220,7 +221,8 @@ void Header::refresh_numbers() {
     n.is_stale = bench_.document.model() == nullptr;
     n.excluded_note = excluded_note(bench_);
     if (const auto predicted = bench_.predicted_error()) {
-      const ResidualSize tried = size_of_error(*predicted, !bench_.document.session().is_tracker(), noise);
+      const ResidualSize tried =
+          as_read(size_of_error(*predicted, !bench_.document.session().is_tracker(), noise), *shown);
       n.predicted = tried.in(unit);  // in a unit in which it is not known it is left out
       if (n.predicted) n.predicted_ratio = tried.sigma;
     }

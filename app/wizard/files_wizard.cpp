@@ -26,6 +26,7 @@
 #include "session/new_session.h"
 #include "widgets/base/theme.h"
 #include "wizard/target_form.h"
+#include "wizard/touch_form.h"
 #include "wizard/wizard_paths.h"
 #include "words/core_words.h"
 #include "words/counted.h"
@@ -119,6 +120,19 @@ bool FilesWizard::shows_images() const {
   return has(FileKind::images) || (has(FileKind::bag) && frame_->text().trimmed().isEmpty());
 }
 
+/// Of all tables of touches together.
+QStringList FilesWizard::fixtures() const {
+  QStringList names;
+  if (robot_)
+    for (const Named& n : files_)
+      if (n.kind != FileKind::robot)
+        for (const QString& name : fixtures_in(n.path, robot_->robot))
+          if (!names.contains(name)) names << name;
+  return names;
+}
+
+bool FilesWizard::are_touches() const { return !touches_->fixtures().isEmpty(); }
+
 /// The robot first: its joints tell a table of joints from any other.
 void FilesWizard::read_robot() {
   robot_.reset();
@@ -156,8 +170,11 @@ void FilesWizard::read() {
       n.refusal = in_words_of_window(translated_error(error))
                       .replace(QString::fromStdString(n.path.string()), shown_name(n.path));
     }
-    auto* item = new QListWidgetItem(n.kind ? tr("%1: %2").arg(shown_name(n.path), translated(kind_text(*n.kind)))
-                                            : QString::fromUtf8("✗ ") + n.refusal);
+    const bool has_touches = robot_ && !fixtures_in(n.path, robot_->robot).isEmpty();
+    if (has_touches) n.kind = FileKind::joints;
+    auto* item = new QListWidgetItem(has_touches ? tr("%1: a table of touches").arg(shown_name(n.path))
+                                     : n.kind    ? tr("%1: %2").arg(shown_name(n.path), translated(kind_text(*n.kind)))
+                                                 : QString::fromUtf8("✗ ") + n.refusal);
     item->setToolTip(QString::fromStdString(n.path.string()));
     if (!n.kind) item->setForeground(widgets::colors().bad);
     list_->addItem(item);
@@ -166,6 +183,7 @@ void FilesWizard::read() {
   if (!files_.empty() && !names_folder_)
     out_->setText(QString::fromStdString(free_folder(files_.front().path).string()));
   offer_links();
+  touches_->ask(fixtures());
   show_questions();
 }
 
@@ -187,14 +205,15 @@ void FilesWizard::show_questions() {
              images = shows_images() && !has(FileKind::target);
   const bool is_flange = !has_robot && (has(FileKind::poses) || has(FileKind::samples));
   questions_->setRowVisible(tcp_, has_robot);
-  questions_->setRowVisible(mount_, has_robot);
+  questions_->setRowVisible(mount_, has_robot && !are_touches());
   questions_->setRowVisible(shown_, images);
   questions_->setRowVisible(markers_, images && shown_->currentIndex() == markers);
   questions_->setRowVisible(degrees_, has(FileKind::joints));
   questions_->setRowVisible(eye_on_base_, is_flange);
   questions_->setRowVisible(frame_, is_bag_there || has(FileKind::mocap));
-  questions_->setRowVisible(still_, has_robot && (is_bag_there || has(FileKind::joints)));
-  questions_->setRowVisible(find_lag_, has_robot && (is_bag_there || has(FileKind::joints)));
+  touches_->setVisible(are_touches());
+  questions_->setRowVisible(still_, has_robot && !are_touches() && (is_bag_there || has(FileKind::joints)));
+  questions_->setRowVisible(find_lag_, has_robot && !are_touches() && (is_bag_there || has(FileKind::joints)));
   questions_->setRowVisible(title_, !files_.empty());
   questions_->setRowVisible(out_, !files_.empty());
   target_->setVisible(images && shown_->currentIndex() != markers);
@@ -213,11 +232,12 @@ QString FilesWizard::what_is_missing() const {
   if (!robot_ && !has(FileKind::samples) && !has(FileKind::poses))
     return tr("There is no robot among them: add its URDF, or a table of its flange's poses.");
   const bool is_measured = has(FileKind::images) || has(FileKind::bag) || has(FileKind::samples) ||
-                           has(FileKind::poses) || has(FileKind::points) || has(FileKind::mocap);
+                           has(FileKind::poses) || has(FileKind::points) || has(FileKind::mocap) || are_touches();
   if (!is_measured) return tr("What a sensor measured is missing: images, points, or poses of a target.");
   const auto poses =
       std::count_if(files_.begin(), files_.end(), [](const Named& n) { return n.kind == FileKind::poses; });
-  if (robot_ && !has(FileKind::bag) && !has(FileKind::joints) && !has(FileKind::samples) && poses != 2)
+  if (robot_ && !are_touches() && !has(FileKind::bag) && !has(FileKind::joints) && !has(FileKind::samples) &&
+      poses != 2)
     return tr("The joint readings are missing: add a table of them, a column for each joint.");
   const bool has_camera =
       std::any_of(files_.begin(), files_.end(), [](const Named& n) { return n.kind && is_one_camera(*n.kind); });
@@ -252,6 +272,11 @@ ConvertOptions FilesWizard::options() const {
   o.eye_on_base = eye_on_base_->isChecked();
   o.markers = markers_->value();
   if (target_->isVisibleTo(this)) o.target = target_->target();
+  if (are_touches()) {
+    o.fixtures = touches_->described();
+    o.apart = touches_->apart();
+    o.sigma = touches_->sigma();
+  }
   o.target_frame = frame_->text().trimmed().toStdString();
   o.estimate_lag = find_lag_->isChecked();
   o.pairing.still_for = still_->value();
@@ -324,6 +349,9 @@ QString FilesWizard::in_words_of_window(QString sentence) const {
                                                    {"--lag", find_lag_->text()},
                                                    {"--eye-on-base", eye_on_base_->text()},
                                                    {"--degrees", degrees_->text()},
+                                                   {"--fixture", tr("What is known of %1").arg(tr("the fixture"))},
+                                                   {"--apart", tr("Known distances, m; a semicolon between them")},
+                                                   {"--sigma", tr("How exactly a touch tells (sigma)")},
                                                    {"--robot", tr("Add files…")}};
   for (const auto& [option, word] : words) sentence.replace(QLatin1String(option), tr("“%1”").arg(word));
   return sentence;

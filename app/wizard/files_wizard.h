@@ -31,6 +31,7 @@ class QSpinBox;
 namespace handsight::app {
 
 class TargetForm;
+class TouchForm;
 
 class FilesWizard : public QDialog {
   Q_OBJECT
@@ -73,6 +74,8 @@ class FilesWizard : public QDialog {
   void show_questions();
   bool has(FileKind kind) const;
   bool shows_images() const;
+  bool are_touches() const;
+  QStringList fixtures() const;
   QString what_is_missing() const;
   ConvertOptions options() const;
   void make();
@@ -100,6 +103,7 @@ class FilesWizard : public QDialog {
   QLineEdit *frame_, *title_, *out_;
   QSpinBox* markers_;
   TargetForm* target_;
+  TouchForm* touches_;  // hidden where no table of touches is among the files
   QLabel* said_;
   QPlainTextEdit* report_;
 };

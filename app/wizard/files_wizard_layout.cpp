@@ -21,6 +21,7 @@
 #include "widgets/base/theme.h"
 #include "wizard/files_wizard.h"
 #include "wizard/target_form.h"
+#include "wizard/touch_form.h"
 
 namespace handsight::app {
 
@@ -42,7 +43,7 @@ void FilesWizard::make_layout() {
   column->setContentsMargins(0, 0, 8, 0);
   auto* intro = new QLabel(
       tr("Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of "
-         "easy_handeye, tables of joints, poses or points, the robot's URDF. Each is known by its content."),
+         "easy_handeye, tables of joints, poses, points or touches, the robot's URDF. Each is known by its content."),
       content);
   intro->setWordWrap(true);
   column->addWidget(intro);
@@ -72,6 +73,9 @@ void FilesWizard::make_layout() {
   target_ = new TargetForm(content);
   target_->setObjectName("files_target");
   column->addWidget(target_);
+  touches_ = new TouchForm(content);
+  touches_->setObjectName("files_touches");
+  column->addWidget(touches_);
   report_ = new QPlainTextEdit(content);
   report_->setObjectName("files_report");
   report_->setAccessibleName(tr("What was understood"));

@@ -44,7 +44,7 @@ class SessionWizard : public QDialog {
     QLabel* sentence = nullptr;
   };
   enum class Choice { folder, file, files };
-  enum CameraPlace { on_stand, on_link, on_hand };
+  enum CameraPlace { on_stand, on_link, on_hand, by_touch };
   enum TargetPlace { with_hand, on_table };
   enum Known { markers, chessboard, charuco, aprilgrid, tags, printed, poses };
 

@@ -27,7 +27,8 @@ QWidget* SessionWizard::make_questions() {
       "camera_place",
       {{"camera_on_stand", tr("On a stand"), tr("It stands beside the robot and does not move.")},
        {"camera_on_link", tr("On the robot"), tr("On its head or any other link that is not the one with the target.")},
-       {"camera_on_hand", tr("On the hand"), tr("It moves with the hand and looks at a target that stands still.")}},
+       {"camera_on_hand", tr("On the hand"), tr("It moves with the hand and looks at a target that stands still.")},
+       {"touch_things", tr("I touch things"), tr("No camera: a probe's tip touches plates, sockets, gauges.")}},
       4);
   target_place_ = new widgets::PictureChoice(
       "target_place",
@@ -100,6 +101,10 @@ void SessionWizard::ask_flange_only() {
 
 /// Something must move between the two: an answer that leaves nothing to move changes the other.
 void SessionWizard::ask_camera_place() {
+  if (camera_place_->current() == by_touch) {  // tables, not images
+    reject();
+    return bring_();
+  }
   if (camera_place_->current() == on_hand) target_place_->choose(on_table);
   if (camera_place_->current() == on_stand) target_place_->choose(with_hand);
   choose_links();

@@ -74,7 +74,8 @@ std::optional<Table> parse_touch_table(const std::string& text, const std::strin
   const char separator = separator_of(line);
   std::string header;
   for (std::size_t c = 0; c < columns.size(); ++c)
-    header += (c > 0 ? std::string(1, separator) : "") + (columns[c] == "-" ? fmt::format("left_out_{}", c + 1) : columns[c]);
+    header +=
+        (c > 0 ? std::string(1, separator) : "") + (columns[c] == "-" ? fmt::format("left_out_{}", c + 1) : columns[c]);
   auto table = parse_table(header + "\n" + text, file, names);
   for (std::size_t i = 0; table && i < table->lines.size(); ++i) --table->lines[i];  // as they stand in the file
   return table;

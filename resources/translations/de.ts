@@ -879,8 +879,244 @@
         <translation>A nach B: %1 → %2 ungesehen; TCP→Body rückt um %3 mm.</translation>
     </message>
     <message>
-        <source>A tracker measures in space, not in images.</source>
-        <translation>Ein Tracker misst im Raum, nicht in Bildern.</translation>
+        <source>off along the reading (mm)</source>
+        <translation>Abweichung entlang der Ablesung (mm)</translation>
+    </message>
+    <message>
+        <source>How far off along what was read, mm</source>
+        <translation>Wie weit daneben entlang dessen, was abgelesen wurde, mm</translation>
+    </message>
+    <message>
+        <source>fixture</source>
+        <translation>Vorrichtung</translation>
+    </message>
+    <message>
+        <source>What was touched; sorts by how far off</source>
+        <translation>Was berührt wurde; sortiert nach der Abweichung</translation>
+    </message>
+    <message>
+        <source>Plane %1: the tip touched it.</source>
+        <translation>Ebene %1: die Spitze hat sie berührt.</translation>
+    </message>
+    <message>
+        <source>Plane %1: the tip stood %2 mm above it.</source>
+        <translation>Ebene %1: die Spitze stand %2 mm darüber.</translation>
+    </message>
+    <message>
+        <source>Socket %1: the tip's ball sat in it.</source>
+        <translation>Pfanne %1: die Kugel der Spitze saß darin.</translation>
+    </message>
+    <message>
+        <source>Edge %1: the tip lay against it.</source>
+        <translation>Kante %1: die Spitze lag daran.</translation>
+    </message>
+    <message>
+        <source>Dial gauge %1: it read %2 mm.</source>
+        <translation>Messuhr %1: sie zeigte %2 mm.</translation>
+    </message>
+    <message>
+        <source>Length %1: it read %2 mm.</source>
+        <translation>Länge %1: abgelesen %2 mm.</translation>
+    </message>
+    <message>
+        <source>Nothing was touched in this observation.</source>
+        <translation>In dieser Beobachtung wurde nichts berührt.</translation>
+    </message>
+    <message>
+        <source>By tip %1.</source>
+        <translation>Mit Spitze %1.</translation>
+    </message>
+    <message>
+        <source>Off by %1 in space.</source>
+        <translation>Im Raum um %1 daneben.</translation>
+    </message>
+    <message>
+        <source>Off by %1 along what was read.</source>
+        <translation>Entlang der Ablesung um %1 daneben.</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Cannot be split by touches</source>
+        <translation>Nicht aufteilbar bei Berührungen</translation>
+    </message>
+    <message>
+        <source>The reading is %1 times the noise from where the model has the tip.</source>
+        <translation>Die Ablesung liegt das %1-Fache des Rauschens von dort, wo das Modell die Spitze hat.</translation>
+    </message>
+    <message>
+        <source>Touches have no images: there is nothing to label.</source>
+        <translation>Berührungen haben keine Bilder: zu markieren ist nichts.</translation>
+    </message>
+    <message>
+        <source>Touches are fitted all at once: there is nothing to play.</source>
+        <translation>Berührungen werden alle auf einmal angepasst: abzuspielen ist nichts.</translation>
+    </message>
+    <message>
+        <source>Right only together with where the fixtures stand, which was estimated with it.</source>
+        <translation>Nur zusammen mit den mitgeschätzten Orten der Vorrichtungen richtig.</translation>
+    </message>
+    <message>
+        <source>along its normal</source>
+        <translation>entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>Where it stands on %1, estimated with the rest.</source>
+        <translation>Wo es auf %1 steht, mitgeschätzt.</translation>
+    </message>
+    <message>
+        <source>%1 more touches would %2. Choose one to see it in 3D.</source>
+        <translation>%1 weitere Berührungen würden %2. Wähle eine, um sie in 3D zu sehen.</translation>
+    </message>
+    <message>
+        <source>No touch of these fixtures would %1.</source>
+        <translation>Keine Berührung dieser Vorrichtungen würde %1.</translation>
+    </message>
+    <message>
+        <source>Far off along what was read: touched or read wrongly?</source>
+        <translation>Weit daneben entlang der Ablesung: falsch berührt oder falsch abgelesen?</translation>
+    </message>
+    <message>
+        <source>%1 mm along %2</source>
+        <translation>%1 mm entlang %2</translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>Berührungen</translation>
+    </message>
+    <message>
+        <source>held out mm</source>
+        <translation>ungesehen mm</translation>
+    </message>
+    <message>
+        <source>where it stands</source>
+        <translation>wo es steht</translation>
+    </message>
+    <message>
+        <source>What was touched</source>
+        <translation>Was berührt wurde</translation>
+    </message>
+    <message>
+        <source>The fixtures and the tip are found with the robot.</source>
+        <translation>Die Vorrichtungen und die Spitze werden mit dem Roboter gefunden.</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>socket</source>
+        <translation>Pfanne</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>dial gauge</source>
+        <translation>Messuhr</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>A tracker or a probe measures in space, not in images.</source>
+        <translation>Ein Tracker oder ein Taster misst im Raum, nicht in Bildern.</translation>
+    </message>
+    <message>
+        <source>A probe and a plate</source>
+        <translation>Ein Taster und eine Platte</translation>
+    </message>
+    <message>
+        <source>No camera, no tracker: a plate in three places and two sockets were touched. What is wrong?</source>
+        <translation>Keine Kamera, kein Tracker: berührt wurden eine Platte an drei Orten und zwei Pfannen. Was stimmt nicht?</translation>
+    </message>
+    <message>
+        <source>nothing need be known of it</source>
+        <translation>bekannt sein muss davon nichts</translation>
+    </message>
+    <message>
+        <source>not known: estimated</source>
+        <translation>unbekannt: wird geschätzt</translation>
+    </message>
+    <message>
+        <source>How exactly a touch tells (sigma)</source>
+        <translation>Wie genau eine Berührung ist (Sigma)</translation>
+    </message>
+    <message>
+        <source>Known distances, m; a semicolon between them</source>
+        <translation>Bekannte Abstände, m; dazwischen ein Strichpunkt</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Socket</source>
+        <translation>Pfanne</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Dial gauge</source>
+        <translation>Messuhr</translation>
+    </message>
+    <message>
+        <source>Ball bar, wire</source>
+        <translation>Messstab, Seil</translation>
+    </message>
+    <message>
+        <source>A plate: the tip touches it, or stands as much above it as was read.</source>
+        <translation>Eine Platte: die Spitze berührt sie oder steht um das Abgelesene darüber.</translation>
+    </message>
+    <message>
+        <source>The tip's ball sits in it.</source>
+        <translation>Die Kugel der Spitze sitzt darin.</translation>
+    </message>
+    <message>
+        <source>The tip lies against a straight edge.</source>
+        <translation>Die Spitze liegt an einer geraden Kante.</translation>
+    </message>
+    <message>
+        <source>It reads how far the tip is along its axis.</source>
+        <translation>Sie zeigt, wie weit die Spitze entlang ihrer Achse ist.</translation>
+    </message>
+    <message>
+        <source>It reads how far the tip is from a point.</source>
+        <translation>Er zeigt, wie weit die Spitze von einem Punkt ist.</translation>
+    </message>
+    <message>
+        <source>What is known of %1</source>
+        <translation>Was von %1 bekannt ist</translation>
+    </message>
+    <message>
+        <source>What is %1?</source>
+        <translation>Was ist %1?</translation>
+    </message>
+    <message>
+        <source>the fixture</source>
+        <translation>der Vorrichtung</translation>
+    </message>
+    <message>
+        <source>%1: a table of touches</source>
+        <translation>%1: eine Tabelle von Berührungen</translation>
+    </message>
+    <message>
+        <source>I touch things</source>
+        <translation>Ich berühre Dinge</translation>
+    </message>
+    <message>
+        <source>No camera: a probe's tip touches plates, sockets, gauges.</source>
+        <translation>Keine Kamera: die Spitze eines Tasters berührt Platten, Pfannen, Messuhren.</translation>
     </message>
     <message>
         <source>A tracker session has no images.</source>
@@ -4897,8 +5133,8 @@
         <translation>Neue Sitzung aus Dateien</translation>
     </message>
     <message>
-        <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses or points, the robot's URDF. Each is known by its content.</source>
-        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen oder Punkten, die URDF des Roboters. Jede Datei wird an ihrem Inhalt erkannt.</translation>
+        <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses, points or touches, the robot's URDF. Each is known by its content.</source>
+        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen, Punkten oder Berührungen, die URDF des Roboters. Jede Datei wird an ihrem Inhalt erkannt.</translation>
     </message>
     <message>
         <source>Files of the new session</source>

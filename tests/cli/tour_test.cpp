@@ -34,9 +34,8 @@ const std::filesystem::path source = HANDSIGHT_SOURCE_DIR;
 void expect_done(const std::filesystem::path& folder, const std::string& command) {
   const std::string line = "cd " + test::quoted_argument(folder.string()) +
                            " && PATH=" HANDSIGHT_BINARY_DIR "/app/cli:\"$PATH\" " + command + " >out.txt 2>err.txt";
-  EXPECT_EQ(std::system(line.c_str()), 0)
-      << command << '\n'
-      << test::read_text(folder / "out.txt") << test::read_text(folder / "err.txt");
+  EXPECT_EQ(std::system(line.c_str()), 0) << command << '\n'
+                                          << test::read_text(folder / "out.txt") << test::read_text(folder / "err.txt");
 }
 
 TEST(Tour, TheCommandsOfTenMinutesWithAProbeDoWhatThePageSays) {

@@ -133,6 +133,7 @@ QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientat
       QObject::tr("Whether the fit uses it; odd: it stands out of the others; on a row: why"),
       QObject::tr("Why it is rejected or excluded, or what is to be said of it")};
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
+  if (const auto own = own_heads_.find({section, role}); own != own_heads_.end()) return own->second;
   if (const auto column = static_cast<TableColumn>(section); is_size(column)) {
     const SizeUnit unit = unit_of(column, units_);
     if (role == Qt::DisplayRole) return unit_name(unit);
@@ -157,6 +158,16 @@ void ObservationTableModel::set_units(SizeUnit first, SizeUnit second) {
   emit headerDataChanged(Qt::Horizontal, static_cast<int>(TableColumn::size),
                          static_cast<int>(TableColumn::other_size));
   tell(0, rowCount() - 1);
+}
+
+bool ObservationTableModel::setHeaderData(int section, Qt::Orientation orientation, const QVariant& value, int role) {
+  if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return false;
+  if (value.isValid())
+    own_heads_[{section, role}] = value;
+  else
+    own_heads_.erase({section, role});
+  emit headerDataChanged(orientation, section, section);
+  return true;
 }
 
 void ObservationTableModel::set_rows(std::vector<ObservationRow> rows) {

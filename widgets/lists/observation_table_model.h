@@ -6,6 +6,8 @@
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "widgets/lists/observation_rows.h"
@@ -22,6 +24,9 @@ class ObservationTableModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+  /// What a column is called here, and its tip; an invalid value: as usual.
+  bool setHeaderData(int section, Qt::Orientation orientation, const QVariant& value, int role) override;
 
   void set_units(SizeUnit first, SizeUnit second);
 
@@ -41,6 +46,7 @@ class ObservationTableModel : public QAbstractTableModel {
   std::array<SizeUnit, 2> units_ = {SizeUnit::pixel, SizeUnit::millimetre};  // of the two columns of sizes
   std::vector<ObservationId> highlighted_;
   ObservationId hovered_ = kNoObservation;
+  std::map<std::pair<int, int>, QVariant> own_heads_;  // by section and role
 };
 
 /// Sorts when asked to, not when the data change.

@@ -84,6 +84,13 @@ void HistogramPlot::set_noise(std::optional<double> sigma, const QString& unit) 
   replot();
 }
 
+void HistogramPlot::set_touches(bool are_touches) {
+  if (are_touches == are_touches_) return;
+  are_touches_ = are_touches;
+  fill();
+  replot();
+}
+
 void HistogramPlot::set_unit(SizeUnit unit) {
   if (unit == unit_) return;
   unit_ = unit;
@@ -100,6 +107,7 @@ QString HistogramPlot::axis_name() const {
                   : QObject::tr("rms / noise");
   // The noise is hatched, and its figure stands in the window's header.
   if (unit_ == SizeUnit::pixel) return QObject::tr("rms of a coordinate (px)");
+  if (are_touches_) return QObject::tr("off along the reading (mm)");
   const bool is_of_cameras = noise_unit_ != QStringLiteral("mm");
   return is_of_cameras ? QObject::tr("error of the hand (mm)") : QObject::tr("rms of the markers' distances (mm)");
 }

@@ -23,6 +23,8 @@ class HistogramPlot : public PlotWidget {
   void set_unit(SizeUnit unit);
   /// px (or mm) of one sigma, for the axis's name; absent: the noise is not known, and no noise curve is drawn.
   void set_noise(std::optional<double> sigma, const QString& unit);
+  /// What is measured is read by touch: in mm it is how far off along the reading.
+  void set_touches(bool are_touches);
   void set_selected(ObservationId id);
   void set_threshold(std::optional<double> size);  // absent: none is shown
   std::optional<double> threshold() const { return threshold_; }
@@ -58,7 +60,7 @@ class HistogramPlot : public PlotWidget {
   SizeUnit unit_ = SizeUnit::sigma;
   QString noise_unit_ = "px";
   ObservationId selected_ = kNoObservation;
-  bool is_moving_threshold_ = false;
+  bool is_moving_threshold_ = false, are_touches_ = false;
   std::shared_ptr<Bars> bars_;
 };
 

@@ -181,6 +181,16 @@ void RobotView::set_arrow_magnification(double times) {
   change();
 }
 
+void RobotView::set_fixtures(std::vector<SceneFixture> fixtures) {
+  parts_->fixtures = std::move(fixtures);
+  parts_->marks_changed = true;
+  change();
+}
+
+const std::vector<SceneFixture>& RobotView::fixtures() const { return parts_->fixtures; }
+
+const std::vector<SceneArrow>& RobotView::arrows() const { return parts_->arrows; }
+
 void RobotView::set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid) {
   parts_->ellipsoid = ellipsoid;
   parts_->marks_changed = true;

@@ -51,6 +51,9 @@ class RobotView : public QWidget {
   void set_markers(std::vector<SceneMarker> markers);
   void set_arrows(std::vector<SceneArrow> arrows);
   void set_arrow_magnification(double times);
+  void set_fixtures(std::vector<SceneFixture> fixtures);
+  const std::vector<SceneFixture>& fixtures() const;
+  const std::vector<SceneArrow>& arrows() const;
   void set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid);
   void set_selected_observation(ObservationId id);
   void set_hovered_observation(ObservationId id);

@@ -129,6 +129,9 @@ void RobotView::paint_labels(QPainter& painter) {
   const double ratio = width() > 0 ? p.picture.width() / static_cast<double>(width()) : 1;
   constexpr double above = 30, below = 70;  // px: the buttons, the triad and the legend
   const QRectF room(2, above, width() - 4.0, height() - above - below);
+  for (const SceneFixture& fixture : p.fixtures)
+    if (const auto at = to_screen(middle_of(fixture)); at && !fixture.name.isEmpty() && room.contains(*at))
+      plate(middle_of(fixture), fixture.name, QPointF(8, -10));
   for (const SceneCamera& camera : p.cameras)
     if (const auto at = to_screen(camera.root_from_camera.translation);
         at && !camera.name.isEmpty() && rect().contains(at->toPoint()))

@@ -132,8 +132,10 @@ void RobotViewParts::place_robot() {
 }
 
 void RobotViewParts::make_marks() {
-  for (ActorGroup* group : {&camera_actors, &axes, &marker_actors, &ellipsoid_actors}) group->clear(*renderer);
+  for (ActorGroup* group : {&camera_actors, &fixture_actors, &axes, &marker_actors, &ellipsoid_actors})
+    group->clear(*renderer);
   for (const SceneCamera& camera : cameras) show_camera(*renderer, camera_actors, camera);
+  for (const SceneFixture& fixture : fixtures) show_fixture(*renderer, fixture_actors, fixture);
   if (tcp) show_axes(*renderer, axes, *tcp, false);
   if (tcp_est) show_axes(*renderer, axes, *tcp_est, true);
   for (const SceneHand& hand : other_hands) show_axes(*renderer, axes, hand.root_from_tcp, false);
@@ -184,6 +186,7 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
   std::vector<Vector3> points = interest;
   for (const SceneArrow& arrow : arrows) points.push_back(arrow.from);
   for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
+  for (const SceneFixture& fixture : fixtures) points.push_back(middle_of(fixture));
   for (const SceneMarker& marker : markers) points.push_back(marker.in_root);
   if (tcp) points.push_back(tcp->translation);
   for (const SceneHand& hand : other_hands) points.push_back(hand.root_from_tcp.translation);

@@ -10,6 +10,7 @@
 #include <array>
 #include <future>
 
+#include "widgets/scene/fixture_marks.h"
 #include "widgets/scene/ghost.h"
 #include "widgets/scene/gl_window.h"
 #include "widgets/scene/marks.h"
@@ -48,6 +49,7 @@ struct RobotViewParts {
   std::vector<SceneHand> other_hands;
   std::vector<SceneMarker> markers;
   std::vector<SceneArrow> arrows;
+  std::vector<SceneFixture> fixtures;
   std::optional<SceneEllipsoid> ellipsoid;
   ObservationId selected = kNoObservation, hovered = kNoObservation;
   QString selected_joint, empty_text;
@@ -57,7 +59,7 @@ struct RobotViewParts {
   Ghost ghost;
   std::vector<Rigid> ghost_posture;  // as it is drawn, magnified
   double arrow_scale = 0;            // m for each px with which the arrows were made
-  ActorGroup floor, camera_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
+  ActorGroup floor, camera_actors, fixture_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.
   bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
        rings_changed = true, theme_changed = true;

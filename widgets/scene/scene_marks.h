@@ -41,6 +41,19 @@ struct SceneArrow {
   int coordinates = 12;
 };
 
+enum class SceneFixtureKind { plane, socket, edge, gauge, length };
+
+/// What a probe touches, in a frame of its own (m).
+struct SceneFixture {
+  QString name;
+  SceneFixtureKind kind = SceneFixtureKind::plane;
+  Rigid root_from_fixture;
+  /// Of a plane (z = 0) two corners of the patch; the ends of an edge, of a gauge's arrow and of a length. A socket is
+  /// a ring round the frame's origin.
+  Vector3 from{0, 0, 0}, to{0, 0, 0};
+  bool is_touched = false;  // in the observation that is shown
+};
+
 /// Where something is with this probability: the ellipsoid of a covariance.
 struct SceneEllipsoid {
   Vector3 center{0, 0, 0};

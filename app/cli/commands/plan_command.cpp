@@ -142,8 +142,9 @@ int run_of_collection(const PlanArguments& o, const Session& joined) {
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     if (!o.part.empty() && joined.parts[p].title != o.part) continue;
     if (joined.parts[p].fixture >= 0) {
-      o.output.line(fmt::format("{:<20} is touched; plan its session by itself, with the effects found here (--effects)",
-                                joined.parts[p].title));
+      o.output.line(
+          fmt::format("{:<20} is touched; plan its session by itself, with the effects found here (--effects)",
+                      joined.parts[p].title));
       continue;
     }
     PartPlan one = plan_of_part(o, joined, together, static_cast<int>(p));

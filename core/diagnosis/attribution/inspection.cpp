@@ -41,6 +41,22 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
     look((*marker.measured_in_sensor - marker.predicted_in_sensor).norm(), -1);
 }
 
+/// The direction in which a sighting reads one coordinate of the marker alone, a touch; nothing where it tells a whole
+/// place. Sensors of poses read points of a known shape so, which stand for a pose.
+std::optional<Vector3> read_along(const Problem& problem, const ProblemObservation& o, const Sighting& s,
+                                  const Vector3& predicted_in_sensor) {
+  if (s.by_distance && predicted_in_sensor.norm() > 0) return Vector3(predicted_in_sensor.normalized());
+  const bool is_pose = problem.shape && o.sightings.size() == pose_markers;
+  return is_pose ? std::nullopt : s.along;
+}
+
+/// Where a reading has the marker: it says nothing across its direction, where the marker is as predicted.
+Vector3 read_place(const Sighting& s, const Vector3& along, const Vector3& predicted_in_sensor) {
+  const double off =
+      s.by_distance ? s.point->x() - predicted_in_sensor.norm() : along.dot(*s.point - predicted_in_sensor);
+  return predicted_in_sensor + off * along;
+}
+
 /// Fills what the row shows of the observation's markers and pose.
 ResidualParts measure(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
                       InspectionRow& row) {
@@ -58,7 +74,12 @@ ResidualParts measure(const Problem& problem, const ProblemObservation& o, const
     marker.predicted_in_sensor = sensor_from_tcp * marker_at(o, unknowns, s.marker);
     marker.corners = corners_of(rig, s, marker.predicted_in_sensor);
     marker.measured_in_sensor = s.point;
-    if (s.point) add_variance(Matrix3::Identity());
+    if (const auto along = s.point ? read_along(problem, o, s, marker.predicted_in_sensor) : std::nullopt) {
+      marker.measured_in_sensor = read_place(s, *along, marker.predicted_in_sensor);
+      add_variance(*along * along->transpose());
+    } else if (s.point) {
+      add_variance(Matrix3::Identity());
+    }
     if (rig)
       if (const auto point = triangulate_unweighed(*rig, s)) {
         marker.measured_in_sensor = point->point;

@@ -14,6 +14,7 @@
 namespace handsight {
 
 static constexpr auto& scales = plausible_scales;
+static_assert(scales[largest_usual] == largest_usual_scale);
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
   return 2 * llt.matrixLLT().diagonal().array().log().sum();

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <cstddef>
 #include <optional>
-
-#include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
 
-inline constexpr std::size_t largest_usual = 3;  // into the scales
-static_assert(plausible_scales[largest_usual] == largest_usual_scale);
+struct NoiseKnowledge;
+struct WhitenedModel;
+
+inline constexpr std::size_t largest_usual = 3;  // into plausible_scales: largest_usual_scale
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt);
 

@@ -84,7 +84,8 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
     information(first + i, first + i) -=
         std::pow(problem.noise / problem.columns_of_effects[static_cast<std::size_t>(i)].prior_sigma(), 2);
   const Eigen::MatrixXd across = information.block(0, first, first, count);
-  const Eigen::MatrixXd by_others = across.transpose() * pseudo_inverse(information.topLeftCorner(first, first)) * across;
+  const Eigen::MatrixXd by_others =
+      across.transpose() * pseudo_inverse(information.topLeftCorner(first, first)) * across;
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double all = information(first + i, first + i);
@@ -97,9 +98,8 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
 bool is_one_plane(const Session& session) {
   int touched = 0;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f)
-    touched += std::any_of(session.observations.begin(), session.observations.end(), [&](const Observation& o) {
-      return is_used(o) && o.part == static_cast<int>(f);
-    });
+    touched += std::any_of(session.observations.begin(), session.observations.end(),
+                           [&](const Observation& o) { return is_used(o) && o.part == static_cast<int>(f); });
   const bool all_planes = std::all_of(session.fixtures.begin(), session.fixtures.end(),
                                       [](const Fixture& f) { return f.kind == FixtureKind::plane; });
   return all_planes && touched == 1;
@@ -112,10 +112,10 @@ std::vector<std::string> touch_unknown_texts(const Session& session, const Fit& 
   const Eigen::MatrixXd untold = untold_directions(fit);
   const int tip = moved_numbers(untold.topRows(3 * fit.problem.marker_count));
   if (tip > 0)
-    texts.push_back(
-        fmt::format("Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
-                    "than one axis while it touches.",
-                    tip, 3 * fit.problem.marker_count));
+    texts.push_back(fmt::format(
+        "Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
+        "than one axis while it touches.",
+        tip, 3 * fit.problem.marker_count));
   if (const auto names = untold_fixtures(session, fit, untold); !names.empty())
     texts.push_back(
         fmt::format("Where {} stands is not determined by these touches; touch it more often, farther apart and with "

@@ -229,6 +229,13 @@ TEST(Edits, ReadBackBitForBit) {
   both.point = Vector3(0.1, 0.2, 0.3);
   both.by = MarkedBy::tracker;
   see(both, 1, Vector2(-0.1, 7));
+  Sighting reading;  // by touch
+  reading.point = Vector3(0, 0, 3e-3);
+  reading.along = Vector3(0, 0, 1);
+  b.sightings.push_back(reading);
+  Sighting& length = b.sightings.emplace_back();
+  length.point = Vector3(0.2, 0, 0);
+  length.by_distance = true;
   b.decision = Decision::rejected;
   b.reason = "\"quoted\"\n and \xc3\xa4";
   const Edit edit{.sentence = "d\xc3\xa9placé",
@@ -241,6 +248,11 @@ TEST(Edits, ReadBackBitForBit) {
   ASSERT_EQ(again.observations.size(), 1U);
   EXPECT_TRUE(same_state(again.observations[0].before, a));
   EXPECT_TRUE(same_state(again.observations[0].after, b));
+  const std::vector<Sighting>& read = again.observations[0].after.sightings;
+  ASSERT_EQ(read.size(), 3U);
+  EXPECT_EQ(read[1].along, reading.along);
+  EXPECT_FALSE(read[1].by_distance);
+  EXPECT_TRUE(read[2].by_distance);
   EXPECT_EQ(again.settings->after, edit.settings->after);
   EXPECT_EQ(edit_text(edit).find('\n'), std::string::npos) << "one line";
   EXPECT_THROW(parse_edit("{\"sentence\":1}"), InputError);

@@ -5,6 +5,7 @@
 #include <QtGui/qevent.h>
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPlainTextEdit>
@@ -14,6 +15,7 @@
 #include "app/window/wizard_page.h"
 #include "convert/bag_fixture.h"
 #include "estimation/fit/fit.h"
+#include "widgets/base/picture_choice.h"
 
 namespace handsight::test {
 namespace {
@@ -132,6 +134,40 @@ TEST_F(FilesWizardTest, ABagThatIsDroppedBecomesASessionAndSaysWhatItTook) {
   EXPECT_GE(desk.document().session().observations.size(), 12U);
   ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
   EXPECT_LT(desk.document().model()->fit->residual_rms, 1e-4);
+}
+
+TEST_F(FilesWizardTest, ATableOfTouchesAsksWhatItsFixturesAre) {
+  const auto samples = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions";
+  std::filesystem::copy(samples / "probe_and_plate/touches.csv", folder.path / "touches.csv");
+  ASSERT_TRUE(files.drop({folder.path / "touches.csv", samples / "robots/six_axis.urdf"}, &desk.window));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(files.dialog()));
+  EXPECT_TRUE(files.listed().contains("touches.csv: a table of touches")) << files.listed().join('\n').toStdString();
+  EXPECT_EQ(files.said(), "");
+  desk.find<QComboBox>("files_tcp")->setCurrentText("hand");
+  EXPECT_FALSE(desk.find<QWidget>("files_still")->isVisible());
+  ASSERT_TRUE(desk.find<QWidget>("files_touches")->isVisible());
+  // A plate is a plane by its name; that one is an edge is said by its picture, and taken back.
+  const auto chosen = [&](const char* fixture) { return desk.find<widgets::PictureChoice>(fixture)->current(); };
+  EXPECT_EQ(chosen("fixture_plate_high"), 0);
+  EXPECT_EQ(chosen("fixture_socket_left"), 1);
+  desk.press_button("fixture_plate_high_2");
+  EXPECT_EQ(chosen("fixture_plate_high"), 2);
+  desk.press_button("fixture_plate_high_0");
+  files.fill("touch_apart", "socket_left socket_right by=0.2999814769 sigma=1e-5");
+  desk.find<QDoubleSpinBox>("touch_sigma")->setValue(20);
+  files.fill("files_out", folder.path / "made");
+  ASSERT_TRUE(files.press_make());
+  ASSERT_TRUE(files.said().startsWith("Made: ")) << files.said().toStdString();
+  desk.click(files.make());
+  ASSERT_TRUE(desk.document().is_open());
+  ASSERT_TRUE(desk.settle());
+  const Session& s = desk.document().session();
+  EXPECT_TRUE(s.is_touch());
+  EXPECT_EQ(s.fixtures.size(), 5U);
+  EXPECT_EQ(s.distances.size(), 1U);
+  EXPECT_EQ(s.observations.size(), 100U);
+  ASSERT_TRUE(s.fixtures.front().sigma);
+  EXPECT_DOUBLE_EQ(*s.fixtures.front().sigma, 2e-5);
 }
 
 TEST_F(FilesWizardTest, SamplesOfEasyHandEyeNeedNothingElse) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was touched, fixture by fixture: how often, how far off, and where it stands.
+#pragma once
+
+#include <QWidget>
+
+#include "bench/workbench.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace handsight::app {
+
+class FixturesPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FixturesPage(Workbench& bench, QWidget* parent = nullptr);
+  void refresh();
+
+ private:
+  Workbench& bench_;
+  QLabel* sentence_;
+  QTableWidget* table_;
+};
+
+}  // namespace handsight::app

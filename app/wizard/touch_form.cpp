@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wizard/touch_form.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "bench/heading.h"
+#include "convert/touch_table.h"
+#include "widgets/base/picture_choice.h"
+#include "widgets/base/theme.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr std::array<const char*, 5> tags{"plane", "point", "line", "gauge", "length"};
+
+/// What a name says, as the engine takes it where nobody tells.
+int likely_kind(const QString& name) {
+  const std::array<std::pair<const char*, int>, 6> words{
+      {{"socket", 1}, {"point", 1}, {"edge", 2}, {"gauge", 3}, {"dial", 3}, {"bar", 4}}};
+  for (const auto& [word, kind] : words)
+    if (name.contains(QLatin1String(word), Qt::CaseInsensitive)) return kind;
+  return 0;
+}
+
+/// What has to be said of such a fixture, or may be.
+QString hint_of(int kind) {
+  switch (kind) {
+    case 2:
+      return QStringLiteral("xyz=0.5,0,0.3 direction=0,1,0");
+    case 3:
+      return QStringLiteral("xyz=0.6,0,0.5 axis=0,1,0");
+    case 4:
+      return QStringLiteral("to=0.2,0.1,0.2");
+    default:
+      return QObject::tr("nothing need be known of it");
+  }
+}
+
+}  // namespace
+
+QStringList fixtures_in(const std::filesystem::path& file, const Robot& robot) {
+  QStringList names;
+  std::error_code error;
+  const std::string ending = file.extension().string();
+  const bool is_text = ending == ".csv" || ending == ".txt" || ending == ".tsv";
+  if (!is_text || !std::filesystem::is_regular_file(file, error)) return names;
+  try {
+    auto table = parse_touch_table(read_file(file), file.filename().string(), &robot, {});
+    if (!table || !names_fixtures(*table)) return names;
+    std::vector<std::string> notes;
+    constexpr bool in_degrees = true;  // the names do not depend on it
+    for (const TouchRow& row : read_touch_table(std::move(*table), robot, {}, in_degrees, notes).rows)
+      if (const QString name = QString::fromStdString(row.fixture); !names.contains(name)) names << name;
+  } catch (const InputError&) {
+    return {};  // what is wrong in it is said where it is read
+  }
+  return names;
+}
+
+TouchForm::TouchForm(QWidget* parent) : QWidget(parent) {
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(6);
+  auto* rows = new QFormLayout;
+  rows->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  sigma_ = new QDoubleSpinBox(this);
+  sigma_->setObjectName("touch_sigma");
+  sigma_->setRange(0, 10000);
+  sigma_->setDecimals(1);
+  sigma_->setSuffix(QString::fromUtf8(" µm"));
+  sigma_->setSpecialValueText(tr("not known: estimated"));
+  sigma_->setMinimumHeight(widgets::kControlHeight);
+  apart_ = new QLineEdit(this);
+  apart_->setObjectName("touch_apart");
+  apart_->setPlaceholderText(QStringLiteral("socket_1 socket_2 by=0.05 sigma=1e-5"));
+  apart_->setMinimumHeight(widgets::kControlHeight);
+  rows->addRow(tr("How exactly a touch tells (sigma)"), sigma_);
+  rows->addRow(tr("Known distances, m; a semicolon between them"), apart_);
+  column_->addLayout(rows);
+}
+
+TouchForm::Row TouchForm::add_row(const QString& name) {
+  Row row;
+  row.page = new QWidget(this);
+  auto* column = new QVBoxLayout(row.page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  row.kind = new widgets::PictureChoice(
+      "fixture_" + name,
+      {{"touch_plane", tr("Plane"), tr("A plate: the tip touches it, or stands as much above it as was read.")},
+       {"touch_socket", tr("Socket"), tr("The tip's ball sits in it.")},
+       {"touch_edge", tr("Edge"), tr("The tip lies against a straight edge.")},
+       {"touch_gauge", tr("Dial gauge"), tr("It reads how far the tip is along its axis.")},
+       {"touch_length", tr("Ball bar, wire"), tr("It reads how far the tip is from a point.")}},
+      5);
+  row.known = new QLineEdit;
+  row.known->setObjectName("known_of_" + name);
+  row.known->setAccessibleName(tr("What is known of %1").arg(name));
+  row.known->setMinimumHeight(widgets::kControlHeight);
+  const auto ask = [known = row.known](int kind) { known->setPlaceholderText(hint_of(kind)); };
+  connect(row.kind, &widgets::PictureChoice::chosen, this, ask);
+  row.kind->choose(likely_kind(name));
+  ask(likely_kind(name));
+  column->addWidget(heading(tr("What is %1?").arg(name), row.page));
+  column->addWidget(row.kind);
+  column->addWidget(row.known);
+  return row;
+}
+
+void TouchForm::ask(const QStringList& fixtures) {
+  std::vector<Row> rows;
+  for (const QString& name : fixtures) {
+    const auto before = names_.indexOf(name);
+    rows.push_back(before < 0 ? add_row(name) : rows_[static_cast<std::size_t>(before)]);
+  }
+  for (const Row& row : rows_) {
+    column_->removeWidget(row.page);
+    const bool stays = std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.page == row.page; });
+    if (!stays) row.page->deleteLater();
+  }
+  rows_ = std::move(rows);
+  names_ = fixtures;
+  for (std::size_t i = 0; i < rows_.size(); ++i) column_->insertWidget(static_cast<int>(i), rows_[i].page);
+}
+
+std::vector<std::string> TouchForm::described() const {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    list.push_back((QLatin1String(tags[static_cast<std::size_t>(std::max(0, rows_[i].kind->current()))]) + ' ' +
+                    names_[static_cast<qsizetype>(i)] + ' ' + rows_[i].known->text())
+                       .trimmed()
+                       .toStdString());
+  return list;
+}
+
+std::vector<std::string> TouchForm::apart() const {
+  std::vector<std::string> list;
+  for (const QString& one : apart_->text().split(';', Qt::SkipEmptyParts))
+    if (!one.trimmed().isEmpty()) list.push_back(one.trimmed().toStdString());
+  return list;
+}
+
+std::optional<double> TouchForm::sigma() const {
+  return sigma_->value() > 0 ? std::optional(1e-6 * sigma_->value()) : std::nullopt;
+}
+
+}  // namespace handsight::app
