@@ -28,11 +28,15 @@ double unit_of(const Table& table, std::size_t column) {
   if (unit == "mm") return 1e-3;
   if (unit == "um" || unit == "µm" || unit == "micrometres" || unit == "micrometers") return 1e-6;
   const std::string& name = table.columns[column].name;
-  throw InputError(fmt::format(
-      "{}: the readings in column {} ({}) {}; write it into the header, \"{} [mm]\", \"[um]\" or \"[m]\".", table.file,
-      column + 1, shortened(name, 60),
-      unit.empty() ? "have no unit" : "are in " + in_quotes(shortened(unit, 40)) + ", which is none of mm, um and m",
-      shortened(name, 60)));
+  const std::string where = shortened(name, 60);
+  if (unit.empty())
+    throw InputError(fmt::format(
+        "{}: the readings in column {} ({}) have no unit; write it into the header, \"{} [mm]\", \"[um]\" or \"[m]\".",
+        table.file, column + 1, where, where));
+  throw InputError(
+      fmt::format("{}: the readings in column {} ({}) are in {}, which is none of mm, um and m; write it into the "
+                  "header, \"{} [mm]\", \"[um]\" or \"[m]\".",
+                  table.file, column + 1, where, in_quotes(shortened(unit, 40)), where));
 }
 
 /// The joints' columns and no other.

@@ -8105,8 +8105,8 @@
         <translation>diameter ist %1 m; erwartet ist mehr als 0 und weniger als die %2 m zwischen zwei Kreisen, damit sie sich nicht berühren.</translation>
     </message>
     <message>
-        <source>%1: describes a grid of circles, without their diameter, which is needed; expected it in words: --target circles columns=%2 rows=%3 spacing=%4 diameter=METRES layout=%5.</source>
-        <translation>%1: beschreibt ein Gitter aus Kreisen ohne deren Durchmesser, der nötig ist; erwartet ist es in Worten: --target circles columns=%2 rows=%3 spacing=%4 diameter=METER layout=%5.</translation>
+        <source>describes a grid of circles, without their diameter, which is needed; expected it in words: --target circles columns=%1 rows=%2 spacing=%3 diameter=METRES layout=%4.</source>
+        <translation>beschreibt ein Gitter aus Kreisen ohne deren Durchmesser, der nötig ist; erwartet ist es in Worten: --target circles columns=%1 rows=%2 spacing=%3 diameter=METER layout=%4.</translation>
     </message>
     <message>
         <source>a chessboard needs at least 6 inner corners, for example columns="3" rows="2".</source>

@@ -262,7 +262,7 @@ TEST(Language, EveryPhraseIsOneThatTheCoreSays) {
   static const QRegularExpression literal("\"((?:[^\"\\\\]|\\\\.)*)\"\\s*");
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "core")) {
-    if (entry.path().extension() != ".cpp") continue;
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
     QString source = QString::fromStdString(read_file(entry.path()));
     source.replace("'\"'", "' '");  // a character, no beginning of a text
     qsizetype end = -1;
