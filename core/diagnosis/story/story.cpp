@@ -149,7 +149,8 @@ StoryError story_error(const Fit& fit, const FitReport& report) {
     if (!e.error) e.error = size_of(report.fitted, e.in_pixels);
     e.elsewhere = size_of(report.held_out_region, e.in_pixels);
   }
-  if (fit.noise) e.noise = as_told(*fit.noise, e.in_pixels);
+  // Of lengths what noise makes of them: a touch reads one coordinate, a tracker three.
+  if (fit.noise) e.noise = e.in_pixels ? *fit.noise : report.rms_of_noise_m.value_or(as_told(*fit.noise, false));
   return e;
 }
 

@@ -22,7 +22,8 @@ std::string odds(double ln_bayes_factor) {
 std::string noise_text(const Diagnosis& d) {
   if (!d.noise) return "unknown";
   const bool in_pixels = !d.model.session.is_tracker();
-  return told_size(as_told(*d.noise, in_pixels), in_pixels);
+  const double of_length = d.report.rms_of_noise_m.value_or(as_told(*d.noise, false));
+  return told_size(in_pixels ? *d.noise : of_length, in_pixels);
 }
 
 /// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"
