@@ -89,28 +89,28 @@ class Joiner {
     const Session& s = m.session;
     if (member > 0) require_alike(m);
     if (s.is_touch()) return add_fixtures(m);
-    SessionPart& part = all_.parts.emplace_back();
-    part.title = m.title;
-    part.file = s.file;
-    part.tcp = s.tcp;
-    part.own = m.own;
-    const double unit = is_in_pixels_ ? all_.sigma_pixel.value_or(1) : all_.sigma_point.value_or(1);
-    part.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
+    SessionPart& part = all_.parts.emplace_back(part_of(m));
     add_rig(m, part);
     add_body(m, part);
     add_observations(m, static_cast<int>(all_.parts.size()) - 1, part);
     for (const std::string& note : s.notes) all_.notes.push_back(m.title + ": " + note);
   }
 
+  SessionPart part_of(const JoinedMember& m) const {
+    SessionPart part;
+    part.title = m.title;
+    part.file = m.session.file;
+    part.tcp = m.session.tcp;
+    part.own = m.own;
+    const double unit = is_in_pixels_ ? all_.sigma_pixel.value_or(1) : all_.sigma_point.value_or(1);
+    part.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
+    return part;
+  }
+
   /// A session of touches is as many parts as it has fixtures, of one hand.
   void add_fixtures(const JoinedMember& m) {
     const Session& s = m.session;
-    SessionPart whole;
-    whole.file = s.file;
-    whole.tcp = s.tcp;
-    whole.own = m.own;
-    const double unit = is_in_pixels_ ? all_.sigma_pixel.value_or(1) : all_.sigma_point.value_or(1);
-    whole.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
+    SessionPart whole = part_of(m);
     add_body(m, whole);
     const std::size_t first = all_.parts.size();
     add_observations(m, static_cast<int>(first), whole);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/threads.h"
 #include "diagnosis/evidence/scaled_score.h"
 
 namespace handsight {

@@ -272,7 +272,7 @@ class Work {
     Refit r = refitted(c.terms);
     // Of a fit that has not ended the evidence is less than it could be; that may be more than was thought.
     const bool tells_more = r.fit.solution.normal.in_front && r.ln_bayes_factor > c.ln_bayes_factor;
-    if (!r.fit.converged() && !tells_more) return;
+    if (stopped_ || (!r.fit.converged() && !tells_more)) return;
     drop_idle_places(r);
     if (stopped_) return;
     take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);

@@ -98,10 +98,24 @@ double size_of(const Problem& problem, const Eigen::VectorXd& step) {
   return size;
 }
 
+/// A long step along a bent valley leaves its floor, and the next one leads back to it, farther on: goes there where
+/// that costs less than `before`.
+void lead_back(const Problem& problem, double damping, bool fixed_body, double before,
+               const std::function<NormalEquations(const Unknowns&, bool derives)>& normal_at, Unknowns& next,
+               NormalEquations& normal) {
+  constexpr double most_risen = 10;  // times: from farther up no single step leads back
+  if (!(normal.cost > before && normal.cost < most_risen * before)) return;
+  const Eigen::VectorXd back = step_from(normal, step_basis(problem, next, fixed_body), damping, fixed_body);
+  Unknowns farther = stepped(problem, next, back, fixed_body);
+  NormalEquations there = normal_at(farther, true);
+  if (!(there.cost < before)) return;
+  next = std::move(farther);
+  normal = std::move(there);
+}
+
 }  // namespace
 
 Solution solve(const Problem& original, const Unknowns& start, const SolveOptions& options) {
-  constexpr double most_risen = 10;  // times the cost: from farther up no single step leads back
   const bool has_effects = original.effect_count() > 0;
   Problem own;  // only a robust loss and moving effects need their own copy
   if (options.loss != Loss::none || has_effects) own = original;
@@ -130,19 +144,8 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const double size = size_of(original, step);
     // The derivatives that are at hand after a refused step are those of where it led.
     NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
-    // A long step along a bent valley leaves its floor; the next one leads back to it, farther on.
-    const bool may_lead_back = normal.cost > solution.normal.cost && normal.cost < most_risen * solution.normal.cost &&
-                               size >= options.reuse_below;
-    if (may_lead_back) {
-      const Eigen::VectorXd back =
-          step_from(normal, step_basis(original, next, options.fixed_body), damping, options.fixed_body);
-      Unknowns farther = stepped(original, next, back, options.fixed_body);
-      NormalEquations there = normal_at(farther, true);
-      if (there.cost < solution.normal.cost) {
-        next = std::move(farther);
-        normal = std::move(there);
-      }
-    }
+    if (size >= options.reuse_below)
+      lead_back(original, damping, options.fixed_body, solution.normal.cost, normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
     const bool rounding = size < options.smallest_step || gains_nothing;
