@@ -79,8 +79,9 @@ std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form,
   const Vector6 sigma = hand < model.hands.size() ? model.hands[hand].sigma : origin_sigma(*model.fit);
   std::vector<MotionLine> lines;
   const auto split = [](const QString& name, double value, double s, const QString& unit) {
+    if (!std::isfinite(s)) return MotionLine{name, QObject::tr("not determined"), {}, {}};
     const QStringList parts = widgets::with_sigma_text(value, s).split(QString(" ± "));
-    return MotionLine{name, parts.value(0), std::isfinite(s) ? parts.value(1) : QObject::tr("not determined"), unit};
+    return MotionLine{name, parts.value(0), parts.value(1), unit};
   };
   if (form == MotionForm::matrix) {
     const Matrix4 rows = matrix_from_rigid(m);
