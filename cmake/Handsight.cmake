@@ -40,7 +40,7 @@ set(core ${CMAKE_CURRENT_LIST_DIR}/../core)
 set(handsight_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numeric> <optional> <random> <set> <span>
   <string> <string_view> <vector> <fmt/format.h> <Eigen/Dense>
   "${core}/geometry/compiled_once.h" "${core}/geometry/rigid.h"  # what uses them must link handsight_geometry
-  "${core}/base/error.h" "${core}/base/bounds.h" "${core}/base/text.h")
+  "${core}/base/error.h" "${core}/base/message.h" "${core}/base/bounds.h" "${core}/base/text.h")
 set(handsight_model_headers ${handsight_headers} <boost/container/small_vector.hpp>
   "${core}/session/session.h" "${core}/chain/chain.h" "${core}/chain/sighting.h" "${core}/effects/effect.h")
 set(handsight_fit_headers ${handsight_model_headers} "${core}/base/threads.h" "${core}/estimation/problem/problem.h"

@@ -194,9 +194,9 @@ void add_export_option(const CommandLine& command, Output& output) {
 void require_pair(const Session& session, const char* command) {
   if (!session.rig || is_pair(*session.rig)) return;
   throw InputError(
-      fmt::format("{}: {} looks for corners in the images of two cameras, and this session has {} ({}); bring its "
-                  "markers' image points as <marker> elements, and fit and diagnose work with any number of cameras.",
-                  session.file.filename().string(), command, session.rig->count(), listed_names(*session.rig)));
+      message("{}: {} looks for corners in the images of two cameras, and this session has {} ({}); bring its "
+              "markers' image points as <marker> elements, and fit and diagnose work with any number of cameras.",
+              session.file.filename().string(), command, session.rig->count(), listed_names(*session.rig)));
 }
 
 }  // namespace handsight::cli

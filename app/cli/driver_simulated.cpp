@@ -50,7 +50,7 @@ class Driver {
     if (request.what == "look") return look(request);
     if (request.what == "stop") return say(stopped_line(request.id));
     throw InputError(
-        fmt::format("The driver is asked to {}; expected hello, move, look or stop.", in_quotes(request.what)));
+        message("The driver is asked to {}; expected hello, move, look or stop.", in_quotes(request.what)));
   }
 
   void move(const DriverRequest& request) {

@@ -117,12 +117,12 @@ Journal::Journal(const fs::path& session_file, const std::string& digest, const 
   open_.descriptor = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   if (open_.descriptor < 0)
     throw InputError(
-        fmt::format("{}: the journal of this session cannot be written ({}); make its folder writable or "
-                    "set XDG_STATE_HOME to another.",
-                    shown_path(file_), std::strerror(errno)));
+        message("{}: the journal of this session cannot be written ({}); make its folder writable or "
+                "set XDG_STATE_HOME to another.",
+                shown_path(file_), std::strerror(errno)));
   if (::flock(open_.descriptor, LOCK_EX | LOCK_NB) != 0)
-    throw InputError(fmt::format("{}: the session is open in another window of Handsight; work there or close it.",
-                                 shown_path(session_file_)));
+    throw InputError(message("{}: the session is open in another window of Handsight; work there or close it.",
+                             shown_path(session_file_)));
   recover(digest, session);
 }
 
@@ -137,8 +137,8 @@ fs::path Journal::set_aside(const std::string& text, const std::string& why) con
     replace_file(aside, text);
   } catch (const InputError&) {
     throw InputError(
-        fmt::format("{}: {}, and it cannot be set aside in {}; make room there, or move the journal away yourself.",
-                    shown_path(file_), why, shown_path(aside)));
+        message("{}: {}, and it cannot be set aside in {}; make room there, or move the journal away yourself.",
+                shown_path(file_), why, shown_path(aside)));
   }
   return aside;
 }
@@ -180,7 +180,7 @@ void Journal::recover(const std::string& digest, const Session* session) {
         read.entries.size() + 2, read.entries.size(), read.not_understood, shown_path(aside));
   }
   if (::ftruncate(open_.descriptor, static_cast<off_t>(read.good_bytes)) != 0)
-    throw InputError(fmt::format("{}: the journal cannot be repaired: {}.", shown_path(file_), std::strerror(errno)));
+    throw InputError(message("{}: the journal cannot be repaired: {}.", shown_path(file_), std::strerror(errno)));
   contents_.entries = std::move(read.entries);
 }
 
@@ -198,7 +198,7 @@ fs::path Journal::clear_and_keep(const std::string& digest) {
 
 void Journal::start(const std::string& digest) {
   if (::ftruncate(open_.descriptor, 0) != 0)
-    throw InputError(fmt::format("{}: the journal cannot be written: {}.", shown_path(file_), std::strerror(errno)));
+    throw InputError(message("{}: the journal cannot be written: {}.", shown_path(file_), std::strerror(errno)));
   write_line("handsight journal 1 " + digest + " " + session_file_.string());
 }
 
@@ -212,11 +212,11 @@ void Journal::write_line(const std::string& line) {
   const bool is_whole = before >= 0 && ::ftruncate(open_.descriptor, before) == 0;
   if (!is_whole && ::write(open_.descriptor, "\n", 1) != 1)
     throw InputError(
-        fmt::format("{}: the last action could not be written down ({}), and half of it stands there; save "
-                    "the session and open it again.",
-                    shown_path(file_), std::strerror(error)));
-  throw InputError(fmt::format("{}: the last action could not be written down ({}); make room and save the session.",
-                               shown_path(file_), std::strerror(error)));
+        message("{}: the last action could not be written down ({}), and half of it stands there; save "
+                "the session and open it again.",
+                shown_path(file_), std::strerror(error)));
+  throw InputError(message("{}: the last action could not be written down ({}); make room and save the session.",
+                           shown_path(file_), std::strerror(error)));
 }
 
 }  // namespace handsight::app

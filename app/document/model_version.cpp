@@ -83,8 +83,8 @@ void check_places(const Session& session, const ModelSettings& settings) {
       const Effect& effect = effect_of(term);
       const std::vector<int> places = effect_places(effect, chain);
       if (std::find(places.begin(), places.end(), term.joint) == places.end())
-        throw InputError(fmt::format("The model has the effect {} at a place that this robot does not have; untick it.",
-                                     effect.title));
+        throw InputError(
+            message("The model has the effect {} at a place that this robot does not have; untick it.", effect.title));
     }
 }
 

@@ -86,13 +86,13 @@ FitOptions fit_options(const Session& session, const Names& effects, const std::
   else if (objective == "angle-axis")
     options.objective = Objective::angle_axis;
   else if (objective != "image")
-    throw InputError(fmt::format("objective is \"{}\"; expected image, camera or angle-axis.", objective));
+    throw InputError(message("objective is \"{}\"; expected image, camera or angle-axis.", objective));
   if (loss == "huber")
     options.loss = Loss::huber;
   else if (loss == "cauchy")
     options.loss = Loss::cauchy;
   else if (loss != "none")
-    throw InputError(fmt::format("loss is \"{}\"; expected none, huber or cauchy.", loss));
+    throw InputError(message("loss is \"{}\"; expected none, huber or cauchy.", loss));
   options.fix_markers = fix_markers;
   cli::add_effects(effects, session, options.effects, options.estimated);
   return options;
@@ -146,8 +146,8 @@ CalibratedRobot read_calibrated(const std::string& file, const std::string& robo
 /// One pose a row, each at rest and from nowhere.
 std::vector<Circumstances> poses_of(const CalibratedRobot& robot, const Positions& positions) {
   if (positions.cols() != static_cast<Eigen::Index>(robot.joint_names.size()))
-    throw InputError(fmt::format("positions have {} columns; expected {}, one a joint: {}.", positions.cols(),
-                                 robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
+    throw InputError(message("positions have {} columns; expected {}, one a joint: {}.", positions.cols(),
+                             robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
   if (!positions.allFinite())
     throw InputError("positions hold a number that is not finite (nan or inf); expected angles in rad (m).");
   std::vector<Circumstances> poses;

@@ -166,9 +166,9 @@ fs::path working_copy(const SampleSession& sample) {
   if (!error) fs::rename(partial, copy, error);
   if (error)
     throw InputError(
-        fmt::format("{}: the sample session could not be copied there ({}); make room or set "
-                    "XDG_STATE_HOME to another folder.",
-                    shown_path(copy), error.message()));
+        message("{}: the sample session could not be copied there ({}); make room or set "
+                "XDG_STATE_HOME to another folder.",
+                shown_path(copy), error.message()));
   return copy;
 }
 
@@ -181,8 +181,7 @@ fs::path fresh_copy(const SampleSession& sample) {
       const std::string digest = digest_of(read_file(copy / "session.xml"));
       Journal(copy / "session.xml", digest).clear(digest);
     } catch (const InputError&) {
-      throw InputError(
-          fmt::format("{}: the sample session is open in another window; close it first.", shown_path(copy)));
+      throw InputError(message("{}: the sample session is open in another window; close it first.", shown_path(copy)));
     }
     fs::remove_all(copy, error);
   }

@@ -84,7 +84,7 @@ bool MainWindow::open_sample(const QString& name, bool fresh) {
     for (const SampleSession& sample : sample_sessions())
       if (QString::fromStdString(sample.name) == name)
         return open(QString::fromStdString((fresh ? fresh_copy(sample) : working_copy(sample)).string()));
-    throw InputError(fmt::format("There is no sample session \"{}\".", name.toStdString()));
+    throw InputError(message("There is no sample session \"{}\".", name.toStdString()));
   } catch (const InputError& error) {
     start_->set_refusal(translated_error(error));
     return false;

@@ -3,17 +3,27 @@
 // "cannot be computed here" is an optional or a status in the result, never an exception.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "base/message.h"
+
 namespace handsight {
 
-/// Bad input: one sentence of 20 to 600 characters that says what is wrong, where, and what was expected.
+/// Bad input: one sentence of 20 to 600 characters that says what is wrong, where, and what was expected; `what` is its
+/// English.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(const std::string& sentence) : std::runtime_error(sentence) {}
+  explicit InputError(const Message& sentence) : InputError(sentence, sentence.english()) {}
+  /// `english`: the sentence as it is shown, where that is shorter.
+  InputError(const Message& sentence, const std::string& english)
+      : std::runtime_error(english), sentence_(std::make_shared<const Message>(sentence)) {}
+
+  const Message& sentence() const { return *sentence_; }
+
+ private:
+  std::shared_ptr<const Message> sentence_;  // an exception is copied without throwing another
 };
 
 /// A promise of our own code that does not hold.

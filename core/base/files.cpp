@@ -27,7 +27,7 @@ constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr std::string_view unfinished = ".handsight-";
 
 [[noreturn]] void refuse_file(const fs::path& path, std::string_view what, int error) {
-  throw InputError(fmt::format("{}: the file {}: {}.", shown_path(path), what, std::strerror(error)));
+  throw InputError(message("{}: the file {}: {}.", shown_path(path), what, std::strerror(error)));
 }
 
 /// Closes the descriptor at the end of the scope.
@@ -103,11 +103,11 @@ void require_replaceable(const fs::path& path) {
   if (S_ISDIR(there.st_mode)) refuse_file(path, "cannot be written, and is as it was", EISDIR);
   if (!S_ISREG(there.st_mode))
     throw InputError(
-        fmt::format("{}: is a device or a pipe and is not written over; name a file, or - for standard "
-                    "output where an option takes it.",
-                    shown_path(path)));
+        message("{}: is a device or a pipe and is not written over; name a file, or - for standard "
+                "output where an option takes it.",
+                shown_path(path)));
   if ((there.st_mode & 0222) == 0 || ::access(path.c_str(), W_OK) != 0)
-    throw InputError(fmt::format("{}: is write protected and is as it was; name another file.", shown_path(path)));
+    throw InputError(message("{}: is write protected and is as it was; name another file.", shown_path(path)));
 }
 
 /// Held while a folder's file is compared and replaced; other programs that do the same wait. Where the file system
@@ -151,8 +151,7 @@ std::string read_file(const fs::path& path) {
   if (::fstat(file.value(), &there) != 0) refuse_file(path, "cannot be read", errno);
   if (S_ISDIR(there.st_mode)) refuse_file(path, "cannot be read", EISDIR);
   if (!S_ISREG(there.st_mode))
-    throw InputError(
-        fmt::format("{}: is a device or a pipe and is not read; expected a regular file.", shown_path(path)));
+    throw InputError(message("{}: is a device or a pipe and is not read; expected a regular file.", shown_path(path)));
   if (static_cast<std::uint64_t>(there.st_size) > largest_file) refuse_file(path, "is longer than 1 GiB", EFBIG);
   std::string content;
   content.reserve(static_cast<std::size_t>(there.st_size));
@@ -183,9 +182,9 @@ void replace(const fs::path& path, std::string_view content, const FileDigest* e
   if (complete && expected && digest_of(target) != *expected) {
     ::unlink(temporary.c_str());
     throw InputError(
-        fmt::format("{}: another program has changed the file since it was read; it is as that program left "
-                    "it. Run the command again on what it holds now.",
-                    shown_path(path)));
+        message("{}: another program has changed the file since it was read; it is as that program left "
+                "it. Run the command again on what it holds now.",
+                shown_path(path)));
   }
   if (complete) {
     complete = ::rename(temporary.c_str(), target.c_str()) == 0;
@@ -229,7 +228,7 @@ fs::path make_temporary_folder(const fs::path& parent) {
   remove_leftovers(parent);
   fs::path folder = parent / unfinished_name(".part");
   fs::create_directory(folder, error);
-  if (error) throw InputError(fmt::format("{}: no folder can be made in it: {}.", shown_path(parent), error.message()));
+  if (error) throw InputError(message("{}: no folder can be made in it: {}.", shown_path(parent), error.message()));
   return folder;
 }
 

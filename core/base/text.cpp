@@ -101,10 +101,10 @@ std::string shown_path(const std::filesystem::path& path) {
   return "..." + shortened(end, most);
 }
 
-void refuse(std::string_view file, int line, std::string_view sentence) {
-  const std::string name = shortened(file, 80);
-  const std::string where = line > 0 ? fmt::format("{}, line {}: ", name, line) : name + ": ";
-  throw InputError(where + shortened(sentence, 480));
+void refuse(std::string_view file, int line, const Message& sentence) {
+  const std::string name = shortened(file, 80), shown = shortened(sentence.english(), 480);
+  const Message whole = line > 0 ? message("{}, line {}: {}", name, line, sentence) : message("{}: {}", name, sentence);
+  throw InputError(whole, line > 0 ? fmt::format("{}, line {}: {}", name, line, shown) : name + ": " + shown);
 }
 
 }  // namespace handsight

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// Bytes at the text's start that are valid UTF-8 (no overlong forms, no surrogates); all of them for a good
@@ -31,6 +33,6 @@ std::string in_quotes(std::string_view text, std::size_t most = 60);
 std::string shown_path(const std::filesystem::path& path);
 
 /// Throws InputError "FILE, line LINE: SENTENCE" (line 0: none is named), kept within 600 characters.
-[[noreturn]] void refuse(std::string_view file, int line, std::string_view sentence);
+[[noreturn]] void refuse(std::string_view file, int line, const Message& sentence);
 
 }  // namespace handsight

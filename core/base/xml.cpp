@@ -57,8 +57,8 @@ void refuse_outside(const tinyxml2::XMLDocument& document, std::string_view file
   for (auto* node = document.FirstChild(); node; node = node->NextSibling())
     if (node->ToText())
       refuse(file, node->GetLineNum(),
-             fmt::format("the text {} stands outside of the outermost element, expected only comments there.",
-                         in_quotes(fmt::format("{}", fmt::join(split_words(node->Value()), " ")))));
+             message("the text {} stands outside of the outermost element, expected only comments there.",
+                     in_quotes(fmt::format("{}", fmt::join(split_words(node->Value()), " ")))));
   if (!last || !last->ToElement() || last->Value() != std::string_view("end"))
     refuse(file, last ? last->GetLineNum() : 0,
            "a closing tag too many stands after what begins here, expected well-formed XML.");
@@ -67,26 +67,26 @@ void refuse_outside(const tinyxml2::XMLDocument& document, std::string_view file
 double as_number(const XmlNode& node, const char* attribute, std::string_view text, std::string_view expected) {
   const std::optional<std::vector<double>> numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 1)
-    refuse(node, fmt::format("{}, expected {}{}.", with_attribute(attribute, text), expected, xacro_hint(text)));
+    refuse(node, message("{}, expected {}{}.", with_attribute(attribute, text), expected, xacro_hint(text)));
   return numbers->front();
 }
 
 void require_within(const XmlNode& node, const char* place, double number, const Bounds& within) {
   if (!within.hold(number))
-    refuse(node, fmt::format("has the number {:g}{}, expected a number from {:g} to {:g}.", number, place,
-                             within.lowest, within.highest));
+    refuse(node, message("has the number {:g}{}, expected a number from {:g} to {:g}.", number, place, within.lowest,
+                         within.highest));
 }
 
 std::string in_attribute(const char* attribute) { return fmt::format(" in {}", attribute); }
 
 void require_length(const XmlNode& node, const char* attribute, const std::string& text, std::size_t most) {
   if (text.size() > most)
-    refuse(node, fmt::format("has {} bytes in {} ({}), expected at most {}.", text.size(), attribute,
-                             handsight::in_quotes(text, 40), most));
+    refuse(node, message("has {} bytes in {} ({}), expected at most {}.", text.size(), attribute,
+                         handsight::in_quotes(text, 40), most));
 }
 
 [[noreturn]] void refuse_missing(const XmlNode& node, const char* attribute) {
-  refuse(node, fmt::format("has no attribute {}, expected {}=\"...\".", attribute, attribute));
+  refuse(node, message("has no attribute {}, expected {}=\"...\".", attribute, attribute));
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::str
   auto document = std::make_unique<tinyxml2::XMLDocument>();
   const tinyxml2::XMLError error = document->Parse(with_end.data(), with_end.size());
   if (error != tinyxml2::XML_SUCCESS)
-    refuse(file, document->ErrorLineNum(), fmt::format("{}, expected well-formed XML.", xml_error(error)));
+    refuse(file, document->ErrorLineNum(), message("{}, expected well-formed XML.", xml_error(error)));
   refuse_outside(*document, file);
   document->DeleteChild(document->LastChild());
   return document;
@@ -112,25 +112,25 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::str
 
 XmlNode root_of(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag) {
   const tinyxml2::XMLElement* root = document.RootElement();
-  if (!root) refuse(file, 0, fmt::format("there is no element in the file, expected <{}>.", tag));
+  if (!root) refuse(file, 0, message("there is no element in the file, expected <{}>.", tag));
   if (root->Name() != tag)
     refuse(file, root->GetLineNum(),
-           fmt::format("the outermost element is <{}>, expected <{}>.", shortened(root->Name()), tag));
+           message("the outermost element is <{}>, expected <{}>.", shortened(root->Name()), tag));
   if (const tinyxml2::XMLElement* second = root->NextSiblingElement())
     refuse(file, second->GetLineNum(),
-           fmt::format("<{}> is a second outermost element, expected only <{}>.", shortened(second->Name()), tag));
+           message("<{}> is a second outermost element, expected only <{}>.", shortened(second->Name()), tag));
   return {root, file};
 }
 
 void require_version_1(const XmlNode& node) {
   const std::string version = required_text(node, "version");
   if (version != "1")
-    refuse(node, fmt::format("{}, expected version=\"1\", the only one that this program reads.",
-                             with_attribute("version", version)));
+    refuse(node, message("{}, expected version=\"1\", the only one that this program reads.",
+                         with_attribute("version", version)));
 }
 
-void refuse(const XmlNode& node, std::string_view sentence) {
-  refuse(node.file, node.line(), fmt::format("<{}> {}", shortened(node.tag()), sentence));
+void refuse(const XmlNode& node, const Message& sentence) {
+  refuse(node.file, node.line(), message("<{}> {}", shortened(node.tag()), sentence));
 }
 
 std::vector<XmlNode> children(const XmlNode& node, std::string_view tag) {
@@ -154,7 +154,7 @@ std::optional<XmlNode> find_child(const XmlNode& node, std::string_view tag) {
 
 XmlNode required_child(const XmlNode& node, std::string_view tag) {
   const std::optional<XmlNode> child = find_child(node, tag);
-  if (!child) refuse(node, fmt::format("has no element <{}>, expected one.", tag));
+  if (!child) refuse(node, message("has no element <{}>, expected one.", tag));
   return *child;
 }
 
@@ -181,7 +181,7 @@ std::string required_text(const XmlNode& node, const char* attribute) {
 std::string required_name(const XmlNode& node, const char* attribute) {
   std::string name = required_text(node, attribute);
   require_length(node, attribute, name, bounds::longest_name);
-  if (split_words(name).empty()) refuse(node, fmt::format("{}, expected a name.", with_attribute(attribute, name)));
+  if (split_words(name).empty()) refuse(node, message("{}, expected a name.", with_attribute(attribute, name)));
   return name;
 }
 
@@ -203,7 +203,7 @@ std::optional<double> find_positive(const XmlNode& node, const char* attribute, 
   const std::optional<std::string> text = find_text(node, attribute);
   if (!text) return std::nullopt;
   const double number = as_number(node, attribute, *text, "a positive number");
-  if (number <= 0) refuse(node, fmt::format("{}, expected a positive number.", with_attribute(attribute, *text)));
+  if (number <= 0) refuse(node, message("{}, expected a positive number.", with_attribute(attribute, *text)));
   require_within(node, in_attribute(attribute).c_str(), number, within);
   return number;
 }
@@ -221,10 +221,10 @@ std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char*
   std::string bad_word;
   std::optional<std::vector<double>> numbers = parse_numbers(*text, &bad_word);
   if (!numbers)
-    refuse(node, fmt::format("has {} in {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), attribute,
-                             count, xacro_hint(*text)));
+    refuse(node, message("has {} in {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), attribute,
+                         count, xacro_hint(*text)));
   if (numbers->size() != count)
-    refuse(node, fmt::format("has {} numbers in {}, expected {}.", numbers->size(), attribute, count));
+    refuse(node, message("has {} numbers in {}, expected {}.", numbers->size(), attribute, count));
   for (const double number : *numbers) require_within(node, in_attribute(attribute).c_str(), number, within);
   return numbers;
 }
@@ -245,7 +245,7 @@ std::optional<std::int64_t> find_integer(const XmlNode& node, const char* attrib
   if (!number || *number < lowest || *number > highest) {
     const std::string range =
         highest == INT64_MAX ? fmt::format("of at least {}", lowest) : fmt::format("from {} to {}", lowest, highest);
-    refuse(node, fmt::format("{}, expected an integer {}.", with_attribute(attribute, *text), range));
+    refuse(node, message("{}, expected an integer {}.", with_attribute(attribute, *text), range));
   }
   return number;
 }
@@ -262,7 +262,7 @@ std::optional<std::size_t> find_choice(const XmlNode& node, const char* attribut
   if (!text) return std::nullopt;
   const auto found = std::find(choices.begin(), choices.end(), *text);
   if (found == choices.end())
-    refuse(node, fmt::format("{}, expected one of: {}.", with_attribute(attribute, *text), fmt::join(choices, ", ")));
+    refuse(node, message("{}, expected one of: {}.", with_attribute(attribute, *text), fmt::join(choices, ", ")));
   return static_cast<std::size_t>(found - choices.begin());
 }
 
@@ -283,9 +283,8 @@ std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::s
   std::string bad_word;
   std::optional<std::vector<double>> numbers = parse_numbers(inner_text(node), &bad_word);
   if (!numbers)
-    refuse(node, fmt::format("has {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), count, comma));
-  if (numbers->size() != count)
-    refuse(node, fmt::format("has {} numbers, expected {}{}.", numbers->size(), count, comma));
+    refuse(node, message("has {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), count, comma));
+  if (numbers->size() != count) refuse(node, message("has {} numbers, expected {}{}.", numbers->size(), count, comma));
   for (const double number : *numbers) require_within(node, "", number, within);
   return std::move(*numbers);
 }

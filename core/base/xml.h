@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/bounds.h"
+#include "base/message.h"
 
 namespace handsight {
 
@@ -41,7 +42,7 @@ XmlNode root_of(const tinyxml2::XMLDocument& document, std::string_view file, st
 void require_version_1(const XmlNode& node);
 
 /// Throws InputError "FILE, line LINE: <TAG> SENTENCE".
-[[noreturn]] void refuse(const XmlNode& node, std::string_view sentence);
+[[noreturn]] void refuse(const XmlNode& node, const Message& sentence);
 
 /// Child elements; all, or those of one tag.
 std::vector<XmlNode> children(const XmlNode& node, std::string_view tag = {});

@@ -48,14 +48,14 @@ class Walk {
     const std::size_t found = rest().find(end);
     go(found == std::string_view::npos ? rest().size() : found + end.size());
   }
-  [[noreturn]] void stop(std::string_view sentence) const { refuse(file_, line_, sentence); }
+  [[noreturn]] void stop(const Message& sentence) const { refuse(file_, line_, sentence); }
 
   void count_part() {
     if (++parts_ > std::min(most_parts, parts_always + text_.size() / bytes_a_part))
       stop(
-          fmt::format("the file holds more than {} elements and attributes, expected at most {} and one for each {} "
-                      "bytes.",
-                      parts_ - 1, parts_always, bytes_a_part));
+          message("the file holds more than {} elements and attributes, expected at most {} and one for each {} "
+                  "bytes.",
+                  parts_ - 1, parts_always, bytes_a_part));
   }
   /// A reference that is none would be read as some other byte, and half of a character could not be read back; &#0;
   /// would end a text where a program reads it, and let one name pass for another.
@@ -69,7 +69,7 @@ class Walk {
     if (!value) stop("'&' stands alone, expected &amp; for the character itself.");
     if (*value == 0) stop("the reference &#0; stands for a zero byte, expected text.");
     if (*value > 0x10FFFF || (*value >= 0xD800 && *value < 0xE000))
-      stop(fmt::format("the reference &{}; stands for no character, expected text.", name));
+      stop(message("the reference &{}; stands for no character, expected text.", name));
   }
 
  private:
@@ -92,7 +92,7 @@ void walk_over_tag(Walk& walk) {
       quote = c;
       walk.count_part();
       if (++attributes > most_attributes)
-        walk.stop(fmt::format("an element has more than {} attributes, expected far fewer.", most_attributes));
+        walk.stop(message("an element has more than {} attributes, expected far fewer.", most_attributes));
     } else if (c == '>') {
       return walk.go(1);
     }
@@ -103,7 +103,7 @@ void walk_over_tag(Walk& walk) {
 
 void check_xml_limits(std::string_view text, std::string_view file) {
   if (text.size() > largest_text)
-    refuse(file, 0, fmt::format("the file has {} MB, expected at most {}.", text.size() >> 20, largest_text >> 20));
+    refuse(file, 0, message("the file has {} MB, expected at most {}.", text.size() >> 20, largest_text >> 20));
   Walk walk(text, file);
   while (!walk.at_end()) {
     if (walk.here() == '&') walk.check_reference();

@@ -19,8 +19,8 @@ constexpr const char* directions[] = {"-z", "z", "x", "-x", "y", "-y"};
 /// The unit vector that a place names.
 Vector3 direction_named(const std::string& where) {
   if (std::find(std::begin(directions), std::end(directions), where) == std::end(directions))
-    throw InputError(fmt::format("gravity_turned: {:?} is no direction; expected one of: {}.", where,
-                                 fmt::join(std::begin(directions), std::end(directions), " ")));
+    throw InputError(message("gravity_turned: {:?} is no direction; expected one of: {}.", where,
+                             fmt::join(std::begin(directions), std::end(directions), " ")));
   return (where.size() > 1 ? -1.0 : 1.0) * Vector3::Unit(where.back() - 'x');
 }
 

@@ -96,7 +96,7 @@ void count_from_other_end(Session& s, int camera) {
 int camera_named(const Session& s, const std::string& name) {
   for (int c = 1; s.rig && s.target && c < s.rig->count(); ++c)
     if (s.rig->at(c).name == name) return c;
-  throw InputError(fmt::format("marker_order: there is no camera {:?} beside the first one that sees a board.", name));
+  throw InputError(message("marker_order: there is no camera {:?} beside the first one that sees a board.", name));
 }
 
 BlunderKind marker_order() {
@@ -160,8 +160,8 @@ void mend_length(const std::string& where, Session& s) {
   std::vector<std::string> known = lengths_of_images(s);
   for (const std::string& measured : measured_lengths(s)) known.push_back(measured);
   if (std::find(known.begin(), known.end(), where) == known.end())
-    throw InputError(fmt::format("length_unit: {:?} is no length of this session; expected one of: {}.", where,
-                                 fmt::join(known, " ")));
+    throw InputError(
+        message("length_unit: {:?} is no length of this session; expected one of: {}.", where, fmt::join(known, " ")));
   (where == "board"    ? scale_board
    : where == "rig"    ? scale_rig
    : where == "target" ? scale_target_poses

@@ -42,8 +42,8 @@ std::vector<std::string> link_places(const Session& s) {
 
 void require_link(const Session& s, const std::string& link) {
   if (find_link(s.robot, link) < 0)
-    throw InputError(fmt::format("wrong_link: the robot has no link {}; it has: {}.", in_quotes(link),
-                                 shortened(fmt::format("{}", fmt::join(link_names(s.robot), " ")), 300)));
+    throw InputError(message("wrong_link: the robot has no link {}; it has: {}.", in_quotes(link),
+                             shortened(fmt::format("{}", fmt::join(link_names(s.robot), " ")), 300)));
 }
 
 /// "hand" or "hand (or tool, flange, which are fixed to it)".

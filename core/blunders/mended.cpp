@@ -23,8 +23,8 @@ const BlunderKind& required_kind(const std::string& id, const Session& session) 
   for (const BlunderKind& kind : blunder_kinds())
     if (!kind.places(session).empty() && std::find(ids.begin(), ids.end(), kind.id) == ids.end())
       ids.push_back(kind.id);
-  throw InputError(fmt::format("{}: there is no blunder of that name; in this session there may be: {}.", in_quotes(id),
-                               fmt::join(ids, " ")));
+  throw InputError(message("{}: there is no blunder of that name; in this session there may be: {}.", in_quotes(id),
+                           fmt::join(ids, " ")));
 }
 
 std::vector<std::string> places_of(const std::string& id, const Session& session) {
@@ -54,12 +54,12 @@ std::string best_of(const BlunderKind& kind, const std::vector<std::string>& pla
 std::string settled_place(const BlunderKind& kind, const std::string& where, const Session& session) {
   const std::vector<std::string> places = places_of(kind.id, session);
   if (places.empty())
-    throw InputError(fmt::format("{}: there is nothing in this session that it could be put right in.", kind.id));
+    throw InputError(message("{}: there is nothing in this session that it could be put right in.", kind.id));
   if (where.empty() && places.size() == 1 && !kind.settle) return places.front();
   if (!kind.settle && std::find(places.begin(), places.end(), where) != places.end()) return where;
   if (where.empty())
-    throw InputError(fmt::format("{}: where? Expected {}:WHERE, one of: {}.", kind.id, kind.id,
-                                 shortened(fmt::format("{}", fmt::join(places, " ")), 400)));
+    throw InputError(message("{}: where? Expected {}:WHERE, one of: {}.", kind.id, kind.id,
+                             shortened(fmt::format("{}", fmt::join(places, " ")), 400)));
   if (kind.settle) return where.find('=') == std::string::npos ? kind.settle(where, quick_points(session)) : where;
   std::vector<std::string> alike;
   for (const std::string& place : places)
@@ -126,7 +126,7 @@ Session mended(const Session& session, const std::string& id_with_where) {
 
 Session write_mended(const Session& session, const std::vector<std::string>& ids, const fs::path& made) {
   if (fs::exists(made / "session.xml"))
-    throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(made)));
+    throw InputError(message("{}: there is a session already; take another folder.", shown_path(made)));
   Session right = session;
   std::vector<Placed> mends;
   for (const std::string& id : ids) {
@@ -135,7 +135,7 @@ Session write_mended(const Session& session, const std::vector<std::string>& ids
   }
   std::error_code error;
   fs::create_directories(made, error);
-  if (error) throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(made), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(made), error.message()));
   right.file = made / "session.xml";
   if (!right.robot_file.empty()) {
     // The robot may lie in a folder that several sessions share.

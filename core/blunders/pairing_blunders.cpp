@@ -15,7 +15,7 @@ namespace {
 int shift_in(const std::string& where) {
   const double number = number_in(where, "pairing_shift");
   if (number != std::round(number) || number == 0 || std::abs(number) > 1000)
-    throw InputError(fmt::format("pairing_shift: {} is no number of places; expected 1, -1, 2 ...", where));
+    throw InputError(message("pairing_shift: {} is no number of places; expected 1, -1, 2 ...", where));
   return static_cast<int>(number);
 }
 
@@ -34,7 +34,7 @@ void pair_with(Session& session, int shift) {
     paired.push_back(std::move(o));
   }
   if (paired.empty())
-    throw InputError(fmt::format("pairing_shift: the session has {} observations, fewer than that.", count));
+    throw InputError(message("pairing_shift: the session has {} observations, fewer than that.", count));
   session.observations = std::move(paired);
 }
 

@@ -99,7 +99,7 @@ BlunderKind size_swapped() {
       exchange(one.camera);
       any = true;
     }
-    if (!any) throw InputError(fmt::format("size_swapped: the session has no camera {:?}.", where));
+    if (!any) throw InputError(message("size_swapped: the session has no camera {:?}.", where));
   };
   k.text = [](const std::string& where, const Session& s) {
     return fmt::format("Width and height of the images of {} are exchanged.",

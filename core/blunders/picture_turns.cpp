@@ -49,15 +49,14 @@ PictureTurn turn_named(const std::string& id, const std::string& how) {
     if (how.empty()) return PictureTurn::mirrored;
     if (how == "vertical") return PictureTurn::flipped;
     throw InputError(
-        fmt::format("image_mirrored: {:?} is not known; expected nothing (left and right exchanged) or "
-                    "vertical (top and bottom).",
-                    how));
+        message("image_mirrored: {:?} is not known; expected nothing (left and right exchanged) or "
+                "vertical (top and bottom).",
+                how));
   }
   if (how.empty() || how == "180") return PictureTurn::half;
   if (how == "90") return PictureTurn::quarter_right;
   if (how == "270") return PictureTurn::quarter_left;
-  throw InputError(
-      fmt::format("image_turned: {:?} is not known; expected 90, 180 or 270 (degrees to the right).", how));
+  throw InputError(message("image_turned: {:?} is not known; expected 90, 180 or 270 (degrees to the right).", how));
 }
 
 int camera_of(const std::string& name, const Session& s) {
@@ -98,7 +97,7 @@ Image turned_back(const Image& image, PictureTurn turn) {
 PicturesAt pictures_at(const std::string& id, const std::string& where, const Session& session) {
   const auto [first, second] = name_and_value(where);
   if (const int camera = camera_of(first, session); camera >= 0) return {camera, turn_named(id, second)};
-  if (!second.empty()) throw InputError(fmt::format("{}: the session has no camera {:?}.", id, first));
+  if (!second.empty()) throw InputError(message("{}: the session has no camera {:?}.", id, first));
   return {-1, turn_named(id, first)};
 }
 

@@ -32,7 +32,7 @@ bool tells(const Session& session, const std::string& name) {
 std::pair<std::string, std::string> two_words(const std::string& where, const std::string& id) {
   const std::size_t comma = where.find(',');
   if (comma == std::string::npos || comma == 0 || comma + 1 == where.size())
-    throw InputError(fmt::format("{}: {} names no two joints; expected {}:FIRST,SECOND.", id, in_quotes(where), id));
+    throw InputError(message("{}: {} names no two joints; expected {}:FIRST,SECOND.", id, in_quotes(where), id));
   return {where.substr(0, comma), where.substr(comma + 1)};
 }
 
@@ -44,15 +44,15 @@ std::pair<std::string, std::string> name_and_value(const std::string& where) {
 
 double number_in(const std::string& value, const std::string& id) {
   const auto numbers = parse_numbers(value);
-  if (!numbers || numbers->size() != 1) throw InputError(fmt::format("{}: {} is no number.", id, in_quotes(value)));
+  if (!numbers || numbers->size() != 1) throw InputError(message("{}: {} is no number.", id, in_quotes(value)));
   return numbers->front();
 }
 
 Eigen::Index joint_place(const Session& session, const std::string& name, const std::string& id) {
   const auto found = std::find(session.joints.begin(), session.joints.end(), name);
   if (found == session.joints.end())
-    throw InputError(fmt::format("{}: the session has no joint {}; it has: {}.", id, in_quotes(name),
-                                 shortened(fmt::format("{}", fmt::join(session.joints, " ")), 300)));
+    throw InputError(message("{}: the session has no joint {}; it has: {}.", id, in_quotes(name),
+                             shortened(fmt::format("{}", fmt::join(session.joints, " ")), 300)));
   return found - session.joints.begin();
 }
 

@@ -33,8 +33,8 @@ struct Tables {
 Tables tables_at(const std::string& name, const Session& s, const char* id) {
   const std::vector<std::string> all = pose_tables(s);
   if (std::find(all.begin(), all.end(), name) == all.end())
-    throw InputError(fmt::format("{}: the session has no poses of {:?}; it has those of: {}.", id, name,
-                                 all.empty() ? "nothing" : fmt::format("{}", fmt::join(all, " "))));
+    throw InputError(message("{}: the session has no poses of {:?}; it has those of: {}.", id, name,
+                             all.empty() ? "nothing" : fmt::format("{}", fmt::join(all, " "))));
   return {name != "flange", name != "target"};
 }
 
@@ -123,7 +123,7 @@ BlunderKind quaternion_order() {
     const auto [table, order] = name_and_value(where);
     const bool first_is_w = order == "wxyz";
     if (!first_is_w && order != "xyzw")
-      throw InputError(fmt::format("quaternion_order: {:?} is no order; expected wxyz or xyzw.", order));
+      throw InputError(message("quaternion_order: {:?} is no order; expected wxyz or xyzw.", order));
     change_rotations(s, tables_at(table, s, "quaternion_order"),
                      [&](const Matrix3& rotation) { return reordered(rotation, first_is_w); });
   };
@@ -268,7 +268,7 @@ BlunderKind euler_convention() {
     const auto& all = rotation_conventions();
     if (std::find(all.begin(), all.end(), convention) == all.end())
       throw InputError(
-          fmt::format("euler_convention: {:?} is not known; expected one of: {}.", convention, fmt::join(all, " ")));
+          message("euler_convention: {:?} is not known; expected one of: {}.", convention, fmt::join(all, " ")));
     read_rotations_again(s, tables_at(table, s, "euler_convention"), convention);
   };
   k.text = [](const std::string& where, const Session&) {

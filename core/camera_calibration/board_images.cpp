@@ -52,7 +52,7 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
       auto& size = result.sizes.back();
       if (i == 0) size = {image.width, image.height};
       if (size != std::pair{image.width, image.height})
-        throw InputError(fmt::format(
+        throw InputError(message(
             "{}: the image has {} x {} px, the first of camera {} has {} x {}; expected images of one size.",
             shown_path(camera.files[i]), image.width, image.height, shortened(camera.name), size.first, size.second));
       const auto frame =

@@ -18,15 +18,15 @@ void require_same_cameras(const DetectedImages& images, const Rig& rig) {
     const Camera& camera = rig.at(c).camera;
     if (width != camera.width || height != camera.height)
       throw InputError(
-          fmt::format("The images of camera {} are {} x {} px, and camera {} of the session has {} x {}: they are "
-                      "another camera's, or were scaled; name images of the session's cameras.",
-                      in_quotes(images.names[static_cast<std::size_t>(c)]), width, height, in_quotes(rig.at(c).name),
-                      camera.width, camera.height));
+          message("The images of camera {} are {} x {} px, and camera {} of the session has {} x {}: they are "
+                  "another camera's, or were scaled; name images of the session's cameras.",
+                  in_quotes(images.names[static_cast<std::size_t>(c)]), width, height, in_quotes(rig.at(c).name),
+                  camera.width, camera.height));
     if (camera.skew != 0)
       throw InputError(
-          fmt::format("Camera {} of the session has the skew {:g}, which a calibration by images does not know; set it "
-                      "to 0.",
-                      in_quotes(rig.at(c).name), camera.skew));
+          message("Camera {} of the session has the skew {:g}, which a calibration by images does not know; set it "
+                  "to 0.",
+                  in_quotes(rig.at(c).name), camera.skew));
   }
 }
 
@@ -99,7 +99,7 @@ GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig) {
   if (static_cast<int>(grouped.cameras.size()) != rig.count()) {
     std::vector<std::string> names;
     for (const CameraImages& camera : grouped.cameras) names.push_back(camera.name);
-    throw InputError(fmt::format(
+    throw InputError(message(
         "There are board images of {} {} ({}), and the session has {} ({}): name a folder for each of its cameras.",
         names.size(), names.size() == 1 ? "camera" : "cameras",
         shortened(fmt::format("{}", fmt::join(names, ", ")), 200), rig.count(), listed_names(rig)));

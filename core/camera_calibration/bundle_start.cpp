@@ -161,9 +161,9 @@ BundleResult one_camera(const BoardImages& images, const LensModel& model, const
   const BoardImages one = of_camera(images, camera);
   if (one.images.size() < 3)
     throw InputError(
-        fmt::format("The target was found with at least {} points in {} of the images of camera {}; expected "
-                    "at least 3, better 10 and more, from different sides.",
-                    least_points, one.images.size(), name));
+        message("The target was found with at least {} points in {} of the images of camera {}; expected "
+                "at least 3, better 10 and more, from different sides.",
+                least_points, one.images.size(), name));
   const Vector2 centre(0.5 * (size.first - 1), 0.5 * (size.second - 1));
   BundleResult best;
   best.rms_pixel = 1e300;
@@ -180,9 +180,9 @@ BundleResult one_camera(const BoardImages& images, const LensModel& model, const
   }
   if (best.points == 0)
     throw InputError(
-        fmt::format("No focal length was found with which the images of camera {} fit together; expected images "
-                    "of one flat target from several sides, and the target as it was described.",
-                    name));
+        message("No focal length was found with which the images of camera {} fit together; expected images "
+                "of one flat target from several sides, and the target as it was described.",
+                name));
   return best;
 }
 
@@ -226,9 +226,9 @@ std::vector<Rigid> placements(const std::vector<Poses>& poses, const std::vector
   for (std::size_t c = 0; c < poses.size(); ++c)
     if (!is_placed[c])
       throw InputError(
-          fmt::format("Camera {} saw the target in no image that was taken together with one of the other cameras; "
-                      "expected images of the same moment, or a run with the images of {} alone.",
-                      names[c], names[c]));
+          message("Camera {} saw the target in no image that was taken together with one of the other cameras; "
+                  "expected images of the same moment, or a run with the images of {} alone.",
+                  names[c], names[c]));
   return from_first;
 }
 

@@ -42,7 +42,7 @@ void list_folder(const fs::path& folder, Listed& listed, std::vector<fs::path>& 
     else
       ++listed.others;
   }
-  if (error) throw InputError(fmt::format("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
 }
 
 /// The name of a file without its ending; a date and time in it is one number.
@@ -117,9 +117,9 @@ void add(ByCamera& cameras, const std::string& camera, const std::string& moment
   const auto [at, is_new] = cameras[camera].emplace(moment, file);
   if (!is_new)
     throw InputError(
-        fmt::format("{} and {}: both are moment {} of camera {} by their names; name files so that only the number "
-                    "of the moment changes, or give each camera a folder.",
-                    shown_path(at->second), shown_path(file), shortened(moment), shortened(camera)));
+        message("{} and {}: both are moment {} of camera {} by their names; name files so that only the number "
+                "of the moment changes, or give each camera a folder.",
+                shown_path(at->second), shown_path(file), shortened(moment), shortened(camera)));
 }
 
 void add_folder(ByCamera& cameras, const std::string& name, const std::vector<fs::path>& files) {
@@ -267,8 +267,7 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
   Listed listed;
   std::error_code error;
   for (const fs::path& path : paths) {
-    if (!fs::exists(path, error))
-      throw InputError(fmt::format("{}: there is no such image or folder.", shown_path(path)));
+    if (!fs::exists(path, error)) throw InputError(message("{}: there is no such image or folder.", shown_path(path)));
     if (fs::is_directory(path, error))
       folders.push_back(path);
     else
@@ -295,9 +294,9 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
   if (cameras.empty())
     throw InputError("No images were found; expected folders or files of PNG, JPEG, TIFF, PGM or BMP.");
   if (cameras.size() > most_cameras)
-    throw InputError(fmt::format("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
-                                 cameras.size(), shortened(cameras.begin()->first),
-                                 shortened(std::next(cameras.begin())->first), most_cameras));
+    throw InputError(message("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
+                             cameras.size(), shortened(cameras.begin()->first),
+                             shortened(std::next(cameras.begin())->first), most_cameras));
   std::vector<std::string> of_times;
   bring_times_together(cameras, of_times);
   GroupedImages result = grouped(cameras);

@@ -126,7 +126,7 @@ class Folds {
 
   AttainedPoses run(const std::function<bool(double)>& goes_on) {
     if (used_ < 10 || folds_.size() < 2)
-      throw InputError(fmt::format(
+      throw InputError(message(
           "A certificate needs ten used observations in different poses, so that some can be held out; the session has "
           "{}. Record more.",
           used_));

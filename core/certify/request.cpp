@@ -73,9 +73,9 @@ CertificateRequest certificate_request(const Session& session, const Calibration
       calibrated_robot(calibration, session.robot, session.robot_file, file.filename().string());
   if (robot.joint_names != session.joints)
     throw InputError(
-        fmt::format("{}: is of the joints {}, and the session has {}; certify with a calibration of the same "
-                    "robot.",
-                    file.filename().string(), fmt::join(robot.joint_names, " "), fmt::join(session.joints, " ")));
+        message("{}: is of the joints {}, and the session has {}; certify with a calibration of the same "
+                "robot.",
+                file.filename().string(), fmt::join(robot.joint_names, " "), fmt::join(session.joints, " ")));
   const bool is_own = is_of_session(calibration, session);
   CertificateRequest request =
       request_of(robot, software,

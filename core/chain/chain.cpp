@@ -9,8 +9,8 @@ namespace {
 int link_named(const Session& session, const std::string& name, const char* what) {
   const int link = find_link(session.robot, name);
   if (link < 0)
-    throw InputError(fmt::format("{}: the {} link \"{}\" is not in the robot {}; name one of its links.",
-                                 session.file.filename().string(), what, name, session.robot_file));
+    throw InputError(message("{}: the {} link \"{}\" is not in the robot {}; name one of its links.",
+                             session.file.filename().string(), what, name, session.robot_file));
   return link;
 }
 
@@ -52,8 +52,8 @@ Chain chain_of(const Session& session) {
   for (const std::string& name : session.joints) {
     const int joint = find_joint(session.robot, name);
     if (joint < 0)
-      throw InputError(fmt::format("{}: the joint \"{}\" named in <joints> is not in the robot {}.",
-                                   session.file.filename().string(), name, session.robot_file));
+      throw InputError(message("{}: the joint \"{}\" named in <joints> is not in the robot {}.",
+                               session.file.filename().string(), name, session.robot_file));
     chain.joints.push_back(joint);
   }
   chain.is_touch = session.is_touch();

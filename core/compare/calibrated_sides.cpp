@@ -52,8 +52,8 @@ Session as_calibrated(const CalibratedRobot& before, const Session& after) {
         "The session's TCP, mount or joints are not those of the calibration; name a session of the same robot.");
   if (static_cast<int>(before.calibration.markers.size()) < session.marker_count)
     throw InputError(
-        fmt::format("The session has {} markers, the calibration {}; name a session with the same marker body.",
-                    session.marker_count, before.calibration.markers.size()));
+        message("The session has {} markers, the calibration {}; name a session with the same marker body.",
+                session.marker_count, before.calibration.markers.size()));
   if (!before.model.mount_from_sensor && session.mount.estimate && !session.mount.known)
     throw InputError("Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.");
   session.mount.estimate = before.calibration.mount_from_sensor.has_value();

@@ -37,10 +37,10 @@ void share_mount(Session& a, Session& b) {
 /// What is no answer cannot have changed.
 void require_answer(const CleanFit& clean, const char* which) {
   if (clean.fit.converged()) return;
-  throw InputError(fmt::format(
-      "The two cannot be compared: the fit of the {} session finds no answer; run `handsight-cli fit` on it, "
-      "exclude the observations that it says stand out, and compare again.",
-      which));
+  throw InputError(
+      message("The two cannot be compared: the fit of the {} session finds no answer; run `handsight-cli fit` on it, "
+              "exclude the observations that it says stand out, and compare again.",
+              which));
 }
 
 /// The same numbers to the last bit, as one calibration gives them.

@@ -34,7 +34,7 @@ void add_poses(std::vector<ReadPoses> read, const std::string& file, Brought& b)
 
 void require_new(bool is_new, const std::string& file, FileKind kind) {
   if (!is_new)
-    throw InputError(fmt::format("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
+    throw InputError(message("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
 }
 
 void bring_poses(const fs::path& path, const std::string& file, const Robot* robot, const PoseTableOptions& o,
@@ -172,15 +172,15 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     add_poses(read_pose_files(poses, shown_path(folder.filename()), b.notes), shown_path(folder.filename()), b);
   }
   if (!angles.empty() && std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_told; }))
-    throw InputError(fmt::format("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,
-                                 angle_count(named_angle_kind(angles).kind)));
+    throw InputError(message("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,
+                             angle_count(named_angle_kind(angles).kind)));
   if (!waiting.storages.empty()) b.rig = read_rig_calibration(waiting.storages, &b.notes);
   return b;
 }
 
 const PoseSeries& settled_series(const NamedPoses& poses) {
   if (poses.turns.readings.size() > 1 && !poses.turns.first_is_usual)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: {} may be {}, or {}; name the columns roll pitch yaw or rvx rvy rvz, with their "
         "unit ([deg]).",
         poses.file, poses.turns.columns, reading_text(poses.turns.readings[0]), reading_text(poses.turns.readings[1])));

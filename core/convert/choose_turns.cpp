@@ -110,18 +110,18 @@ constexpr char how_to_say[] =
     "say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg])";
 
 [[noreturn]] void refuse_two(const NamedPoses& flange, const NamedPoses& target, const Trial& a, const Trial& b) {
-  throw InputError(fmt::format("{}, or {}: both suit the other poses as well; {}.",
-                               shortened(readings_text(flange, target, a), 180),
-                               shortened(readings_text(flange, target, b), 180), how_to_say));
+  throw InputError(message("{}, or {}: both suit the other poses as well; {}.",
+                           shortened(readings_text(flange, target, a), 180),
+                           shortened(readings_text(flange, target, b), 180), how_to_say));
 }
 
 /// Where nothing goes together what is usual stays, else nobody knows.
 void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, std::vector<std::string>& notes) {
   if (!is_usual_for(flange) || !is_usual_for(target))
-    throw InputError(fmt::format(
-        "No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
-        "is one of them inverted? If they do, {}.",
-        shortened(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
+    throw InputError(
+        message("No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
+                "is one of them inverted? If they do, {}.",
+                shortened(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
   take_usual_turns(flange, notes);
   take_usual_turns(target, notes);
   notes.push_back(
@@ -175,10 +175,10 @@ void take_usual_turns(NamedPoses& p, std::vector<std::string>& notes) {
   if (!is_open(p)) return;
   if (!p.turns.first_is_usual)
     throw InputError(
-        fmt::format("{}: {} may be {}, or {}, and nothing here can tell: say it with --angles "
-                    "(rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header "
-                    "([deg]).",
-                    p.file, p.turns.columns, reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1])));
+        message("{}: {} may be {}, or {}, and nothing here can tell: say it with --angles "
+                "(rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header "
+                "([deg]).",
+                p.file, p.turns.columns, reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1])));
   p.turns.readings.resize(1);
   read_turns(p.turns, p.turns.readings[0], p.series);
   notes.push_back(fmt::format("{}: {} are taken for {}.", p.file, p.turns.columns, reading_text(p.turns.readings[0])));

@@ -76,18 +76,18 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
     return from_flange(std::move(flange), std::move(target), in_hand, o, std::move(c));
   }
   if (b.poses.size() > 2 && !b.joints)
-    throw InputError(fmt::format("There are {} tables of poses ({}); expected the flange's and the target's.",
-                                 b.poses.size(), shortened(names_of(b.poses), 200)));
+    throw InputError(message("There are {} tables of poses ({}); expected the flange's and the target's.",
+                             b.poses.size(), shortened(names_of(b.poses), 200)));
   if (!b.joints && b.poses.size() == 2) {
     auto [flange, target] = flange_and_target(b.poses);
     return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
   }
   if (!robot && !b.joints && b.poses.size() == 1 && b.image_folders.empty())
     throw InputError(
-        fmt::format("{}: holds the only poses that are here{}; name those of the other (of the flange, of the target) "
-                    "too, or a folder "
-                    "of images of a board.",
-                    b.poses[0].file, b.points ? " (what has x y z without a whole turn is a table of points)" : ""));
+        message("{}: holds the only poses that are here{}; name those of the other (of the flange, of the target) "
+                "too, or a folder "
+                "of images of a board.",
+                b.poses[0].file, b.points ? " (what has x y z without a whole turn is a table of points)" : ""));
   if (!robot && !b.joints && b.poses.size() == 1 && !b.image_folders.empty())
     return from_flange_images(b, o, std::move(c));
   if (!robot) throw InputError("There is no robot; name its URDF with --robot, or a table of its flange's poses.");
@@ -96,8 +96,8 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
   if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));
   if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0], o, std::move(c));
   if (b.poses.size() > 1)
-    throw InputError(fmt::format("There are {} things with poses ({}); say with --target-frame which is on the hand.",
-                                 b.poses.size(), shortened(names_of(b.poses), 200)));
+    throw InputError(message("There are {} things with poses ({}); say with --target-frame which is on the hand.",
+                             b.poses.size(), shortened(names_of(b.poses), 200)));
   throw InputError(
       "There is nothing that a sensor measured: no images, no points, no poses of a target. Name their folder "
       "or file too.");
@@ -109,13 +109,13 @@ namespace {
 
 Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   if (fs::exists(o.out / "session.xml"))
-    throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(o.out)));
+    throw InputError(message("{}: there is a session already; take another folder.", shown_path(o.out)));
   Conversion c;
   std::vector<fs::path> files = given;
   const std::optional<Bag> bag = find_bag(files);
   if (!bag && !o.camera.empty())
-    throw InputError(fmt::format("--camera {}: names images of a bag, and no bag is among the files; leave it out.",
-                                 in_quotes(o.camera)));
+    throw InputError(message("--camera {}: names images of a bag, and no bag is among the files; leave it out.",
+                             in_quotes(o.camera)));
   const std::optional<FieldUrdf> robot = find_robot(files, bag, o, c);
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
   if (are_touches(files, robot ? &robot->robot : nullptr, o)) return from_touches(robot, files, o, std::move(c));

@@ -21,14 +21,14 @@ std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
   }
   if (!wanted.empty() && bag.frames.count(wanted)) return wanted;
   if (!wanted.empty())
-    throw InputError(fmt::format("--target-frame {}: /tf of the bag has no such child; it has: {}.", in_quotes(wanted),
-                                 shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
+    throw InputError(message("--target-frame {}: /tf of the bag has no such child; it has: {}.", in_quotes(wanted),
+                             shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
   if (likely.size() == 1) return likely.front();
   throw InputError(
-      fmt::format("The bag has no pair of camera images with calibration, and its /tf {} frames that sound like a "
-                  "target; name it with "
-                  "--target-frame. /tf has: {}.",
-                  likely.empty() ? "no" : "several", shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
+      message("The bag has no pair of camera images with calibration, and its /tf {} frames that sound like a "
+              "target; name it with "
+              "--target-frame. /tf has: {}.",
+              likely.empty() ? "no" : "several", shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
 }
 
 /// The bag's image topics, by camera, and their rig.
@@ -86,10 +86,10 @@ std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
   if (pairs.size() > 1) {
     std::string names;
     for (const auto& [name, pair] : pairs) names += (names.empty() ? "" : ", ") + name;
-    throw InputError(fmt::format(
-        "The bag has {} pairs of cameras ({}); say with --camera which to take, or name each with a --camera "
-        "of its own for a collection.",
-        pairs.size(), shortened(names, 200)));
+    throw InputError(
+        message("The bag has {} pairs of cameras ({}); say with --camera which to take, or name each with a --camera "
+                "of its own for a collection.",
+                pairs.size(), shortened(names, 200)));
   }
   const auto [left, right] = pairs.begin()->second;
   if (b.rig && is_pair(*b.rig)) return BagRig{{left, right}, *b.rig};
@@ -105,8 +105,8 @@ void keep_camera(BagContents& bag, const std::string& camera) {
   for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
   std::erase_if(bag.images, [&](const BagImages& images) { return images.topic.find(camera) == std::string::npos; });
   if (bag.images.empty())
-    throw InputError(fmt::format("--camera {}: no image topic of the bag has this in its name; it has: {}.",
-                                 in_quotes(camera), topics.empty() ? "none" : shortened(topics, 300)));
+    throw InputError(message("--camera {}: no image topic of the bag has this in its name; it has: {}.",
+                             in_quotes(camera), topics.empty() ? "none" : shortened(topics, 300)));
 }
 
 std::string named_topics(const BagRig& rig) {
@@ -130,9 +130,9 @@ std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, con
   std::string topics;
   for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
   throw InputError(
-      fmt::format("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
-                  "camera with its CameraInfo, or a left and a right one, or say with --camera which to take.",
-                  single.size(), topics.empty() ? "" : " (" + shortened(topics, 200) + ")"));
+      message("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
+              "camera with its CameraInfo, or a left and a right one, or say with --camera which to take.",
+              single.size(), topics.empty() ? "" : " (" + shortened(topics, 200) + ")"));
 }
 
 /// Places of images of all topics that were taken together: by topic, one a time.
@@ -252,8 +252,8 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
 Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, const Brought& b, const ConvertOptions& o,
                     Conversion c) {
   if (!o.camera.empty() && !o.target_frame.empty())
-    throw InputError(fmt::format("--camera {} and --target-frame {} are two sensors; name one of them for a session.",
-                                 in_quotes(o.camera), in_quotes(o.target_frame)));
+    throw InputError(message("--camera {} and --target-frame {} are two sensors; name one of them for a session.",
+                             in_quotes(o.camera), in_quotes(o.target_frame)));
   if (!robot) return from_bag_of_poses(file, b, o, std::move(c));
   BagContents bag = read_bag_contents(file, robot->robot, [&] { ask_whether_to_go_on(o); });
   c.notes.insert(c.notes.end(), bag.notes.begin(), bag.notes.end());

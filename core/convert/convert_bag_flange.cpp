@@ -22,21 +22,21 @@ std::string all_frames(const BagContents& bag) {
 std::string flange_frame_of(const BagContents& bag, const ConvertOptions& o) {
   if (bag.frames.count(o.tcp)) return o.tcp;
   if (!o.tcp.empty())
-    throw InputError(fmt::format("--tcp {}: no robot is known, and /tf of the bag has no such frame; it has: {}.",
-                                 in_quotes(o.tcp), all_frames(bag)));
+    throw InputError(message("--tcp {}: no robot is known, and /tf of the bag has no such frame; it has: {}.",
+                             in_quotes(o.tcp), all_frames(bag)));
   for (const char* word : flange_words) {
     std::vector<std::string> found;
     for (const auto& [child, frame] : bag.frames)
       if (child != o.target_frame && says(child, {word})) found.push_back(child);
     if (found.size() == 1) return found.front();
     if (found.size() > 1)
-      throw InputError(fmt::format("The bag has {} frames that sound like the flange ({}); name the one with --tcp.",
-                                   found.size(), shortened(fmt::format("{}", fmt::join(found, ", ")), 200)));
+      throw InputError(message("The bag has {} frames that sound like the flange ({}); name the one with --tcp.",
+                               found.size(), shortened(fmt::format("{}", fmt::join(found, ", ")), 200)));
   }
   throw InputError(
-      fmt::format("The bag publishes no robot_description, and no frame of its /tf sounds like a flange; name the "
-                  "robot's URDF with --robot, or the flange's frame with --tcp. /tf has: {}.",
-                  all_frames(bag)));
+      message("The bag publishes no robot_description, and no frame of its /tf sounds like a flange; name the "
+              "robot's URDF with --robot, or the flange's frame with --tcp. /tf has: {}.",
+              all_frames(bag)));
 }
 
 /// The frames from the flange up to what nothing carries.
@@ -89,9 +89,9 @@ JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& o, std::
   }
   if (flange.positions.size() < 2)
     throw InputError(
-        fmt::format("The frame {} of the bag's /tf is told at {} times together with what carries it; "
-                    "expected it at many: record /tf while the robot moves.",
-                    in_quotes(child), flange.positions.size()));
+        message("The frame {} of the bag's /tf is told at {} times together with what carries it; "
+                "expected it at many: record /tf while the robot moves.",
+                in_quotes(child), flange.positions.size()));
   notes.push_back(fmt::format("The flange is the frame {} that /tf gives in {}.", in_quotes(child),
                               in_quotes(frames.back()->parent)));
   return flange;

@@ -83,10 +83,10 @@ void require_different(const std::vector<ConvertOptions>& sessions, const std::v
   for (std::size_t a = 0; a < sessions.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       if (are_alike(sessions[a], sessions[b]) && files[a] == files[b])
-        throw InputError(fmt::format(
-            "The sessions {} and {} would be the same; each needs a --tcp, a --camera, a --target-frame or a "
-            "--target of its own, or files with its --title in their names.",
-            in_quotes(sessions[b].title), in_quotes(sessions[a].title)));
+        throw InputError(
+            message("The sessions {} and {} would be the same; each needs a --tcp, a --camera, a --target-frame or a "
+                    "--target of its own, or files with its --title in their names.",
+                    in_quotes(sessions[b].title), in_quotes(sessions[a].title)));
 }
 
 /// Hands of a robot of which only a flange is known have nothing in common.
@@ -145,11 +145,11 @@ void require_one_sensor(const std::vector<Conversion>& made) {
     const Session& s = c.session;
     if (s.rig || s.is_touch() || std::string_view(sensor_kind(s)) != sensor_kind(first) ||
         s.mount.link != first.mount.link)
-      throw InputError(fmt::format(
-          "--one-sensor: the session {} is of {} on {}, {} of {} on {}; one tracker stands on one link, and "
-          "cameras are told by their images.",
-          in_quotes(first.title), sensor_kind(first), in_quotes(first.mount.link), in_quotes(s.title), sensor_kind(s),
-          in_quotes(s.mount.link)));
+      throw InputError(
+          message("--one-sensor: the session {} is of {} on {}, {} of {} on {}; one tracker stands on one link, and "
+                  "cameras are told by their images.",
+                  in_quotes(first.title), sensor_kind(first), in_quotes(first.mount.link), in_quotes(s.title),
+                  sensor_kind(s), in_quotes(s.mount.link)));
   }
 }
 
@@ -195,7 +195,7 @@ Conversion converted_one(const std::vector<fs::path>& files, ConvertOptions o, c
   try {
     return convert(files, o);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("Session {}: {}", in_quotes(o.title), error.what()));
+    throw InputError(message("Session {}: {}", in_quotes(o.title), error.what()));
   }
 }
 
@@ -213,7 +213,7 @@ ConvertedCollection convert_collection(const std::vector<fs::path>& files, const
   CollectionOptions o = options;
   for (const char* name : {"collection.xml", "session.xml"})
     if (fs::exists(o.out / name))
-      throw InputError(fmt::format("{}: there is a {} already; take another folder.", shown_path(o.out), name));
+      throw InputError(message("{}: there is a {} already; take another folder.", shown_path(o.out), name));
   ConvertedCollection made;
   auto whose = files_of_sessions(files, words_of(o.sessions));
   name_sessions(o.sessions);
@@ -225,8 +225,7 @@ ConvertedCollection convert_collection(const std::vector<fs::path>& files, const
     for (std::size_t i = 0; i < o.sessions.size(); ++i) {
       const fs::path folder = o.out / o.sessions[i].title;
       if (fs::exists(folder))
-        throw InputError(
-            fmt::format("{}: is there already; take another folder, or another title.", shown_path(folder)));
+        throw InputError(message("{}: is there already; take another folder, or another title.", shown_path(folder)));
       folders.push_back(folder);
       made.sessions.push_back(converted_one(whose[i], o.sessions[i], o.out));
       require_one_robot(made.sessions, o.sessions);

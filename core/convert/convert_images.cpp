@@ -25,7 +25,7 @@ std::optional<ImageSize> size_of_images(const std::vector<InstantImages>& instan
 /// Instants and lines of joints or of flange poses, by count.
 void match_images(const std::vector<InstantImages>& instants, std::size_t lines, const char* of_what, int cameras) {
   if (instants.size() == lines) return;
-  throw InputError(fmt::format(
+  throw InputError(message(
       "There are {} {} and {} {}; expected one for each, in the order of the images' numbers. The first has the number "
       "{}, the last {}.",
       instants.size(), cameras == 2 ? "pairs of images" : "instants with images", lines, of_what,
@@ -46,9 +46,9 @@ std::vector<std::filesystem::path> folders_by_camera(const Rig& rig, std::vector
   if (rig.count() == 2 && folders.size() == 1) return {folders[0], folders[0]};
   if (static_cast<int>(folders.size()) != rig.count())
     throw InputError(
-        fmt::format("There are {} folders of images and a calibration of {} cameras ({}); name one folder "
-                    "for each camera, in this order or with its name in the folder's.",
-                    folders.size(), rig.count(), listed_names(rig)));
+        message("There are {} folders of images and a calibration of {} cameras ({}); name one folder "
+                "for each camera, in this order or with its name in the folder's.",
+                folders.size(), rig.count(), listed_names(rig)));
   std::vector<std::filesystem::path> ordered;
   const std::vector<std::string> names = telling_names(folders);
   for (const RigCamera& camera : rig.cameras)
@@ -92,11 +92,11 @@ void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std
 
 void require_target(const Rig& rig, const ConvertOptions& o) {
   if (o.target || is_pair(rig)) return;
-  throw InputError(fmt::format(
-      "With {} {} something must be shown whose points name themselves: say what with --target, for example "
-      "\"charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\"; markers without names "
-      "need two cameras.",
-      rig.count(), rig.count() == 1 ? "camera" : "cameras"));
+  throw InputError(
+      message("With {} {} something must be shown whose points name themselves: say what with --target, for example "
+              "\"charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\"; markers without names "
+              "need two cameras.",
+              rig.count(), rig.count() == 1 ? "camera" : "cameras"));
 }
 
 /// Cameras and images beside what the parts say of the robot.

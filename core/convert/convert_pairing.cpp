@@ -25,9 +25,9 @@ Paired pair_events(const JointSeries& joints, const std::vector<double>& times, 
   }
   if (times.empty() || joints.times.empty())
     throw InputError(
-        fmt::format("There are {} lines of joint readings and {} measurements, and {} no times to pair them "
-                    "by; expected one line for each, or a column `time` in both.",
-                    joints.positions.size(), count, times.empty() ? "the measurements have" : "the joints have"));
+        message("There are {} lines of joint readings and {} measurements, and {} no times to pair them "
+                "by; expected one line for each, or a column `time` in both.",
+                joints.positions.size(), count, times.empty() ? "the measurements have" : "the joints have"));
   PairingOptions options = o.pairing;
   if (o.estimate_lag) {
     const auto lag = estimated_lag(joints, times, speeds);
@@ -51,7 +51,7 @@ Paired pair_events(const JointSeries& joints, const std::vector<double>& times, 
   told(pairing.moving, "the robot was moving");
   told(pairing.repeated, "they show a standstill that another one shows");
   if (pairing.events.empty())
-    throw InputError(fmt::format(
+    throw InputError(message(
         "None of the {} measurements has joint readings to it: they are from {:.3f} to {:.3f} s, the joints from "
         "{:.3f} to "
         "{:.3f} s, and {} were left out because the robot moved. Do the clocks agree (--lag)? Did the robot stand "

@@ -51,9 +51,9 @@ std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses
   if (first || (!second && is_of_target(b) && !is_of_target(a))) return {poses[0], poses[1]};
   if (second || (is_of_target(a) && !is_of_target(b))) return {poses[1], poses[0]};
   throw InputError(
-      fmt::format("{} and {} are both tables of poses: which is the robot's flange, which the target that "
-                  "the sensor sees? Name the files so: flange.csv and target.csv.",
-                  a, b));
+      message("{} and {} are both tables of poses: which is the robot's flange, which the target that "
+              "the sensor sees? Name the files so: flange.csv and target.csv.",
+              a, b));
 }
 
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes) {
@@ -122,8 +122,8 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
 void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts& parts,
                    std::vector<std::string>& notes) {
   if (o.tcp.empty())
-    throw InputError(fmt::format("--tcp is missing: the link that is the hand. At the ends of this robot are: {}.",
-                                 shortened(fmt::format("{}", fmt::join(end_links(robot.robot), " ")), 300)));
+    throw InputError(message("--tcp is missing: the link that is the hand. At the ends of this robot are: {}.",
+                             shortened(fmt::format("{}", fmt::join(end_links(robot.robot), " ")), 300)));
   parts.urdf_text = robot.text;
   parts.tcp = o.tcp;
   parts.mount = o.mount.empty() ? robot.robot.links.front().name : o.mount;

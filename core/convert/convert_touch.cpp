@@ -29,7 +29,7 @@ std::vector<std::string> words_of(const std::string& text) {
 void set_attribute(tinyxml2::XMLElement& element, const std::string& word, const std::string& option) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(fmt::format("{}: {} is no NAME=VALUE such as sigma=2e-5.", option, in_quotes(shortened(word))));
+    throw InputError(message("{}: {} is no NAME=VALUE such as sigma=2e-5.", option, in_quotes(shortened(word))));
   std::string value = word.substr(equals + 1);
   if (word.substr(0, equals) != "mount") std::replace(value.begin(), value.end(), ',', ' ');
   element.SetAttribute(word.substr(0, equals).c_str(), value.c_str());
@@ -60,7 +60,7 @@ class Fixtures {
     if (std::find(ids_.begin(), ids_.end(), id) != ids_.end()) return;
     const char* const kind = kind_by_name(id);
     if (!kind)
-      throw InputError(fmt::format(
+      throw InputError(message(
           "{}: nothing says what the fixture {} is; name it with --fixture \"plane {}\", or point, line, gauge or "
           "length in place of plane.",
           file, in_quotes(shortened(id, 60)), shortened(id, 60)));
@@ -81,7 +81,7 @@ class Fixtures {
     for (const std::string& text : apart_) {
       const std::vector<std::string> words = words_of(text);
       if (words.size() < 3)
-        throw InputError(fmt::format("--apart {}: write two fixtures, by=METRES and sigma=METRES.", in_quotes(text)));
+        throw InputError(message("--apart {}: write two fixtures, by=METRES and sigma=METRES.", in_quotes(text)));
       tinyxml2::XMLElement& apart = *root_->InsertNewChildElement("apart");
       apart.SetAttribute("of", words[0].c_str());
       apart.SetAttribute("from", words[1].c_str());
@@ -110,9 +110,9 @@ class Fixtures {
                                             words[0] == "gauge" || words[0] == "length");
     if (words.size() < 2 || !is_kind)
       throw InputError(
-          fmt::format("--fixture {}: write what it is and its name, \"plane table\", \"point socket_1\", or "
-                      "a line, gauge or length with its place.",
-                      in_quotes(shortened(text))));
+          message("--fixture {}: write what it is and its name, \"plane table\", \"point socket_1\", or "
+                  "a line, gauge or length with its place.",
+                  in_quotes(shortened(text))));
     tinyxml2::XMLElement& element = add(words[0], words[1]);
     for (std::size_t w = 2; w < words.size(); ++w)
       if (words[w].starts_with("value="))
@@ -123,7 +123,7 @@ class Fixtures {
 
   static double value_from(const std::string& word) {
     const auto value = parse_number(word.substr(word.find('=') + 1));
-    if (!value) throw InputError(fmt::format("--fixture: {} is no number of metres.", in_quotes(shortened(word))));
+    if (!value) throw InputError(message("--fixture: {} is no number of metres.", in_quotes(shortened(word))));
     return *value;
   }
 
@@ -143,15 +143,15 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
     if (fs::is_regular_file(file))
       table = parse_touch_table(read_file(file), shown_path(file.filename()), &robot, o.columns);
     if (!table)
-      throw InputError(fmt::format(
+      throw InputError(message(
           "{}: is no table of touches; a session of touches is made of tables (CSV) of joint angles, fixture and "
           "reading, and of the robot.",
           shown_path(file)));
     if (!table->has_header)
       throw InputError(
-          fmt::format("{}: has no header; name its columns in a first line, or with --table-columns \"a1 a2 ... "
-                      "fixture value[mm]\".",
-                      table->file));
+          message("{}: has no header; name its columns in a first line, or with --table-columns \"a1 a2 ... "
+                  "fixture value[mm]\".",
+                  table->file));
     tables.emplace_back(file, std::move(*table));
   }
   if (tables.empty())
@@ -167,11 +167,11 @@ void add_row(const TouchRow& row, const std::vector<std::string>& joints, const 
   const bool reads = found->kind == FixtureKind::gauge || found->kind == FixtureKind::length;
   if (reads && !value)
     throw InputError(
-        fmt::format("{}: a touch of {} has no reading, and it reads one; fill the column value, or say "
-                    "--fixture \"... value=METRES\" where it is the same for all.",
-                    file, in_quotes(row.fixture)));
+        message("{}: a touch of {} has no reading, and it reads one; fill the column value, or say "
+                "--fixture \"... value=METRES\" where it is the same for all.",
+                file, in_quotes(row.fixture)));
   if (joints != s.joints)
-    throw InputError(fmt::format("{}: has other joints, or in another order, than the table before.", file));
+    throw InputError(message("{}: has other joints, or in another order, than the table before.", file));
   Observation& o = s.observations.emplace_back();
   o.id = static_cast<std::int64_t>(s.observations.size()) - 1;
   o.time = row.time.value_or(static_cast<double>(o.id));
@@ -211,7 +211,7 @@ Session written(Session s, const FieldUrdf& robot, const ConvertOptions& o) {
   ask_whether_to_go_on(o);
   std::error_code error;
   fs::create_directories(o.out, error);
-  if (error) throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(o.out), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(o.out), error.message()));
   replace_file(o.out / "robot.urdf", robot.text);
   replace_file(s.file, session_text(s));
   return read_session(s.file);
@@ -258,8 +258,8 @@ Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector
   s.robot_file = "robot.urdf";
   s.tcp = links.tcp;
   if (find_link(s.robot, s.tcp) < 0)
-    throw InputError(fmt::format("--tcp {}: the robot has no such link; it has: {}.", in_quotes(s.tcp),
-                                 shortened(fmt::format("{}", fmt::join(link_names(s.robot), " ")), 300)));
+    throw InputError(message("--tcp {}: the robot has no such link; it has: {}.", in_quotes(s.tcp),
+                             shortened(fmt::format("{}", fmt::join(link_names(s.robot), " ")), 300)));
   s.marker_count = 1;
   fixtures.read_into(s);
   s.joints = tables.front().joints;

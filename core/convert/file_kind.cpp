@@ -80,7 +80,7 @@ bool has_number(const fs::path& path) {
 }
 
 [[noreturn]] void refuse_kind(const fs::path& path, const std::string& looks_like) {
-  throw InputError(fmt::format(
+  throw InputError(message(
       "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
       "ROS or Kalibr, samples of easy_handeye, or a bag of ROS.",
       shown_path(path), looks_like));
@@ -146,8 +146,7 @@ bool has_images(const fs::path& folder) {
 
 FileKind file_kind(const fs::path& path, const Robot* robot) {
   std::error_code error;
-  if (!fs::exists(path, error))
-    throw InputError(fmt::format("{}: is not there; name a file or folder.", shown_path(path)));
+  if (!fs::exists(path, error)) throw InputError(message("{}: is not there; name a file or folder.", shown_path(path)));
   if (fs::is_directory(path)) {
     if (is_bag(path)) return FileKind::bag;
     if (fs::exists(path / "session.xml")) refuse_kind(path, "holds a session already, use it as it is");

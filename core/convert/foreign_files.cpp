@@ -94,11 +94,11 @@ void refuse_foreign_file(const std::filesystem::path& path, std::string_view beg
   std::string name = path.filename().string();
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (is_image(begin))
-    throw InputError(fmt::format("{}: is one image; name the folder that holds the images.", shown_path(path)));
+    throw InputError(message("{}: is one image; name the folder that holds the images.", shown_path(path)));
   for (const ForeignKind& kind : kinds)
     if (is_of(kind, name, begin))
-      throw InputError(fmt::format("{}: is {}, which is not read; {}.", shown_path(path), kind.is,
-                                   with_file(kind.way, shortened(path.filename().string(), 60))));
+      throw InputError(message("{}: is {}, which is not read; {}.", shown_path(path), kind.is,
+                               with_file(kind.way, shortened(path.filename().string(), 60))));
 }
 
 }  // namespace handsight

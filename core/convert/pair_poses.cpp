@@ -118,17 +118,17 @@ Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const Convert
     if (Pairs pairs = pair_by_time(flange.times, target.times, o.pairing.lag); !pairs.first.empty())
       return told("Poses of the flange and of the target are paired by their times.", std::move(pairs));
     if (!same_count)
-      throw InputError(fmt::format(
-          "No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
-          "of the flange from {:.3f} to {:.3f} s. Do the clocks agree (--lag)?",
-          target.times.front(), target.times.back(), flange.times.front(), flange.times.back()));
+      throw InputError(
+          message("No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
+                  "of the flange from {:.3f} to {:.3f} s. Do the clocks agree (--lag)?",
+                  target.times.front(), target.times.back(), flange.times.front(), flange.times.back()));
     notes.emplace_back("The clocks of the two tables do not agree; their poses are paired row by row.");
   }
   if (!same_count)
-    throw InputError(fmt::format(
-        "There are {} poses of the flange and {} of the target; expected one of each an instant, in the same "
-        "order, or a column that pairs them: number, image or time.",
-        row_count(flange), row_count(target)));
+    throw InputError(
+        message("There are {} poses of the flange and {} of the target; expected one of each an instant, in the same "
+                "order, or a column that pairs them: number, image or time.",
+                row_count(flange), row_count(target)));
   return pair_by(places_of(flange), places_of(target));
 }
 
@@ -182,8 +182,8 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
     Pairs pairs = pair_by_image_names(flange.names, images);
     if (pairs.first.empty())
       throw InputError(
-          fmt::format("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
-                      in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
+          message("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
+                  in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
     return told("Poses of the flange and the images are paired by the images' names.", std::move(pairs));
   }
   const bool same_count = images.size() == row_count(flange);
@@ -193,7 +193,7 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
       return told("Poses of the flange and the images are paired by their numbers.", std::move(pairs));
   }
   if (!same_count)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "There are {} {} and {} poses of the flange; expected one for each, in the order of the images' numbers, or a "
         "column that pairs them: image or number. The first image has the number {}, the last {}.",
         images.size(), cameras == 2 ? "pairs of images" : "instants with images", row_count(flange),

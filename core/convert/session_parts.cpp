@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(folder), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(folder), error.message()));
 }
 
 std::string title_of(const ConvertOptions& o) { return o.title.empty() ? o.out.filename().string() : o.title; }
@@ -40,8 +40,8 @@ Session read_back(const fs::path& file) {
 
 void require_link(const Robot& robot, const std::string& name, const char* option) {
   if (find_link(robot, name) >= 0) return;
-  throw InputError(fmt::format("{} {}: the robot has no such link; it has: {}.", option, in_quotes(name),
-                               shortened(fmt::format("{}", fmt::join(link_names(robot), " ")), 300)));
+  throw InputError(message("{} {}: the robot has no such link; it has: {}.", option, in_quotes(name),
+                           shortened(fmt::format("{}", fmt::join(link_names(robot), " ")), 300)));
 }
 
 void add_points(const std::vector<std::optional<Vector3>>& points, Session& s, Observation& o) {

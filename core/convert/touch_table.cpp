@@ -30,13 +30,13 @@ double unit_of(const Table& table, std::size_t column) {
   const std::string& name = table.columns[column].name;
   const std::string where = shortened(name, 60);
   if (unit.empty())
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: the readings in column {} ({}) have no unit; write it into the header, \"{} [mm]\", \"[um]\" or \"[m]\".",
         table.file, column + 1, where, where));
   throw InputError(
-      fmt::format("{}: the readings in column {} ({}) are in {}, which is none of mm, um and m; write it into the "
-                  "header, \"{} [mm]\", \"[um]\" or \"[m]\".",
-                  table.file, column + 1, where, in_quotes(shortened(unit, 40)), where));
+      message("{}: the readings in column {} ({}) are in {}, which is none of mm, um and m; write it into the "
+              "header, \"{} [mm]\", \"[um]\" or \"[m]\".",
+              table.file, column + 1, where, in_quotes(shortened(unit, 40)), where));
 }
 
 /// The joints' columns and no other.
@@ -54,8 +54,8 @@ Table joints_of(const Table& table, const Robot& robot) {
     for (std::size_t r = 0; r < table.rows.size(); ++r) joints.rows[r].push_back(table.rows[r][c]);
   }
   if (joints.columns.empty())
-    throw InputError(fmt::format("{}: no column has the name of a joint of the robot, which has: {}.", table.file,
-                                 shortened(fmt::format("{}", fmt::join(joint_names(robot), " ")), 300)));
+    throw InputError(message("{}: no column has the name of a joint of the robot, which has: {}.", table.file,
+                             shortened(fmt::format("{}", fmt::join(joint_names(robot), " ")), 300)));
   return joints;
 }
 
@@ -63,8 +63,8 @@ int whole_number(const Table& table, std::size_t row, std::size_t column) {
   const double number = table.rows[row][column];
   if (!(number >= 0 && number < 64) || number != std::floor(number))
     refuse(table.file, table.lines[row],
-           fmt::format("column {} ({}) holds {:g}, expected the tip's number, 0 to 63.", column + 1,
-                       shortened(table.columns[column].name, 60), number));
+           message("column {} ({}) holds {:g}, expected the tip's number, 0 to 63.", column + 1,
+                   shortened(table.columns[column].name, 60), number));
   return static_cast<int>(number);
 }
 

@@ -56,7 +56,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
 CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::string& robot_file,
                                  const std::string& file) {
   if (c.tcp.empty() || c.joints.empty())
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: has no <robot> with the tcp link or no <joints> with their order; predict from its session.", file));
   Session session;
   session.file = file;

@@ -27,10 +27,10 @@ bool read_number(const std::string& text, Number& number) {
 int joint_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
   const int joint = find_joint(robot, name);
   if (joint < 0 || !robot.joints[static_cast<std::size_t>(joint)].moves())
-    throw InputError(fmt::format("Effect \"{}\": the robot has no moving joint \"{}\".", text, name));
+    throw InputError(message("Effect \"{}\": the robot has no moving joint \"{}\".", text, name));
   if (effect.scope == EffectScope::mimic_joint && !robot.joints[static_cast<std::size_t>(joint)].is_mimic())
-    throw InputError(fmt::format("Effect \"{}\": the joint \"{}\" follows no other; {} sits at joints that do.", text,
-                                 name, effect.id));
+    throw InputError(
+        message("Effect \"{}\": the joint \"{}\" follows no other; {} sits at joints that do.", text, name, effect.id));
   return joint;
 }
 
@@ -41,8 +41,8 @@ int camera_for(const Effect& effect, const std::string& name, const std::string&
     if (effect.cameras[c] == name) return static_cast<int>(c);
     known += (known.empty() ? "" : ", ") + effect.cameras[c];
   }
-  throw InputError(fmt::format("Effect \"{}\": {} sits at no camera \"{}\"; it may sit at: {}.", text, effect.id, name,
-                               known.empty() ? "none of this session" : known));
+  throw InputError(message("Effect \"{}\": {} sits at no camera \"{}\"; it may sit at: {}.", text, effect.id, name,
+                           known.empty() ? "none of this session" : known));
 }
 
 /// The numbers of the tags, as sentences list them.
@@ -59,17 +59,17 @@ int tag_for(const Effect& effect, const std::string& name, const std::string& te
   constexpr std::string_view prefix = "tag ";  // as place_name writes it
   int tag = -1;
   if (!read_number(name.starts_with(prefix) ? name.substr(prefix.size()) : name, tag) || tag < 0)
-    throw InputError(fmt::format("Effect \"{}\": \"{}\" is no tag; write its number.", text, name));
+    throw InputError(message("Effect \"{}\": \"{}\" is no tag; write its number.", text, name));
   if (!effect.tags.empty() && std::find(effect.tags.begin(), effect.tags.end(), tag) == effect.tags.end())
-    throw InputError(fmt::format("Effect \"{}\": the target has no tag {}; it has: {}.", text, tag, tags_of(effect)));
+    throw InputError(message("Effect \"{}\": the target has no tag {}; it has: {}.", text, tag, tags_of(effect)));
   return tag;
 }
 
 int part_for(const Effect& effect, const std::string& name, const std::string& text) {
   for (std::size_t p = 0; p < effect.parts.size(); ++p)
     if (!name.empty() && effect.parts[p] == name) return static_cast<int>(p);
-  throw InputError(fmt::format("Effect \"{}\": {} sits at no session \"{}\"; it may sit at: {}.", text, effect.id, name,
-                               fmt::join(effect.parts, ", ")));
+  throw InputError(message("Effect \"{}\": {} sits at no session \"{}\"; it may sit at: {}.", text, effect.id, name,
+                           fmt::join(effect.parts, ", ")));
 }
 
 int place_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
@@ -80,7 +80,7 @@ int place_for(const Effect& effect, const std::string& name, const Robot& robot,
   constexpr std::string_view prefix = "marker ";  // as place_name writes it
   int marker = -1;
   if (!read_number(name.starts_with(prefix) ? name.substr(prefix.size()) : name, marker) || marker < 0 || marker > 63)
-    throw InputError(fmt::format("Effect \"{}\": \"{}\" is no marker; write its number, 0 to 63.", text, name));
+    throw InputError(message("Effect \"{}\": \"{}\" is no marker; write its number, 0 to 63.", text, name));
   return marker;
 }
 
@@ -94,7 +94,7 @@ Found effect_for(const std::string& id, const OwnEffects& own) {
   for (const std::shared_ptr<const Effect>& effect : own)
     if (effect->id == id) return {effect.get(), effect};
   if (const Effect* effect = find_effect(id)) return {effect, nullptr};
-  throw InputError(fmt::format("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects(own)));
+  throw InputError(message("Effect \"{}\" is not in the catalogue, which has: {}.", id, known_effects(own)));
 }
 
 std::size_t term_for(const Found& found, int place, std::vector<EffectTerm>& terms) {
@@ -119,7 +119,7 @@ NumberPlace add_number(const Found& found, int place, const std::string& name, d
   const auto parameter = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                       [&](const EffectParameter& p) { return p.name == name; });
   if (parameter == effect.parameters.end())
-    throw InputError(fmt::format("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
+    throw InputError(message("Effect \"{}\": {} has no parameter \"{}\".", text, effect.id, name));
   const NumberPlace number{term_for(found, place, terms),
                            static_cast<std::size_t>(parameter - effect.parameters.begin())};
   double& there = terms[number.term].values[number.parameter];
@@ -144,32 +144,31 @@ void add_effect_value(const std::string& text, const Robot& robot, std::vector<E
   const auto equals = text.find('=');
   if (colon == std::string::npos || equals == std::string::npos || equals < colon)
     throw InputError(
-        fmt::format("Effect \"{}\" has no value; write it as id:joint.parameter=value, for example "
-                    "joint_elasticity:arm_2.compliance=1e-4.",
-                    text));
+        message("Effect \"{}\" has no value; write it as id:joint.parameter=value, for example "
+                "joint_elasticity:arm_2.compliance=1e-4.",
+                text));
   const std::string id = text.substr(0, colon);
   const Found found = effect_for(id, own);
   const Effect* const effect = found.effect;
   if (has_no_target(*effect))
-    throw InputError(fmt::format("Effect \"{}\": this session has no {}, which {} is of.", text,
-                                 effect->scope == EffectScope::tag ? "body of tags whose places are known"
-                                                                   : "target of one piece whose shape is known",
-                                 id));
+    throw InputError(message("Effect \"{}\": this session has no {}, which {} is of.", text,
+                             effect->scope == EffectScope::tag ? "body of tags whose places are known"
+                                                               : "target of one piece whose shape is known",
+                             id));
   std::string name = text.substr(colon + 1, equals - colon - 1);
   int place = -1;
   if (effect->scope != EffectScope::session) {
     const auto dot = name.rfind('.');
     const char* const kind = kind_of_place(effect->scope);
     if (dot == std::string::npos)
-      throw InputError(
-          fmt::format("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text, kind, id,
-                      effect->scope == EffectScope::marker || effect->scope == EffectScope::tag ? "0" : kind));
+      throw InputError(message("Effect \"{}\" sits at a {}; write {}:{}.parameter=value.", text, kind, id,
+                               effect->scope == EffectScope::marker || effect->scope == EffectScope::tag ? "0" : kind));
     place = place_for(*effect, name.substr(0, dot), robot, text);
     name = name.substr(dot + 1);
   }
   double value = 0;
   if (!read_number(text.substr(equals + 1), value) || !std::isfinite(value))
-    throw InputError(fmt::format("Effect \"{}\": \"{}\" is not a finite number.", text, text.substr(equals + 1)));
+    throw InputError(message("Effect \"{}\": \"{}\" is not a finite number.", text, text.substr(equals + 1)));
   add_number(found, place, name, value, text, terms);
 }
 
@@ -182,16 +181,15 @@ std::vector<EffectTerm> effect_terms(const std::string& text, const Chain& chain
   if (colon == std::string::npos) {
     places = effect_places(*effect, chain);
     if (places.empty())
-      throw InputError(
-          fmt::format("Effect \"{}\" has no place in this session: it sits at {}.", id,
-                      effect->scope == EffectScope::mimic_joint ? "joints that follow others"
-                      : effect->scope == EffectScope::camera    ? "cameras, which this session has not got for it"
-                      : effect->scope == EffectScope::tag       ? "the tags of a body whose places are known"
-                      : effect->scope == EffectScope::session   ? "a target of one piece whose shape is known"
-                      : effect->scope == EffectScope::joint     ? "joints between the sensor and the TCP"
-                                                                : "markers"));
+      throw InputError(message("Effect \"{}\" has no place in this session: it sits at {}.", id,
+                               effect->scope == EffectScope::mimic_joint ? "joints that follow others"
+                               : effect->scope == EffectScope::camera ? "cameras, which this session has not got for it"
+                               : effect->scope == EffectScope::tag    ? "the tags of a body whose places are known"
+                               : effect->scope == EffectScope::session ? "a target of one piece whose shape is known"
+                               : effect->scope == EffectScope::joint   ? "joints between the sensor and the TCP"
+                                                                       : "markers"));
   } else if (effect->scope == EffectScope::session) {
-    throw InputError(fmt::format("Effect \"{}\" sits at no joint; write {} alone.", text, id));
+    throw InputError(message("Effect \"{}\" sits at no joint; write {} alone.", text, id));
   } else {
     std::string rest = text.substr(colon + 1);
     while (true) {

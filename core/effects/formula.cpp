@@ -42,10 +42,10 @@ void define_functions(mu::Parser& parser) {
   std::string found = error.GetToken().empty() ? std::string() : " at " + in_quotes(error.GetToken());
   if (at >= 0 && at < static_cast<int>(text.size())) found += fmt::format(", column {}", at + 1);
   throw InputError(
-      fmt::format("{}: the formula {} is not understood{}; expected parameters, variables such as q, tau, velocity, "
-                  "time or q_NAME, "
-                  "numbers, + - * / ^ and the functions sin cos tan tanh exp log sqrt abs sign min max.",
-                  place, in_quotes(text, 120), found));
+      message("{}: the formula {} is not understood{}; expected parameters, variables such as q, tau, velocity, "
+              "time or q_NAME, "
+              "numbers, + - * / ^ and the functions sin cos tan tanh exp log sqrt abs sign min max.",
+              place, in_quotes(text, 120), found));
 }
 
 /// A parser reads its variables from numbers of its own.

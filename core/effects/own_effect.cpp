@@ -182,9 +182,9 @@ void check_linear(const EffectDefinition& d, const DefinedMove& m, const Formula
     if (!std::isfinite(none)) continue;
     if (none != 0)
       throw InputError(
-          fmt::format("{}: {} has a part without any parameter; expected every part to be in proportion "
-                      "to one, so that the effect is absent when all are 0.",
-                      where(d, m.line), in_quotes(m.formula, 120)));
+          message("{}: {} has a part without any parameter; expected every part to be in proportion "
+                  "to one, so that the effect is absent when all are 0.",
+                  where(d, m.line), in_quotes(m.formula, 120)));
     std::vector<double> all = numbers;
     double sum = 0, size = 0;
     for (std::size_t p = 0; p < names.parameters; ++p) {
@@ -196,15 +196,15 @@ void check_linear(const EffectDefinition& d, const DefinedMove& m, const Formula
       size += std::abs(once);
       if (!near(twice, -2 * once, 1e-300))
         throw InputError(
-            fmt::format("{}: {} is not linear in the parameter \"{}\"; expected it as a factor, outside "
-                        "of functions and powers.",
-                        where(d, m.line), in_quotes(m.formula, 120), d.parameters[p].name));
+            message("{}: {} is not linear in the parameter \"{}\"; expected it as a factor, outside "
+                    "of functions and powers.",
+                    where(d, m.line), in_quotes(m.formula, 120), d.parameters[p].name));
     }
     if (!near(formula.value(all), sum, size))
       throw InputError(
-          fmt::format("{}: in {} parameters are multiplied with each other; expected a sum in which each "
-                      "part has one parameter.",
-                      where(d, m.line), in_quotes(m.formula, 120)));
+          message("{}: in {} parameters are multiplied with each other; expected a sum in which each "
+                  "part has one parameter.",
+                  where(d, m.line), in_quotes(m.formula, 120)));
   }
 }
 
@@ -214,21 +214,21 @@ CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Name
   if (site == sites.end()) {
     std::string known;
     for (const NamedPlace& s : sites) known += (known.empty() ? "" : " ") + s.name;
-    throw InputError(fmt::format("{}: scope {} has no site {}; expected one of {}.", where(d, m.line), d.scope,
-                                 in_quotes(m.site), known));
+    throw InputError(message("{}: scope {} has no site {}; expected one of {}.", where(d, m.line), d.scope,
+                             in_quotes(m.site), known));
   }
   CompiledMove move{site->place, Formula(m.formula, names.all, where(d, m.line))};
   for (const std::size_t used : move.formula.used()) {
     if (site->place.slot == Slot::camera && used >= names.parameters)
       throw InputError(
-          fmt::format("{}: the cameras' numbers are the same in all observations; {} names the variable "
-                      "\"{}\", expected parameters and numbers alone.",
-                      where(d, m.line), in_quotes(m.formula, 120), names.all[used]));
+          message("{}: the cameras' numbers are the same in all observations; {} names the variable "
+                  "\"{}\", expected parameters and numbers alone.",
+                  where(d, m.line), in_quotes(m.formula, 120), names.all[used]));
     if (d.scope != "joint" && used >= names.own() && used < names.session())
       throw InputError(
-          fmt::format("{}: scope {} has no joint of its own; write {}_NAME with a joint's name in place "
-                      "of \"{}\".",
-                      where(d, m.line), d.scope, names.all[used], names.all[used]));
+          message("{}: scope {} has no joint of its own; write {}_NAME with a joint's name in place "
+                  "of \"{}\".",
+                  where(d, m.line), d.scope, names.all[used], names.all[used]));
   }
   check_linear(d, m, move.formula, names);
   return move;
@@ -241,8 +241,8 @@ Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) 
   const Names& names = own.names;
   for (std::size_t p = 0; p < names.parameters; ++p)
     if (std::count(names.all.begin(), names.all.end(), names.all[p]) > 1)
-      throw InputError(fmt::format("{}: the parameter \"{}\" has the name of a variable; expected another name.",
-                                   where(d, 0), names.all[p]));
+      throw InputError(message("{}: the parameter \"{}\" has the name of a variable; expected another name.",
+                               where(d, 0), names.all[p]));
   std::vector<char> used(names.all.size(), 0);
   for (const DefinedMove& m : d.moves) {
     own.moves.push_back(compile(d, m, names, rig));
@@ -254,8 +254,8 @@ Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) 
   }
   for (std::size_t p = 0; p < names.parameters; ++p)
     if (!used[p])
-      throw InputError(fmt::format("{}: no formula names the parameter \"{}\"; expected it in one of <moves>.",
-                                   where(d, 0), names.all[p]));
+      throw InputError(message("{}: no formula names the parameter \"{}\"; expected it in one of <moves>.", where(d, 0),
+                               names.all[p]));
   return own;
 }
 
@@ -271,7 +271,7 @@ void check_finite(const Effect& effect, const Session& session, const std::vecto
       Sites sites = unmoved_sites(*all[i].chain);
       effect.move(all[i], place, sizes, sites);
       if (!is_finite(sites))
-        throw InputError(fmt::format(
+        throw InputError(message(
             "{}: the formula is not a finite number at observation {}{}; expected one that is finite everywhere.",
             where(*effect.definition, 0), session.observations[i].id,
             place >= 0 ? " (" + place_name(effect, place, session.robot) + ")" : ""));
@@ -320,7 +320,7 @@ OwnEffects own_effects_of(const Session& session, const Chain& chain) {
   for (const EffectDefinition& d : session.effect_definitions) {
     if (find_effect(d.id))
       throw InputError(
-          fmt::format("{}: the catalogue has an effect \"{}\" already; give it another id.", where(d, 0), d.id));
+          message("{}: the catalogue has an effect \"{}\" already; give it another id.", where(d, 0), d.id));
     all.push_back(own_effect(d, session.robot, cameras));
     if (!circumstances.empty()) check_finite(*all.back(), session, circumstances);
   }

@@ -97,9 +97,9 @@ OwnEffects part_effects(const Chain& chain) {
     const Effect* const effect = find_effect(id);
     if (!effect || !moves_one_joint(*effect))
       throw InputError(
-          fmt::format("own=\"{}\": only effects that sit at joints can be one session's own; slips, drifts, "
-                      "cameras and bodies are so without being named.",
-                      id));
+          message("own=\"{}\": only effects that sit at joints can be one session's own; slips, drifts, "
+                  "cameras and bodies are so without being named.",
+                  id));
     all.push_back(std::make_shared<const Effect>(changed_between(*effect, chain)));
   }
   return all;
@@ -120,7 +120,7 @@ std::vector<EffectTerm> own_terms(const Chain& chain, const OwnEffects& effects)
             terms.push_back(term_of(*effect, static_cast<int>(p), effect));
       if (terms.size() == before)
         throw InputError(
-            fmt::format("session \"{}\": own=\"{}\" names no joint between its sensor and its TCP.", session, said));
+            message("session \"{}\": own=\"{}\" names no joint between its sensor and its TCP.", session, said));
     }
   return terms;
 }

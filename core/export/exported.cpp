@@ -169,7 +169,7 @@ const Maker& maker_of(const std::string& kind) {
   const auto found = std::find_if(makers.begin(), makers.end(), [&](const Maker& m) { return kind == m.id; });
   if (found == makers.end())
     throw InputError(
-        fmt::format("{} is no kind of export; expected one of: {}.", in_quotes(kind), fmt::join(export_kinds, " ")));
+        message("{} is no kind of export; expected one of: {}.", in_quotes(kind), fmt::join(export_kinds, " ")));
   return *found;
 }
 
@@ -180,7 +180,7 @@ ExportKind export_kind(const std::string& kind) { return maker_of(kind).told; }
 ExportedFile exported_file(const CalibratedRobot& robot, const std::string& kind, const ExportOptions& options) {
   const Maker& maker = maker_of(kind);
   if (maker.needs_joints && robot.chain.robot.is_of_poses)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "A file of kind {} is of a robot with joints, and only the poses of the flange are known here; export where "
         "sensor and target sit as static_tf, yaml, opencv or csv.",
         kind));

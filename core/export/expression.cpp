@@ -36,9 +36,9 @@ class Parser {
 
  private:
   [[noreturn]] void fail() const {
-    throw InputError(fmt::format("The formula {} cannot be written in another language: {} is not understood there.",
-                                 in_quotes(text_, 200),
-                                 at_ < text_.size() ? fmt::format("column {}", at_ + 1) : std::string("its end")));
+    throw InputError(message("The formula {} cannot be written in another language: {} is not understood there.",
+                             in_quotes(text_, 200),
+                             at_ < text_.size() ? fmt::format("column {}", at_ + 1) : std::string("its end")));
   }
   void skip_spaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))

@@ -150,7 +150,7 @@ class Writer {
     Numbers first = numbers_of(a, effect), second = numbers_of(b, effect);
     if (first != second)
       throw InputError(
-          fmt::format("The effect {} cannot be written into a file of this kind; export as yaml or csv.", effect.id));
+          message("The effect {} cannot be written into a file of this kind; export as yaml or csv.", effect.id));
     for (const auto& [target, amount] : first) push(target, number_expression(amount));
   }
 

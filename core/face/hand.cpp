@@ -17,8 +17,8 @@ const CalibratedRobot& hand_of(const CalibratedRobot& robot, CalibratedRobot& mo
 /// At rest, and from nowhere.
 Circumstances pose_at(const CalibratedRobot& robot, const Eigen::VectorXd& position) {
   if (position.size() != static_cast<Eigen::Index>(robot.joint_names.size()))
-    throw InputError(fmt::format("The position has {} numbers; expected {}, one for each joint: {}.", position.size(),
-                                 robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
+    throw InputError(message("The position has {} numbers; expected {}, one for each joint: {}.", position.size(),
+                             robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
   if (!position.allFinite())
     throw InputError("The position holds a number that is not finite (nan or inf); expected angles in rad (m).");
   return circumstances_at(robot.chain, position);

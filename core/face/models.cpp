@@ -19,8 +19,7 @@ Model named_model(const Session& session, const std::vector<std::string>& effect
     }
     const std::vector<EffectTerm> named = effect_terms(text, chain, own);
     if (const int needed = markers_of(named); needed > session.marker_count)
-      throw InputError(
-          fmt::format("Effect \"{}\": the session has the markers 0 to {}.", text, session.marker_count - 1));
+      throw InputError(message("Effect \"{}\": the session has the markers 0 to {}.", text, session.marker_count - 1));
     const std::vector<EffectTerm> chosen = best_choices(session, named);
     terms.estimated.insert(terms.estimated.end(), chosen.begin(), chosen.end());
   }

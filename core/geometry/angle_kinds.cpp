@@ -62,8 +62,8 @@ const std::vector<std::string>& angle_kind_names() {
 NamedAngleKind named_angle_kind(const std::string& name) {
   for (const Named& named : all_named())
     if (name == named.name) return named.kind;
-  throw InputError(fmt::format("--angles {}: is no way to tell a rotation; expected one of: {}.", in_quotes(name),
-                               fmt::join(angle_kind_names(), " ")));
+  throw InputError(message("--angles {}: is no way to tell a rotation; expected one of: {}.", in_quotes(name),
+                           fmt::join(angle_kind_names(), " ")));
 }
 
 const char* angle_kind_name(AngleKind kind) {

@@ -21,18 +21,18 @@ const Effect& known_effect(const ModelEffect& e, const Chain& chain, const OwnEf
 
 void require_values(const ModelEffect& e, const Effect& effect) {
   if (effect.scope == EffectScope::session && !e.place.empty())
-    throw InputError(fmt::format("Effect \"{}\" sits at no joint; leave its place empty.", told(e)));
+    throw InputError(message("Effect \"{}\" sits at no joint; leave its place empty.", told(e)));
   const std::size_t count = effect.parameters.size();
   if (!e.values.empty() && e.values.size() != count)
-    throw InputError(fmt::format("Effect \"{}\" has {} values; expected {}, one for each parameter, or none.", told(e),
-                                 e.values.size(), count));
+    throw InputError(message("Effect \"{}\" has {} values; expected {}, one for each parameter, or none.", told(e),
+                             e.values.size(), count));
   if (!e.held.empty() && e.held.size() != count)
-    throw InputError(fmt::format("Effect \"{}\" says of {} parameters whether they are held; expected {}, or none.",
-                                 told(e), e.held.size(), count));
+    throw InputError(message("Effect \"{}\" says of {} parameters whether they are held; expected {}, or none.",
+                             told(e), e.held.size(), count));
   for (const double value : e.values)
     if (!bounds::effect_value.hold(value))
-      throw InputError(fmt::format("Effect \"{}\" has the value {:g}; expected one from {:g} to {:g}.", told(e), value,
-                                   bounds::effect_value.lowest, bounds::effect_value.highest));
+      throw InputError(message("Effect \"{}\" has the value {:g}; expected one from {:g} to {:g}.", told(e), value,
+                               bounds::effect_value.lowest, bounds::effect_value.highest));
 }
 
 EffectTerm term_for(const ModelEffect& e, const Session& session, const Chain& chain, const OwnEffects& own) {
@@ -43,8 +43,7 @@ EffectTerm term_for(const ModelEffect& e, const Session& session, const Chain& c
     add_effect_number(e.id, e.place, effect.parameters[p].name, e.values.empty() ? 0.0 : e.values[p], session.robot,
                       terms, own);
   if (const int needed = markers_of(terms); needed > session.marker_count)
-    throw InputError(
-        fmt::format("Effect \"{}\": the session has the markers 0 to {}.", told(e), session.marker_count - 1));
+    throw InputError(message("Effect \"{}\": the session has the markers 0 to {}.", told(e), session.marker_count - 1));
   terms.front().held.assign(e.held.begin(), e.held.end());
   return terms.front();
 }

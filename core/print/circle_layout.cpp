@@ -27,7 +27,7 @@ std::vector<TargetPoint> circle_points(const Target& target) {
 void check_circles(const Target& target, std::string_view where) {
   const double step = is_asymmetric(target) ? std::sqrt(2.0) * target.square : target.square;
   if (!(target.tag > 0) || !(target.tag < 0.95 * step))
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: diameter is {:g} m; expected more than 0 and less than the {:g} m between two circles, so that they do "
         "not touch.",
         where, target.tag, step));

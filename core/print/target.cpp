@@ -56,7 +56,7 @@ std::vector<PlacedTag> grid_tags(const Target& target) {
 }
 
 void require(bool holds, std::string_view where, const std::string& sentence) {
-  if (!holds) throw InputError(fmt::format("{}: {}", where, sentence));
+  if (!holds) throw InputError(message("{}: {}", where, sentence));
 }
 
 void check_size(double size, const char* name, std::string_view where) {

@@ -48,9 +48,9 @@ std::string pnm_of(const ros::Image& image, const std::string& what) {
   const PixelKind kind = kind_of(image.encoding);
   if (kind.channels == 0)
     throw InputError(
-        fmt::format("{}: images of the encoding {} cannot be read; publish mono8, mono16, rgb8 or bgr8 "
-                    "(image_proc makes them of Bayer patterns).",
-                    what, in_quotes(image.encoding)));
+        message("{}: images of the encoding {} cannot be read; publish mono8, mono16, rgb8 or bgr8 "
+                "(image_proc makes them of Bayer patterns).",
+                what, in_quotes(image.encoding)));
   if (image.step < image.width * kind.channels * kind.bytes)
     throw InputError(what + ": its rows are shorter than its width.");
   std::string out = fmt::format("P{}\n{} {}\n{}\n", kind.channels == 1 ? 5 : 6, image.width, image.height,
@@ -71,16 +71,16 @@ struct ImageFile {
 };
 
 ImageFile file_of(const BagTopic& topic, std::string_view bytes, const std::string& what) {
-  const ros::Message message{bytes, topic.encoding == "ros1", what};
+  const ros::Message serialized{bytes, topic.encoding == "ros1", what};
   if (topic.type != "sensor_msgs/CompressedImage") {
-    ImageFile file{pnm_of(ros::read_image(message), what), ""};
+    ImageFile file{pnm_of(ros::read_image(serialized), what), ""};
     file.ending = file.content[1] == '5' ? ".pgm" : ".ppm";
     return file;
   }
-  const ros::CompressedImage image = ros::read_compressed_image(message);
+  const ros::CompressedImage image = ros::read_compressed_image(serialized);
   if (ending_of(image.data).empty())
-    throw InputError(fmt::format("{}: compressed images of the format {} cannot be read; expected PNG, JPEG or WebP.",
-                                 what, in_quotes(image.format)));
+    throw InputError(message("{}: compressed images of the format {} cannot be read; expected PNG, JPEG or WebP.", what,
+                             in_quotes(image.format)));
   return {std::string(image.data), ending_of(image.data)};
 }
 

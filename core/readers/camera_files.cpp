@@ -17,7 +17,7 @@ std::vector<double> required(const YAML::Node& yaml, const char* key, std::size_
   const auto numbers = yaml_numbers(yaml[key]);
   if (!numbers || numbers->size() < count)
     throw InputError(
-        fmt::format("{}: has no {} of {} finite numbers; expected a calibration that is whole.", file, key, count));
+        message("{}: has no {} of {} finite numbers; expected a calibration that is whole.", file, key, count));
   return *numbers;
 }
 
@@ -43,9 +43,9 @@ Camera kalibr_camera(const YAML::Node& yaml, const std::string& file) {
   const std::string model = yaml_word(yaml, "camera_model");
   if (model != "pinhole")
     throw InputError(
-        fmt::format("{}: a camera is of the model {}, which sessions do not have; calibrate it as "
-                    "pinhole-radtan.",
-                    file, in_quotes(model)));
+        message("{}: a camera is of the model {}, which sessions do not have; calibrate it as "
+                "pinhole-radtan.",
+                file, in_quotes(model)));
   const std::vector<double> n = required(yaml, "intrinsics", 4, file), size = required(yaml, "resolution", 2, file);
   Camera c;
   c.fx = n[0];
@@ -69,12 +69,12 @@ void check_camera(const Camera& c, const std::string& file) {
                      "name a file that has one.");
   for (const double f : {c.fx, c.fy})
     if (!bounds::focal_length.hold(f))
-      throw InputError(fmt::format("{}: has a focal length of {:g} px; expected one from {:g} to {:g}.", file, f,
-                                   bounds::focal_length.lowest, bounds::focal_length.highest));
+      throw InputError(message("{}: has a focal length of {:g} px; expected one from {:g} to {:g}.", file, f,
+                               bounds::focal_length.lowest, bounds::focal_length.highest));
   for (const double p : {c.cx, c.cy, c.skew})
-    if (!bounds::pixel.hold(p)) throw InputError(fmt::format("{}: holds {:g}, no place in an image.", file, p));
+    if (!bounds::pixel.hold(p)) throw InputError(message("{}: holds {:g}, no place in an image.", file, p));
   for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6})
-    if (!bounds::distortion.hold(d)) throw InputError(fmt::format("{}: holds {:g}, no lens bends so.", file, d));
+    if (!bounds::distortion.hold(d)) throw InputError(message("{}: holds {:g}, no lens bends so.", file, d));
   if (c.width <= 0 || c.height <= 0 || c.width > 100000 || c.height > 100000)
     throw InputError(file + ": does not say how large the images are; expected image_width and image_height.");
 }
@@ -85,9 +85,9 @@ void set_distortion(Camera& c, const std::vector<double>& d, const std::string& 
   const bool is_plain = model.empty() || model == "plumb_bob" || model == "radtan" || model == "none";
   if (!c.is_fisheye && !is_rational && !is_plain)
     throw InputError(
-        fmt::format("{}: the lens is of the model {}, which sessions do not have; calibrate with plumb_bob "
-                    "(k1 k2 p1 p2 k3), rational_polynomial or equidistant.",
-                    file, in_quotes(model)));
+        message("{}: the lens is of the model {}, which sessions do not have; calibrate with plumb_bob "
+                "(k1 k2 p1 p2 k3), rational_polynomial or equidistant.",
+                file, in_quotes(model)));
   double* const plain[] = {&c.k1, &c.k2, &c.p1, &c.p2, &c.k3, &c.k4, &c.k5, &c.k6};
   double* const fisheye[] = {&c.k1, &c.k2, &c.k3, &c.k4};
   const std::span<double* const> into = c.is_fisheye  ? std::span<double* const>(fisheye)
@@ -97,10 +97,10 @@ void set_distortion(Camera& c, const std::vector<double>& d, const std::string& 
     if (i < into.size())
       *into[i] = d[i];
     else if (d[i] != 0)
-      throw InputError(fmt::format("{}: the lens has {} distortion terms; calibrate it with {}.", file, d.size(),
-                                   c.is_fisheye  ? "the four of a fisheye"
-                                   : is_rational ? "eight (k1 k2 p1 p2 k3 k4 k5 k6)"
-                                                 : "five (k1 k2 p1 p2 k3)"));
+      throw InputError(message("{}: the lens has {} distortion terms; calibrate it with {}.", file, d.size(),
+                               c.is_fisheye  ? "the four of a fisheye"
+                               : is_rational ? "eight (k1 k2 p1 p2 k3 k4 k5 k6)"
+                                             : "five (k1 k2 p1 p2 k3)"));
   }
 }
 
@@ -143,9 +143,9 @@ StereoRig rig_of(const RosCamera& left, const RosCamera& right) {
   const RosCamera &l = right.baseline >= left.baseline ? left : right, &r = &l == &left ? right : left;
   if (!l.has_rectification || !r.has_rectification || !(r.baseline > 1e-4))
     throw InputError(
-        fmt::format("{} and {}: neither names the distance of the cameras (projection_matrix[3] is 0); "
-                    "calibrate them as a stereo pair, or name OpenCV's or Kalibr's stereo file too.",
-                    left.file, right.file));
+        message("{} and {}: neither names the distance of the cameras (projection_matrix[3] is 0); "
+                "calibrate them as a stereo pair, or name OpenCV's or Kalibr's stereo file too.",
+                left.file, right.file));
   StereoRig rig;
   rig.left = l.camera;
   rig.right = r.camera;
@@ -203,17 +203,17 @@ void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::st
   }
   if (c.width != height || c.height != width)
     throw InputError(
-        fmt::format("The images are {} x {} px, the calibration of the {} camera is of {} x {} px: name "
-                    "the calibration of these images, or images of this size.",
-                    width, height, camera.name, c.width, c.height));
+        message("The images are {} x {} px, the calibration of the {} camera is of {} x {} px: name "
+                "the calibration of these images, or images of this size.",
+                width, height, camera.name, c.width, c.height));
   if (c.cx > width || c.cy > height ||
       std::abs(c.cx - height / 2.0) + std::abs(c.cy - width / 2.0) <
           std::abs(c.cx - width / 2.0) + std::abs(c.cy - height / 2.0))
     throw InputError(
-        fmt::format("The images are {} x {} px and the calibration of the {} camera is of {} x {} px, its "
-                    "centre at {:.0f}, {:.0f}: the images were turned by a quarter after it was "
-                    "calibrated; turn them back.",
-                    width, height, camera.name, c.width, c.height, c.cx, c.cy));
+        message("The images are {} x {} px and the calibration of the {} camera is of {} x {} px, its "
+                "centre at {:.0f}, {:.0f}: the images were turned by a quarter after it was "
+                "calibrated; turn them back.",
+                width, height, camera.name, c.width, c.height, c.cx, c.cy));
   std::swap(c.width, c.height);
   notes.push_back(
       fmt::format("The calibration of the {} camera has width and height swapped; {} x {} px of the images "

@@ -43,7 +43,7 @@ std::optional<std::size_t> find_column(const std::vector<std::string>& names, co
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
   if (std::find(found + 1, names.end(), name) != names.end())
-    refuse(file, line, fmt::format("the header names {} twice, expected each column once.", in_quotes(name)));
+    refuse(file, line, message("the header names {} twice, expected each column once.", in_quotes(name)));
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -57,7 +57,7 @@ Columns read_header(const Cells& cells, const std::string& file, int line, const
     const auto column = find_column(names, joint, file, line);
     if (!column)
       refuse(file, line,
-             fmt::format("the header has no column {}, expected one for each joint of the session.", in_quotes(joint)));
+             message("the header has no column {}, expected one for each joint of the session.", in_quotes(joint)));
     columns.of_joint.push_back(*column);
     if (!with_motion) continue;
     columns.of_velocity.push_back(find_column(names, "velocity_" + joint, file, line));
@@ -77,17 +77,17 @@ double read_cell(const Cells& cells, std::size_t column, const Bounds& within, c
   const std::optional<double> number = parse_number(cell);
   if (!number)
     refuse(file, line,
-           fmt::format("{} stands in column {}, expected a finite number such as 0.5.", in_quotes(cell), column + 1));
+           message("{} stands in column {}, expected a finite number such as 0.5.", in_quotes(cell), column + 1));
   if (!within.hold(*number))
     refuse(file, line,
-           fmt::format("{} stands in column {}, expected a number from {:g} to {:g}.", in_quotes(cell), column + 1,
-                       within.lowest, within.highest));
+           message("{} stands in column {}, expected a number from {:g} to {:g}.", in_quotes(cell), column + 1,
+                   within.lowest, within.highest));
   return *number;
 }
 
 void read_line(const Cells& cells, const std::string& file, int line, const Columns& columns, PoseTable& table) {
   if (cells.size() != columns.count)
-    refuse(file, line, fmt::format("the line has {} columns, expected {}.", cells.size(), columns.count));
+    refuse(file, line, message("the line has {} columns, expected {}.", cells.size(), columns.count));
   const auto count = static_cast<Eigen::Index>(columns.of_joint.size());
   Eigen::VectorXd pose(count), velocity = Eigen::VectorXd::Zero(count);
   for (std::size_t i = 0; i < columns.of_joint.size(); ++i)

@@ -51,9 +51,9 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
     const std::size_t first = t.width() == names.size() + 1 ? 1 : 0;
     if (t.width() - first != names.size())
       throw InputError(
-          fmt::format("{}: has {} columns and no header, the robot {} joints that move by themselves: {}. "
-                      "Write a first line with the columns' names.",
-                      t.file, t.width(), names.size(), shortened(fmt::format("{}", fmt::join(names, " ")), 250)));
+          message("{}: has {} columns and no header, the robot {} joints that move by themselves: {}. "
+                  "Write a first line with the columns' names.",
+                  t.file, t.width(), names.size(), shortened(fmt::format("{}", fmt::join(names, " ")), 250)));
     if (first) t.columns[0].name = "time";
     for (std::size_t i = 0; i < names.size(); ++i) all.push_back({first + i, find_joint(robot, names[i]), degrees});
     notes.push_back(fmt::format("{}: has no header; its columns are taken for {}{}.", t.file, first ? "time " : "",
@@ -70,13 +70,13 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
     for (const Placed& p : all)
       if (p.joint == joint)
         refuse(t.file, 1,
-               fmt::format("the columns {} and {} are both of joint {}, expected one.", p.column + 1, c + 1,
-                           in_quotes(robot.joints[static_cast<std::size_t>(joint)].name)));
+               message("the columns {} and {} are both of joint {}, expected one.", p.column + 1, c + 1,
+                       in_quotes(robot.joints[static_cast<std::size_t>(joint)].name)));
     all.push_back({c, joint, degrees || t.columns[c].unit == "deg"});
   }
   if (all.empty())
-    throw InputError(fmt::format("{}: no column has the name of a joint of the robot, which has: {}.", t.file,
-                                 shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
+    throw InputError(message("{}: no column has the name of a joint of the robot, which has: {}.", t.file,
+                             shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
   const int others = ignored - static_cast<int>(find_column(t, {"time", "timestamp", "t", "stamp"}).has_value());
   if (others > 0)
     notes.push_back(fmt::format("{}: {} columns are no joints of the robot and are left out.", t.file, others));
@@ -135,9 +135,9 @@ void refuse_degrees(const JointSeries& s, const std::vector<Placed>& columns, co
       const double angle = std::abs(q[static_cast<Eigen::Index>(i)]);
       if (angle > most_of_a_turn && beyond(s.positions, static_cast<Eigen::Index>(i), joint) > 0)
         throw InputError(
-            fmt::format("{}: joint {} stands at {:.4g}, which in rad is {:.0f} turns: these are degrees. Say "
-                        "--degrees, or write the unit into the header: \"{} [deg]\".",
-                        file, joint.name, angle, angle / (2 * std::numbers::pi), joint.name));
+            message("{}: joint {} stands at {:.4g}, which in rad is {:.0f} turns: these are degrees. Say "
+                    "--degrees, or write the unit into the header: \"{} [deg]\".",
+                    file, joint.name, angle, angle / (2 * std::numbers::pi), joint.name));
     }
   }
 }
@@ -170,8 +170,8 @@ JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std:
       q[static_cast<Eigen::Index>(i)] = table.rows[r][p.column] * unit;
       if (!bounds::joint.hold(q[static_cast<Eigen::Index>(i)]))
         refuse(table.file, table.lines[r],
-               fmt::format("joint {} stands at {:g}, expected a number from {:g} to {:g}.", s.names[i],
-                           table.rows[r][p.column], bounds::joint.lowest, bounds::joint.highest));
+               message("joint {} stands at {:g}, expected a number from {:g} to {:g}.", s.names[i],
+                       table.rows[r][p.column], bounds::joint.lowest, bounds::joint.highest));
     }
     s.positions.push_back(std::move(q));
   }

@@ -12,14 +12,14 @@ namespace {
 double required(const YAML::Node& yaml, const char* key, const std::string& file) {
   const auto number = yaml_number(yaml, key);
   if (!number)
-    throw InputError(fmt::format("{}: has no number {}; expected Kalibr's description of a target, whole.", file, key));
+    throw InputError(message("{}: has no number {}; expected Kalibr's description of a target, whole.", file, key));
   return *number;
 }
 
 int required_count(const YAML::Node& yaml, const char* key, const std::string& file) {
   const double number = required(yaml, key, file);
   if (number != std::floor(number) || number < 1 || number > 4096)
-    throw InputError(fmt::format("{}: {} is {:g}; expected a whole number from 1 on.", file, key, number));
+    throw InputError(message("{}: {} is {:g}; expected a whole number from 1 on.", file, key, number));
   return static_cast<int>(number);
 }
 
@@ -31,9 +31,9 @@ Target checkerboard(const YAML::Node& yaml, const std::string& file) {
   t.square = required(yaml, "rowSpacingMeters", file);
   const double across = required(yaml, "colSpacingMeters", file);
   if (across != t.square)
-    throw InputError(fmt::format(
-        "{}: its fields are {:g} m x {:g} m; expected squares (rowSpacingMeters and colSpacingMeters equal).", file,
-        across, t.square));
+    throw InputError(
+        message("{}: its fields are {:g} m x {:g} m; expected squares (rowSpacingMeters and colSpacingMeters equal).",
+                file, across, t.square));
   return t;
 }
 
@@ -56,7 +56,7 @@ bool is_kalibr_target(const YAML::Node& yaml) { return yaml.IsMap() && yaml["tar
 Target read_kalibr_target(const YAML::Node& yaml, const std::string& file) {
   const std::string kind = yaml_word(yaml, "target_type");
   if (kind == "circlegrid")
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: describes a grid of circles, without their diameter, which is needed; expected it in words: --target "
         "circles columns={} rows={} spacing={:g} diameter=METRES layout={}.",
         file, required_count(yaml, "targetCols", file), required_count(yaml, "targetRows", file),
@@ -64,9 +64,9 @@ Target read_kalibr_target(const YAML::Node& yaml, const std::string& file) {
         yaml_word(yaml, "asymmetricGrid") == "true" ? "asymmetric" : "symmetric"));
   if (kind != "aprilgrid" && kind != "checkerboard")
     throw InputError(
-        fmt::format("{}: describes a target of the type {}, which is not found in images; expected aprilgrid or "
-                    "checkerboard: `handsight-cli target` draws one.",
-                    file, in_quotes(kind)));
+        message("{}: describes a target of the type {}, which is not found in images; expected aprilgrid or "
+                "checkerboard: `handsight-cli target` draws one.",
+                file, in_quotes(kind)));
   Target target = kind == "aprilgrid" ? aprilgrid(yaml, file) : checkerboard(yaml, file);
   check_target(target, file + ": the target");
   return target;

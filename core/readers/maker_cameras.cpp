@@ -11,7 +11,7 @@ namespace {
 
 double required_number(const YAML::Node& map, const char* key, const std::string& file) {
   const auto number = yaml_number(map, key);
-  if (!number) throw InputError(fmt::format("{}: has no number {}; expected a calibration that is whole.", file, key));
+  if (!number) throw InputError(message("{}: has no number {}; expected a calibration that is whole.", file, key));
   return *number;
 }
 
@@ -61,10 +61,10 @@ RosCamera read_camodocal(const std::string& text, const std::string& file) {
   const std::string model = yaml_word(yaml, "model_type");
   const bool is_fisheye = model == "KANNALA_BRANDT";
   if (model != "PINHOLE" && !is_fisheye)
-    throw InputError(fmt::format(
-        "{}: the camera is of camodocal's model {}, which sessions do not have; calibrate it as PINHOLE or, a "
-        "wide lens, as KANNALA_BRANDT, or with `handsight-cli cameras`.",
-        file, in_quotes(model)));
+    throw InputError(
+        message("{}: the camera is of camodocal's model {}, which sessions do not have; calibrate it as PINHOLE or, a "
+                "wide lens, as KANNALA_BRANDT, or with `handsight-cli cameras`.",
+                file, in_quotes(model)));
   RosCamera c;
   c.file = file;
   c.name = yaml_word(yaml, "camera_name");

@@ -36,9 +36,9 @@ Header header_of(const std::vector<Cells>& lines, const std::string& file) {
   }
   if (h.axes >= lines.size() || h.kinds.empty() || h.names.empty() || h.quantities.empty())
     throw InputError(
-        fmt::format("{}: begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again "
-                    "with them.",
-                    file));
+        message("{}: begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again "
+                "with them.",
+                file));
   for (Cells* cells : {&h.kinds, &h.names, &h.quantities}) cells->resize(lines[h.axes].size());
   return h;
 }
@@ -56,9 +56,8 @@ std::string unit_of(const Header& h) {
 void require_quaternions(const Header& h, const std::string& file) {
   const std::string kind = setting(h, "Rotation Type");
   if (kind.empty() || kind == "Quaternion") return;
-  throw InputError(
-      fmt::format("{}: its turns are Euler angles ({}); export it again with the rotation type Quaternion.", file,
-                  in_quotes(kind)));
+  throw InputError(message("{}: its turns are Euler angles ({}); export it again with the rotation type Quaternion.",
+                           file, in_quotes(kind)));
 }
 
 }  // namespace

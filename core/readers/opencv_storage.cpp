@@ -21,9 +21,9 @@ constexpr std::size_t largest_text = std::size_t{16} << 20;  // bytes
 constexpr std::size_t most_side = 64;                        // rows or columns of a camera's matrix
 
 [[noreturn]] void refuse_text(const std::string& file, std::string_view reason) {
-  throw InputError(fmt::format(
-      "{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): {}; name the stereo calibration.", file,
-      shortened(reason, 200)));
+  throw InputError(
+      message("{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): {}; name the stereo calibration.",
+              file, shortened(reason, 200)));
 }
 
 bool is_nested_deeply(std::string_view text) {

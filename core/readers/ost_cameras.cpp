@@ -36,7 +36,7 @@ std::vector<NamedSection> sections_of(const std::string& text, const std::string
     } else {
       for (const std::string_view word : words) {
         const auto value = parse_number(word);
-        if (!value) refuse(file, number, fmt::format("{} is no finite number.", in_quotes(word)));
+        if (!value) refuse(file, number, message("{} is no finite number.", in_quotes(word)));
         all.back().numbers[key].push_back(*value);
       }
     }
@@ -51,8 +51,8 @@ RosCamera camera_of(const NamedSection& section, const std::vector<double>& size
   };
   const std::vector<double> k = numbers("camera matrix"), r = numbers("rectification"), p = numbers("projection");
   if (k.size() != 9)
-    throw InputError(fmt::format("{}: [{}] has a camera matrix of {} numbers; expected 9.", file,
-                                 shortened(section.name), k.size()));
+    throw InputError(
+        message("{}: [{}] has a camera matrix of {} numbers; expected 9.", file, shortened(section.name), k.size()));
   ros::CameraInfo message;
   std::copy(k.begin(), k.end(), message.k);
   if (r.size() == 9) std::copy(r.begin(), r.end(), message.r);
@@ -82,7 +82,7 @@ std::vector<RosCamera> read_ost(const std::string& text, const std::string& file
       cameras.push_back(camera_of(section, size, file));
   }
   if (cameras.empty() || cameras.size() > 2)
-    throw InputError(fmt::format("{}: has {} cameras; expected one, or a left and a right one.", file, cameras.size()));
+    throw InputError(message("{}: has {} cameras; expected one, or a left and a right one.", file, cameras.size()));
   return cameras;
 }
 

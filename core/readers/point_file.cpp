@@ -103,8 +103,8 @@ PointSeries read_point_table(Table table, std::vector<std::string>& notes) {
   const std::vector<Triple> triples = triples_of(table);
   check(!triples.empty(), "{} is no table of points", table.file);
   if (triples.size() > most_markers)
-    throw InputError(fmt::format("{}: holds {} points an instant; a session has up to {} markers.", table.file,
-                                 triples.size(), most_markers));
+    throw InputError(message("{}: holds {} points an instant; a session has up to {} markers.", table.file,
+                             triples.size(), most_markers));
   std::vector<double> times = times_of(table, notes);
   sort_by_time(table, times, notes);
   double largest = 0;

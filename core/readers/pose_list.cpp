@@ -13,8 +13,7 @@ namespace handsight {
 namespace {
 
 [[noreturn]] void refuse_pose(const std::string& file, std::size_t number, const char* why) {
-  throw InputError(
-      fmt::format("{}: pose {} {}; expected x y z in m and a unit quaternion x y z w.", file, number, why));
+  throw InputError(message("{}: pose {} {}; expected x y z in m and a unit quaternion x y z w.", file, number, why));
 }
 
 Rigid pose_of(const std::vector<double>& xyz, const std::vector<double>& q, const std::string& file,
@@ -190,12 +189,12 @@ std::vector<ReadPoses> read_pose_list(const YAML::Node& yaml, const std::string&
   const bool is_list = begins_with_a_pose(list);
   NamedLists lists = is_list ? lists_in(list, file) : lists_of_map(yaml, file);
   if (lists.names.size() > 2)
-    throw InputError(fmt::format("{}: holds poses of {} things ({}); expected those of the flange and of the target.",
-                                 file, lists.names.size(), shortened(fmt::format("{}", fmt::join(lists.names, ", ")))));
+    throw InputError(message("{}: holds poses of {} things ({}); expected those of the flange and of the target.", file,
+                             lists.names.size(), shortened(fmt::format("{}", fmt::join(lists.names, ", ")))));
   if (lists.names.size() == 2 && lists.poses[0].size() != lists.poses[1].size())
-    throw InputError(fmt::format("{}: has {} poses {} and {} poses {}; expected one of each an instant.", file,
-                                 lists.poses[0].size(), in_quotes(lists.names[0]), lists.poses[1].size(),
-                                 in_quotes(lists.names[1])));
+    throw InputError(message("{}: has {} poses {} and {} poses {}; expected one of each an instant.", file,
+                             lists.poses[0].size(), in_quotes(lists.names[0]), lists.poses[1].size(),
+                             in_quotes(lists.names[1])));
   std::vector<ReadPoses> all;
   for (std::size_t i = 0; i < lists.names.size(); ++i) {
     ReadPoses& read = all.emplace_back(named(lists.names[i], std::move(lists.poses[i])));

@@ -140,11 +140,11 @@ std::vector<ReadPoses> read_pose_files(const std::vector<fs::path>& files, const
     const auto at = numbered(file.stem().string());
     const auto pose = single_pose(read_file(file));
     if (!at || !pose)
-      throw InputError(fmt::format("{}: holds no single pose, or has no number in its name; expected a 4x4 matrix.",
-                                   shown_path(file)));
+      throw InputError(
+          message("{}: holds no single pose, or has no number in its name; expected a 4x4 matrix.", shown_path(file)));
     if (!groups[at->name].emplace(at->number, *pose).second)
-      throw InputError(fmt::format("{}: another file of poses has the number {} too; expected one for each instant.",
-                                   shown_path(file), at->number));
+      throw InputError(message("{}: another file of poses has the number {} too; expected one for each instant.",
+                               shown_path(file), at->number));
   }
   return series_of(groups, what, notes);
 }

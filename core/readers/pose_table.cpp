@@ -142,13 +142,12 @@ void refuse_impossible(const ReadPoses& read, const std::string& what) {
   for (std::size_t i = 0; i < read.series.poses.size(); ++i)
     for (const double x : read.series.poses[i].translation)
       if (!bounds::length.hold(x))
-        throw InputError(fmt::format("{}: pose {} lies outside of any room; expected lengths in m or mm.", what, i));
+        throw InputError(message("{}: pose {} lies outside of any room; expected lengths in m or mm.", what, i));
   if (read.turns.numbers.empty())
-    throw InputError(fmt::format("{}: has no row with a whole pose; expected a place and a rotation in each.", what));
+    throw InputError(message("{}: has no row with a whole pose; expected a place and a rotation in each.", what));
   if (read.turns.numbers[0].size() == 4 && !has_unit_quaternions(read))
-    throw InputError(
-        fmt::format("{}: a pose has no unit quaternion ({}); expected four numbers whose squares sum to 1.", what,
-                    read.turns.columns));
+    throw InputError(message("{}: a pose has no unit quaternion ({}); expected four numbers whose squares sum to 1.",
+                             what, read.turns.columns));
 }
 
 ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, const PoseTableOptions& o,

@@ -44,9 +44,9 @@ RosCamera camera_of(const Intrinsics& i, const std::string& file, std::vector<st
     set_distortion(c.camera, d, "plumb_bob", file);
   } else {
     throw InputError(
-        fmt::format("{}: the lens is of RealSense's model {}, which sessions do not have; calibrate the camera with "
-                    "`handsight-cli cameras`.",
-                    file, in_quotes(i.model)));
+        message("{}: the lens is of RealSense's model {}, which sessions do not have; calibrate the camera with "
+                "`handsight-cli cameras`.",
+                file, in_quotes(i.model)));
   }
   if (bends && model == "inverse_brown_conrady")
     notes.push_back(fmt::format(
@@ -107,7 +107,7 @@ RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::v
                                                      {"fy", &i.fy},       {"ppx", &i.ppx},       {"ppy", &i.ppy}};
   for (const auto& [name, number] : numbers) {
     const auto told = yaml_number(yaml, name);
-    if (!told) throw InputError(fmt::format("{}: has no number {}; expected width height ppx ppy fx fy.", file, name));
+    if (!told) throw InputError(message("{}: has no number {}; expected width height ppx ppy fx fy.", file, name));
     *number = *told;
   }
   i.model = yaml_word(yaml, "model");
@@ -120,10 +120,10 @@ RosCamera read_realsense_listing(const std::string& text, const std::string& fil
   if (all.size() != 1) {
     std::string streams;
     for (const Intrinsics& i : all) streams += (streams.empty() ? "" : "; ") + i.stream;
-    throw InputError(fmt::format(
-        "{}: lists {} streams ({}); keep the lines of the one that the images are of, from \"Intrinsic of\" to "
-        "\"Coeffs\".",
-        file, all.size(), shortened(streams, 200)));
+    throw InputError(
+        message("{}: lists {} streams ({}); keep the lines of the one that the images are of, from \"Intrinsic of\" to "
+                "\"Coeffs\".",
+                file, all.size(), shortened(streams, 200)));
   }
   return camera_of(all.front(), file, notes);
 }

@@ -32,9 +32,9 @@ std::optional<StorageEntry> find_matrix(const Storage& storage, const std::strin
     if (found == storage.end()) continue;
     if (!found->second.fault.empty())
       throw InputError(
-          fmt::format("{}: {} is no matrix of finite numbers: {}; expected what OpenCV's stereoCalibrate "
-                      "writes.",
-                      file, name, shortened(found->second.fault, 200)));
+          message("{}: {} is no matrix of finite numbers: {}; expected what OpenCV's stereoCalibrate "
+                  "writes.",
+                  file, name, shortened(found->second.fault, 200)));
     return found->second;
   }
   return std::nullopt;
@@ -93,8 +93,8 @@ Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& disto
                  const Found& found, const std::string& files) {
   const bool is_square = k.rows == 3 && k.cols == 3;
   if (!is_square || !(k.numbers[0] > 0) || !(k.numbers[4] > 0))
-    throw InputError(fmt::format("{}: the {} camera matrix is {} x {}; expected 3 x 3 with positive focal lengths.",
-                                 files, side, k.rows, k.cols));
+    throw InputError(message("{}: the {} camera matrix is {} x {}; expected 3 x 3 with positive focal lengths.", files,
+                             side, k.rows, k.cols));
   Camera camera{.width = found.width, .height = found.height};
   camera.fx = k.numbers[0];
   camera.skew = k.numbers[1];
@@ -103,18 +103,18 @@ Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& disto
   camera.cy = k.numbers[5];
   for (const double focal : {camera.fx, camera.fy})
     if (!bounds::focal_length.hold(focal))
-      throw InputError(fmt::format("{}: the {} camera has a focal length of {:g} px; expected one from {:g} to {:g}.",
-                                   files, side, focal, bounds::focal_length.lowest, bounds::focal_length.highest));
+      throw InputError(message("{}: the {} camera has a focal length of {:g} px; expected one from {:g} to {:g}.",
+                               files, side, focal, bounds::focal_length.lowest, bounds::focal_length.highest));
   for (const double number : {camera.skew, camera.cx, camera.cy})
     if (!bounds::pixel.hold(number))
-      throw InputError(fmt::format("{}: the {} camera matrix holds {:g}; expected at most {:g} px.", files, side,
-                                   number, bounds::pixel.highest));
+      throw InputError(message("{}: the {} camera matrix holds {:g}; expected at most {:g} px.", files, side, number,
+                               bounds::pixel.highest));
   if (!distortion) return camera;
   if (!take_distortion(camera, distortion->numbers, 5))
     throw InputError(
-        fmt::format("{}: the {} camera has {} distortion terms (rational, thin prism or tilted); calibrate "
-                    "it with five (k1 k2 p1 p2 k3).",
-                    files, side, distortion->numbers.size()));
+        message("{}: the {} camera has {} distortion terms (rational, thin prism or tilted); calibrate "
+                "it with five (k1 k2 p1 p2 k3).",
+                files, side, distortion->numbers.size()));
   return camera;
 }
 
@@ -128,11 +128,11 @@ Rigid right_from_left_of(const Found& found, const std::string& files, std::vect
     const Matrix3 nearest = nearest_rotation(motion.rotation);
     if (!((nearest - motion.rotation).cwiseAbs().maxCoeff() < 1e-3))
       throw InputError(
-          fmt::format("{}: R is no rotation (its columns are not of length 1 and square to each other).", files));
+          message("{}: R is no rotation (its columns are not of length 1 and square to each other).", files));
     motion.rotation = nearest;
   } else {
     throw InputError(
-        fmt::format("{}: R is {} x {}; expected a 3 x 3 rotation or a rotation vector.", files, r.rows, r.cols));
+        message("{}: R is {} x {}; expected a 3 x 3 rotation or a rotation vector.", files, r.rows, r.cols));
   }
   motion.translation = Vector3(t.numbers.data());
   if (motion.translation.norm() <= 5) return motion;
@@ -188,10 +188,9 @@ Camera numbered_camera(const Storage& all, int k, const std::string& model, cons
   if (camera.is_fisheye && numbers.size() == 4) {
     camera.k1 = numbers[0], camera.k2 = numbers[1], camera.k3 = numbers[2], camera.k4 = numbers[3];
   } else if (camera.is_fisheye || !take_distortion(camera, numbers, 8)) {
-    throw InputError(fmt::format("{}: the {} camera has {} distortion terms; expected {}.", files, which,
-                                 numbers.size(),
-                                 camera.is_fisheye ? "the four of a fisheye (k1 k2 k3 k4)"
-                                                   : "five (k1 k2 p1 p2 k3) or eight with the rational ones"));
+    throw InputError(message("{}: the {} camera has {} distortion terms; expected {}.", files, which, numbers.size(),
+                             camera.is_fisheye ? "the four of a fisheye (k1 k2 k3 k4)"
+                                               : "five (k1 k2 p1 p2 k3) or eight with the rational ones"));
   }
   return camera;
 }
@@ -202,9 +201,8 @@ Rigid motion_of_camera(const Storage& all, int k, const std::string& files, std:
   found.rotation = find_matrix(all, files, {("R" + ending).c_str()});
   found.translation = find_matrix(all, files, {("T" + ending).c_str()});
   if (!found.rotation || !found.translation || found.translation->numbers.size() != 3)
-    throw InputError(
-        fmt::format("{}: has no R{} and T{} of camera {}; name the file that says where it is to the first.", files,
-                    ending, ending, k));
+    throw InputError(message("{}: has no R{} and T{} of camera {}; name the file that says where it is to the first.",
+                             files, ending, ending, k));
   return right_from_left_of(found, files, notes);
 }
 
@@ -259,8 +257,8 @@ StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& tex
   }
   const auto require = [&](bool there, const char* what) {
     if (!there)
-      throw InputError(fmt::format("{}: has no {}; name the file of OpenCV's stereoCalibrate that has it too.",
-                                   names.empty() ? "No file" : names, what));
+      throw InputError(message("{}: has no {}; name the file of OpenCV's stereoCalibrate that has it too.",
+                               names.empty() ? "No file" : names, what));
   };
   require(found.camera[0].has_value(), "left camera matrix (M1, K1 or cameraMatrix1)");
   require(found.camera[1].has_value(), "right camera matrix (M2, K2 or cameraMatrix2)");

@@ -191,7 +191,7 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     Cells cells = split(lines[i].text, separator);
     if (cells.size() == table.width() + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != table.width())
-      refuse(file, lines[i].number, fmt::format("the line has {} columns, expected {}.", cells.size(), table.width()));
+      refuse(file, lines[i].number, message("the line has {} columns, expected {}.", cells.size(), table.width()));
     std::vector<double>& row = table.rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto number = number_of(cells[c], decimal_commas);
@@ -204,12 +204,12 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
       }
       if (!number)
         refuse(file, lines[i].number,
-               fmt::format("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]),
-                           c + 1, table.columns[c].name.empty() ? "" : " (" + shortened(table.columns[c].name) + ")"));
+               message("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]), c + 1,
+                       table.columns[c].name.empty() ? "" : " (" + shortened(table.columns[c].name) + ")"));
       if (std::isfinite(*number) && !bounds::any.hold(*number))
         refuse(file, lines[i].number,
-               fmt::format("{} stands in column {}, expected a number of at most {:g}.", in_quotes(cells[c]), c + 1,
-                           bounds::any.highest));
+               message("{} stands in column {}, expected a number of at most {:g}.", in_quotes(cells[c]), c + 1,
+                       bounds::any.highest));
       row.push_back(*number);
     }
     table.lines.push_back(lines[i].number);
@@ -225,8 +225,7 @@ std::optional<std::size_t> find_column(const Table& table, const std::string& na
   std::optional<std::size_t> found;
   for (std::size_t c = 0; c < table.width(); ++c) {
     if (lower(table.columns[c].name) != lower(name)) continue;
-    if (found)
-      refuse(table.file, 1, fmt::format("the header names {} twice, expected each column once.", in_quotes(name)));
+    if (found) refuse(table.file, 1, message("the header names {} twice, expected each column once.", in_quotes(name)));
     found = c;
   }
   return found;
@@ -294,7 +293,7 @@ void require_full(const Table& table, const std::vector<std::size_t>& columns) {
     for (const std::size_t c : columns)
       if (!std::isfinite(table.rows[r][c]))
         refuse(table.file, table.lines[r],
-               fmt::format("column {} ({}) is empty, expected a number.", c + 1, shortened(table.columns[c].name)));
+               message("column {} ({}) is empty, expected a number.", c + 1, shortened(table.columns[c].name)));
 }
 
 }  // namespace handsight

@@ -45,8 +45,8 @@ YAML::Node parse_yaml(const std::string& text, const std::string& file) {
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}, line {}: is no YAML: {}; expected `name: value` lines.", file,
-                                 error.mark.line + 1, shortened(error.msg, 200)));
+    throw InputError(message("{}, line {}: is no YAML: {}; expected `name: value` lines.", file, error.mark.line + 1,
+                             shortened(error.msg, 200)));
   }
 }
 

@@ -19,13 +19,13 @@ using Placement = Eigen::Affine3d;
 std::vector<double> numbers_in(const XmlNode& node) {
   std::string bad;
   const auto numbers = parse_numbers(inner_text(node), &bad);
-  if (!numbers) refuse(node, fmt::format("has {}, expected finite numbers.", in_quotes(bad)));
+  if (!numbers) refuse(node, message("has {}, expected finite numbers.", in_quotes(bad)));
   return *numbers;
 }
 
 std::vector<double> so_many(const XmlNode& node, std::size_t count) {
   std::vector<double> numbers = numbers_in(node);
-  if (numbers.size() != count) refuse(node, fmt::format("has {} numbers, expected {}.", numbers.size(), count));
+  if (numbers.size() != count) refuse(node, message("has {} numbers, expected {}.", numbers.size(), count));
   return numbers;
 }
 
@@ -66,7 +66,7 @@ class Collada {
     const std::string id = reference(node, attribute);
     const auto found = by_id_.find(id);
     if (found == by_id_.end() || found->second.tag() != tag)
-      refuse(node, fmt::format("names {}, expected a <{}> of the file.", in_quotes(id), tag));
+      refuse(node, message("names {}, expected a <{}> of the file.", in_quotes(id), tag));
     return found->second;
   }
 
@@ -93,7 +93,7 @@ class Collada {
   void add_node(const XmlNode& node, const Placement& above, int depth) {
     constexpr int deepest = 50, most_nodes = 100'000;  // nodes may show nodes, which may show nodes
     if (depth > deepest || ++nodes_ > most_nodes)
-      refuse(node, fmt::format("is one of too many nodes within nodes, expected at most {} deep.", deepest));
+      refuse(node, message("is one of too many nodes within nodes, expected at most {} deep.", deepest));
     Placement placement = above;
     for (const XmlNode& child : children(node)) {
       if (child.tag() == "instance_geometry") add_geometry(named(child, "url", "geometry"), placement);
@@ -172,8 +172,8 @@ class Collada {
     std::vector<std::uint32_t> indices;
     for (std::size_t i = corners.offset; i < numbers.size(); i += corners.stride) {
       if (!(numbers[i] >= 0 && numbers[i] < static_cast<double>(corners.points.size())))
-        refuse(list, fmt::format("names the point {}, expected one of the {} points, from 0.", numbers[i],
-                                 corners.points.size()));
+        refuse(list, message("names the point {}, expected one of the {} points, from 0.", numbers[i],
+                             corners.points.size()));
       indices.push_back(static_cast<std::uint32_t>(first + static_cast<std::size_t>(numbers[i])));
     }
     return indices;
@@ -183,7 +183,7 @@ class Collada {
     std::size_t at = 0;
     for (const double size : sizes) {
       if (!(size >= 0 && size <= static_cast<double>(corners.size() - at)))
-        refuse(list, fmt::format("has {} corners, expected as many as its faces have together.", corners.size()));
+        refuse(list, message("has {} corners, expected as many as its faces have together.", corners.size()));
       const std::size_t end = at + static_cast<std::size_t>(size);
       for (std::size_t i = at + 2; i < end; ++i) mesh_.triangles.push_back({corners[at], corners[i - 1], corners[i]});
       at = end;
@@ -194,7 +194,7 @@ class Collada {
   void require_few(const XmlNode& node) const {
     constexpr std::size_t most = 5'000'000;
     if (mesh_.triangles.size() > most || mesh_.points.size() > 3 * most)
-      refuse(node, fmt::format("makes more than {} triangles, expected a simpler mesh.", most));
+      refuse(node, message("makes more than {} triangles, expected a simpler mesh.", most));
   }
 
   XmlNode root_;

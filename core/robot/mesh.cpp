@@ -40,8 +40,8 @@ Eigen::Vector3f point_of(const std::vector<std::string_view>& words, const std::
     const auto number = words.size() > i + 1 ? parse_number(words[i + 1]) : std::nullopt;
     if (!number || !is_coordinate(*number))
       refuse(file, line,
-             fmt::format("the point has {}, expected three finite numbers.",
-                         words.size() > i + 1 ? in_quotes(words[i + 1]) : fmt::format("{} numbers", words.size() - 1)));
+             message("the point has {}, expected three finite numbers.",
+                     words.size() > i + 1 ? in_quotes(words[i + 1]) : fmt::format("{} numbers", words.size() - 1)));
     point[static_cast<Eigen::Index>(i)] = static_cast<float>(*number);
   }
   return point;
@@ -49,7 +49,7 @@ Eigen::Vector3f point_of(const std::vector<std::string_view>& words, const std::
 
 void require_few(std::size_t triangles, const std::string& file, int line) {
   if (triangles > most_triangles)
-    refuse(file, line, fmt::format("the mesh has more than {} triangles, expected a simpler one.", most_triangles));
+    refuse(file, line, message("the mesh has more than {} triangles, expected a simpler one.", most_triangles));
 }
 
 /// The point that "7", "7/1", "7//3" or "-1" names: from 1, or back from the last one so far.
@@ -58,15 +58,14 @@ std::uint32_t corner_of(std::string_view word, std::size_t points, const std::st
   const auto count = static_cast<std::int64_t>(points);
   const std::int64_t place = !index ? -1 : *index > 0 ? *index - 1 : *index < 0 ? count + *index : -1;
   if (!index || *index > count || *index < -count || place < 0)
-    refuse(
-        file, line,
-        fmt::format("the face names the point {}, expected one of the {} points before it.", in_quotes(word), points));
+    refuse(file, line,
+           message("the face names the point {}, expected one of the {} points before it.", in_quotes(word), points));
   return static_cast<std::uint32_t>(place);
 }
 
 void add_face(const std::vector<std::string_view>& words, Mesh& mesh, const std::string& file, int line) {
   if (words.size() < 4)
-    refuse(file, line, fmt::format("the face has {} corners, expected at least three.", words.size() - 1));
+    refuse(file, line, message("the face has {} corners, expected at least three.", words.size() - 1));
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 1; i < words.size(); ++i) corners.push_back(corner_of(words[i], mesh.points.size(), file, line));
   for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -167,9 +166,8 @@ Mesh parse_stl(std::string_view bytes, const std::string& file) {
   const std::size_t told = has_head ? stl_head + stl_triangle * std::size_t{little_endian(bytes.substr(80, 4))} : 0;
   if (has_head && told == bytes.size()) return parse_binary_stl(bytes, file);
   if (bytes.starts_with("solid")) return parse_text_stl(bytes, file);
-  refuse(
-      file, 0,
-      fmt::format("the file has {} bytes and its head speaks of {}, expected a whole STL file.", bytes.size(), told));
+  refuse(file, 0,
+         message("the file has {} bytes and its head speaks of {}, expected a whole STL file.", bytes.size(), told));
 }
 
 Mesh read_mesh(const fs::path& file) {
@@ -180,7 +178,7 @@ Mesh read_mesh(const fs::path& file) {
     refuse(name, 0, "the mesh is of a kind that is not read, expected an STL, an OBJ or a Collada (.dae) file.");
   const std::string bytes = read_file(file);
   if (bytes.size() > largest_file)
-    refuse(name, 0, fmt::format("the mesh has {} MB, expected at most {}.", bytes.size() >> 20, largest_file >> 20));
+    refuse(name, 0, message("the mesh has {} MB, expected at most {}.", bytes.size() >> 20, largest_file >> 20));
   Mesh mesh = ending == ".stl"   ? parse_stl(bytes, name)
               : ending == ".dae" ? parse_collada(bytes, name)
                                  : parse_obj(bytes, name);

@@ -30,11 +30,10 @@ std::optional<XmlNode> find_xacro(const tinyxml2::XMLElement& element, std::stri
 void refuse_xacro(const XmlNode& root) {
   const auto found = find_xacro(*root.element, root.file);
   if (!found) return;
-  refuse(*found,
-         fmt::format("is of xacro, expected a URDF: expand it first with `xacro {} > expanded.urdf` (or `ros2 run "
-                     "xacro xacro ...`, with the arguments that the robot's launch file gives) and name "
-                     "expanded.urdf.",
-                     shortened(root.file, 100)));
+  refuse(*found, message("is of xacro, expected a URDF: expand it first with `xacro {} > expanded.urdf` (or `ros2 run "
+                         "xacro xacro ...`, with the arguments that the robot's launch file gives) and name "
+                         "expanded.urdf.",
+                         shortened(root.file, 100)));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Rigid find_origin(const XmlNode& node) {
 void read_inertial(const XmlNode& node, Link& link, Notes& notes) {
   const XmlNode mass = required_child(node, "mass");
   link.mass = required_number(mass, "value", {bounds::any.lowest, bounds::mass.highest});
-  if (link.mass < 0) refuse(mass, fmt::format("has value=\"{}\", a negative mass, expected at least 0 kg.", link.mass));
+  if (link.mass < 0) refuse(mass, message("has value=\"{}\", a negative mass, expected at least 0 kg.", link.mass));
   link.center_of_mass = find_origin(node).translation;
   if (link.center_of_mass.cwiseAbs().maxCoeff() > farthest_center)
     add_note(notes, node,
@@ -36,9 +36,9 @@ JointKind read_kind(const XmlNode& node) {
   constexpr std::array kinds{JointKind::fixed, JointKind::revolute, JointKind::continuous, JointKind::prismatic};
   const std::string type = required_text(node, "type");
   if (type == "planar" || type == "floating")
-    refuse(node, fmt::format("is of type {}, which has several coordinates and is not supported, expected fixed, "
-                             "revolute, continuous or prismatic.",
-                             type));
+    refuse(node, message("is of type {}, which has several coordinates and is not supported, expected fixed, "
+                         "revolute, continuous or prismatic.",
+                         type));
   return kinds[find_choice(node, "type", {"fixed", "revolute", "continuous", "prismatic"}).value()];
 }
 
@@ -85,7 +85,7 @@ void read_limits(const XmlNode& node, Joint& joint) {
   joint.lower = bounded(lower.value_or(0));  // URDF's default for one that is missing; some write 1e16 for none
   joint.upper = bounded(upper.value_or(0));
   if (joint.lower > joint.upper)
-    refuse(*limit, fmt::format("has lower={} above upper={}, expected lower <= upper.", joint.lower, joint.upper));
+    refuse(*limit, message("has lower={} above upper={}, expected lower <= upper.", joint.lower, joint.upper));
 }
 
 void read_stiffness(const XmlNode& node, Joint& joint, Notes& notes) {

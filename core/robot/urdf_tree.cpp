@@ -21,8 +21,8 @@ Names index_names(const Parts& parts, const NameOf& name_of) {
     const std::string& name = name_of(parts[i]);
     const auto [first, is_new] = names.emplace(name, static_cast<int>(i));
     if (!is_new)
-      refuse(parts[i].node, fmt::format("has the name {}, which line {} has already given, expected another name.",
-                                        in_quotes(name), parts[static_cast<std::size_t>(first->second)].node.line()));
+      refuse(parts[i].node, message("has the name {}, which line {} has already given, expected another name.",
+                                    in_quotes(name), parts[static_cast<std::size_t>(first->second)].node.line()));
   }
   return names;
 }
@@ -30,8 +30,8 @@ Names index_names(const Parts& parts, const NameOf& name_of) {
 int link_of(const JointPart& part, const std::string& name, const Names& links, std::string_view role) {
   const auto found = links.find(name);
   if (found == links.end())
-    refuse(part.node, fmt::format("{} has the {} link {}, expected the name of a link in the file.",
-                                  in_quotes(part.joint.name), role, in_quotes(name)));
+    refuse(part.node, message("{} has the {} link {}, expected the name of a link in the file.",
+                              in_quotes(part.joint.name), role, in_quotes(name)));
   return found->second;
 }
 
@@ -44,9 +44,9 @@ void connect(std::vector<LinkPart>& links, std::vector<JointPart>& joints) {
     int& carrier = links[static_cast<std::size_t>(part.joint.child_link)].link.parent_joint;
     if (carrier >= 0)
       refuse(part.node,
-             fmt::format("{} carries link {}, which joint {} carries already, expected one parent for each link.",
-                         in_quotes(part.joint.name), in_quotes(part.child),
-                         in_quotes(joints[static_cast<std::size_t>(carrier)].joint.name)));
+             message("{} carries link {}, which joint {} carries already, expected one parent for each link.",
+                     in_quotes(part.joint.name), in_quotes(part.child),
+                     in_quotes(joints[static_cast<std::size_t>(carrier)].joint.name)));
     carrier = static_cast<int>(j);
   }
 }
@@ -57,11 +57,11 @@ void resolve_mimics(std::vector<JointPart>& joints) {
     for (MimicPart& mimic : part.mimics) {
       const auto found = names.find(mimic.joint);
       if (found == names.end())
-        refuse(mimic.node, fmt::format("of joint {} follows joint {}, expected the name of a joint in the file.",
-                                       in_quotes(part.joint.name), in_quotes(mimic.joint)));
+        refuse(mimic.node, message("of joint {} follows joint {}, expected the name of a joint in the file.",
+                                   in_quotes(part.joint.name), in_quotes(mimic.joint)));
       if (!joints[static_cast<std::size_t>(found->second)].joint.moves())
-        refuse(mimic.node, fmt::format("of joint {} follows joint {}, which is fixed, expected a joint that moves.",
-                                       in_quotes(part.joint.name), in_quotes(mimic.joint)));
+        refuse(mimic.node, message("of joint {} follows joint {}, which is fixed, expected a joint that moves.",
+                                   in_quotes(part.joint.name), in_quotes(mimic.joint)));
       mimic.mimic.joint = found->second;
     }
 }
@@ -81,9 +81,9 @@ void refuse_mimic_loops(const std::vector<JointPart>& joints) {
       if (--open[follower] == 0) settled.push_back(follower);
   for (std::size_t j = 0; j < joints.size(); ++j)
     if (open[j] > 0)
-      refuse(joints[j].node, fmt::format("{} follows itself through its <mimic>, expected mimics that end at a joint "
-                                         "that moves by itself.",
-                                         in_quotes(joints[j].joint.name)));
+      refuse(joints[j].node, message("{} follows itself through its <mimic>, expected mimics that end at a joint "
+                                     "that moves by itself.",
+                                     in_quotes(joints[j].joint.name)));
 }
 
 std::size_t find_root(const XmlNode& robot, const std::vector<LinkPart>& links) {
@@ -95,8 +95,8 @@ std::size_t find_root(const XmlNode& robot, const std::vector<LinkPart>& links) 
     refuse(robot, "has a joint above each of its links, a cycle, expected one root link without a parent.");
   if (roots.size() > 1)
     refuse(links[roots[1]].node,
-           fmt::format("{} has no parent joint, nor has {}: {} root links, expected one.",
-                       in_quotes(links[roots[1]].link.name), in_quotes(links[roots[0]].link.name), roots.size()));
+           message("{} has no parent joint, nor has {}: {} root links, expected one.",
+                   in_quotes(links[roots[1]].link.name), in_quotes(links[roots[0]].link.name), roots.size()));
   return roots[0];
 }
 
@@ -124,8 +124,8 @@ void refuse_cycles(const std::vector<JointPart>& joints, const std::vector<std::
   const auto missed = std::find(reached.begin(), reached.end(), 0);
   if (missed == reached.end()) return;
   const JointPart& part = joints[static_cast<std::size_t>(missed - reached.begin())];
-  refuse(part.node, fmt::format("{} is part of a cycle or hangs on one, expected a tree that starts at the root link.",
-                                in_quotes(part.joint.name)));
+  refuse(part.node, message("{} is part of a cycle or hangs on one, expected a tree that starts at the root link.",
+                            in_quotes(part.joint.name)));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Rigid read_pose(const XmlNode& node) {
   if (node.element->Attribute("rpy")) refuse(node, "has both quaternion and rpy, expected one of the two.");
   const Eigen::Quaterniond q((*numbers)[3], (*numbers)[0], (*numbers)[1], (*numbers)[2]);
   if (std::abs(q.norm() - 1) > 0.01)
-    refuse(node, fmt::format("has a quaternion of length {:.4g}, expected \"x y z w\" of length 1.", q.norm()));
+    refuse(node, message("has a quaternion of length {:.4g}, expected \"x y z w\" of length 1.", q.norm()));
   motion.rotation = q.normalized().toRotationMatrix();
   return motion;
 }

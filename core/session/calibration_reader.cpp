@@ -56,7 +56,7 @@ double negligible_variance(const Eigen::VectorXd& variances) {
 void check_order(const XmlNode& node, const char* expected) {
   const std::string order = find_text(node, "order").value_or(expected);
   if (split_words(order) != split_words(expected))
-    refuse(node, fmt::format("has order={}, expected order=\"{}\".", in_quotes(order), expected));
+    refuse(node, message("has order={}, expected order=\"{}\".", in_quotes(order), expected));
 }
 
 Matrix6 read_covariance(const XmlNode& node) {
@@ -110,7 +110,7 @@ EstimatedMotion read_motion(const XmlNode& node, Ignored& ignored) {
 
 std::optional<double> find_unsigned(const XmlNode& node, const char* attribute) {
   const std::optional<double> number = find_number(node, attribute);
-  if (number && *number < 0) refuse(node, fmt::format("has {}=\"{}\", expected at least 0.", attribute, *number));
+  if (number && *number < 0) refuse(node, message("has {}=\"{}\", expected at least 0.", attribute, *number));
   return number;
 }
 
@@ -142,7 +142,7 @@ void read_markers(const XmlNode& parent, Calibration& calibration, Ignored& igno
   for (const XmlNode& node : children(parent, "marker")) {
     note_unknown(ignored, node, {"index", "xyz"}, {});
     const auto index = static_cast<std::size_t>(required_integer(node, "index", 0, most - 1));
-    if (found[index]) refuse(node, fmt::format("has index=\"{}\" a second time, expected each marker once.", index));
+    if (found[index]) refuse(node, message("has index=\"{}\" a second time, expected each marker once.", index));
     found[index] = Vector3(required_numbers(node, "xyz", 3).data());
     count = std::max(count, index + 1);
   }
@@ -163,8 +163,8 @@ CalibrationEffect read_effect(const XmlNode& node, Ignored& ignored) {
                                    required_number(child, "value"), find_unsigned(child, "sigma"),
                                    find_text(child, "unit").value_or("")};
     if (!names.insert(parameter.of + '\n' + parameter.name).second)
-      refuse(child, fmt::format("is a second {} of {}, expected each parameter once.", in_quotes(parameter.name),
-                                in_quotes(parameter.of)));
+      refuse(child, message("is a second {} of {}, expected each parameter once.", in_quotes(parameter.name),
+                            in_quotes(parameter.of)));
     effect.parameters.push_back(std::move(parameter));
   }
   return effect;
@@ -176,8 +176,8 @@ std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& igno
   for (const XmlNode& node : children(parent, "effect")) {
     effects.push_back(read_effect(node, ignored));
     if (!seen.emplace(effects.back().id, find_integer(node, "number", 1, 100000).value_or(1)).second)
-      refuse(node, fmt::format("has id={} a second time, expected each effect once, or with another number.",
-                               in_quotes(effects.back().id)));
+      refuse(node, message("has id={} a second time, expected each effect once, or with another number.",
+                           in_quotes(effects.back().id)));
   }
   return effects;
 }
@@ -207,7 +207,7 @@ std::vector<Eigen::VectorXd> read_positions(const XmlNode& node, std::size_t joi
   note_unknown(ignored, node, {}, {}, true);
   const std::size_t count = split_words(inner_text(node)).size();
   if (joints == 0 || count % joints != 0)
-    refuse(node, fmt::format("has {} numbers, expected one for each of the {} <joints> in every pose.", count, joints));
+    refuse(node, message("has {} numbers, expected one for each of the {} <joints> in every pose.", count, joints));
   const std::vector<double> numbers = inner_numbers(node, count, "a pose a line", bounds::joint);
   std::vector<Eigen::VectorXd> positions;
   for (std::size_t i = 0; i < count; i += joints)
@@ -231,7 +231,7 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
     std::unordered_set<std::string_view> seen;
     for (const std::string_view name : split_words(names)) {
       if (!seen.insert(name).second)
-        refuse(*joints, fmt::format("names joint {} a second time, expected each joint once.", in_quotes(name)));
+        refuse(*joints, message("names joint {} a second time, expected each joint once.", in_quotes(name)));
       calibration.joints.emplace_back(name);
     }
   }

@@ -144,9 +144,9 @@ void require_finite(const Calibration& c) {
   const auto require = [](bool holds, std::string_view what) {
     if (!holds)
       throw InputError(
-          fmt::format("The calibration cannot be written: {} is not finite; the observations do not "
-                      "determine it. Look at the session with check and diagnose.",
-                      what));
+          message("The calibration cannot be written: {} is not finite; the observations do not "
+                  "determine it. Look at the session with check and diagnose.",
+                  what));
   };
   require(is_finite(c.tcp_from_body), "TCP->Body or its covariance");
   require(!c.mount_from_sensor || is_finite(*c.mount_from_sensor), "the mount or its covariance");

@@ -23,14 +23,14 @@ bool is_name(std::string_view text) {
 std::string required_identifier(const XmlNode& node, const char* attribute) {
   std::string name = required_name(node, attribute);
   if (!is_name(name))
-    refuse(node, fmt::format("has {}={}, expected a letter and then letters, digits and _, 64 at most.", attribute,
-                             in_quotes(name)));
+    refuse(node, message("has {}={}, expected a letter and then letters, digits and _, 64 at most.", attribute,
+                         in_quotes(name)));
   return name;
 }
 
 std::string bounded_text(const XmlNode& node, const std::string& text) {
   if (text.size() > longest_text)
-    refuse(node, fmt::format("holds {} characters, expected {} at most.", text.size(), longest_text));
+    refuse(node, message("holds {} characters, expected {} at most.", text.size(), longest_text));
   return text;
 }
 
@@ -71,19 +71,18 @@ EffectDefinition read_effect_definition(const XmlNode& node, Ignored& ignored) {
     d.parameters.push_back(read_parameter(child, ignored));
     const auto same = [&](const DefinedParameter& p) { return p.name == d.parameters.back().name; };
     if (std::count_if(d.parameters.begin(), d.parameters.end(), same) > 1)
-      refuse(child,
-             fmt::format("is a second parameter {}, expected each name once.", in_quotes(d.parameters.back().name)));
+      refuse(child, message("is a second parameter {}, expected each name once.", in_quotes(d.parameters.back().name)));
   }
   for (const XmlNode& child : children(node, "moves")) {
     note_unknown(ignored, child, {"site", "by"}, {});
     d.moves.push_back({required_name(child, "site"), bounded_text(child, required_name(child, "by")), child.line()});
   }
   if (d.parameters.empty() || d.parameters.size() > most_parameters)
-    refuse(node, fmt::format("{} has {} <parameter>, expected 1 to {}.", in_quotes(d.id), d.parameters.size(),
-                             most_parameters));
+    refuse(node,
+           message("{} has {} <parameter>, expected 1 to {}.", in_quotes(d.id), d.parameters.size(), most_parameters));
   if (d.moves.empty() || d.moves.size() > most_moves)
-    refuse(node, fmt::format("{} has {} <moves>, expected 1 to {}: the sites that it moves, and by how much.",
-                             in_quotes(d.id), d.moves.size(), most_moves));
+    refuse(node, message("{} has {} <moves>, expected 1 to {}: the sites that it moves, and by how much.",
+                         in_quotes(d.id), d.moves.size(), most_moves));
   return d;
 }
 
@@ -99,7 +98,7 @@ std::vector<EffectDefinition> parse_effect_definitions(const std::string& text, 
     all.push_back(read_effect_definition(node, ignored));
     const auto same = [&](const EffectDefinition& d) { return d.id == all.back().id; };
     if (std::count_if(all.begin(), all.end(), same) > 1)
-      refuse(node, fmt::format("has id={} a second time, expected each effect once.", in_quotes(all.back().id)));
+      refuse(node, message("has id={} a second time, expected each effect once.", in_quotes(all.back().id)));
   }
   if (notes)
     for (std::string& sentence : ignored_sentences(ignored, file)) notes->push_back(std::move(sentence));

@@ -77,7 +77,7 @@ class Joiner {
     }
     for (const JoinedMember& m : members_)
       if (weighs_ && !noise_of(m))
-        throw InputError(fmt::format(
+        throw InputError(message(
             "{}: nothing tells the noise of its sensor, by which it counts beside the others; declare it (sigma of "
             "<{}>).",
             called(m), device_tag(m.session)));
@@ -138,9 +138,9 @@ class Joiner {
       part.fixture = same.fixture;
       if (all_.fixtures[static_cast<std::size_t>(same.fixture)].kind != fixture.kind)
         throw InputError(
-            fmt::format("{}: rig=\"{}\" is that of session \"{}\", but the fixture {} is of another kind; "
-                        "give it a name of its own.",
-                        called(m), m.rig, same.title, fixture.id));
+            message("{}: rig=\"{}\" is that of session \"{}\", but the fixture {} is of another kind; "
+                    "give it a name of its own.",
+                    called(m), m.rig, same.title, fixture.id));
       return;
     }
     const Mount& mount = mount_of(m.session, static_cast<int>(f));
@@ -155,8 +155,8 @@ class Joiner {
   void require_alike(const JoinedMember& m) const {
     require_same_robot(members_.front().session, m.session);
     if (!(m.session.gravity - all_.gravity).isZero(1e-9))
-      throw InputError(fmt::format("{}: gravity is {} there and {} in {}; one robot stands in one gravity.", called(m),
-                                   shown(m.session.gravity), shown(all_.gravity), called(members_.front())));
+      throw InputError(message("{}: gravity is {} there and {} in {}; one robot stands in one gravity.", called(m),
+                               shown(m.session.gravity), shown(all_.gravity), called(members_.front())));
   }
 
   static std::string shown(const Vector3& v) { return fmt::format("{:g} {:g} {:g}", v.x(), v.y(), v.z()); }
@@ -182,9 +182,9 @@ class Joiner {
     part.first_camera = all_.rig->count();
     if (part.first_camera + s.rig->count() > max_cameras)
       throw InputError(
-          fmt::format("{}: together the sessions have more than {} cameras; give sessions that share "
-                      "cameras the same rig=\"\".",
-                      called(m), max_cameras));
+          message("{}: together the sessions have more than {} cameras; give sessions that share "
+                  "cameras the same rig=\"\".",
+                  called(m), max_cameras));
     for (RigCamera camera : s.rig->cameras) {
       if (find_camera(*all_.rig, camera.name) >= 0) camera.name = fmt::format("{}_{}", camera.name, part.mount + 1);
       all_.rig->cameras.push_back(std::move(camera));
@@ -199,8 +199,8 @@ class Joiner {
                                 : part_of_rig_differs(s, same)       ? "has other cameras"
                                                                      : nullptr;
     if (differs)
-      throw InputError(fmt::format("{}: rig=\"{}\" is that of session \"{}\", but it {}; give it a name of its own.",
-                                   called(m), m.rig, same.title, differs));
+      throw InputError(message("{}: rig=\"{}\" is that of session \"{}\", but it {}; give it a name of its own.",
+                               called(m), m.rig, same.title, differs));
   }
 
   bool part_of_rig_differs(const Session& s, const SessionPart& same) const {
@@ -226,9 +226,9 @@ class Joiner {
     if (bodies_.size() == before) {
       const SessionPart& same = first_with(&SessionPart::body, part.body);
       if (same.tcp != s.tcp || same.marker_count != s.marker_count)
-        throw InputError(fmt::format(
-            "{}: body=\"{}\" is that of session \"{}\", but it has {}; give it a name of its own.", called(m), m.body,
-            same.title, same.tcp != s.tcp ? "another TCP" : "another number of markers"));
+        throw InputError(message("{}: body=\"{}\" is that of session \"{}\", but it has {}; give it a name of its own.",
+                                 called(m), m.body, same.title,
+                                 same.tcp != s.tcp ? "another TCP" : "another number of markers"));
       part.first_marker = same.first_marker;
       return;
     }

@@ -25,25 +25,25 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
 
 void check_count(const NewSession& parts, std::size_t measured, const char* what) {
   if (parts.positions.size() == measured) return;
-  throw InputError(fmt::format("There are {} {} for {} {}; each instant needs one of each, in the same order.",
-                               parts.positions.size(),
-                               parts.urdf.empty() ? "poses of the flange" : "lines of joint angles", measured, what));
+  throw InputError(message("There are {} {} for {} {}; each instant needs one of each, in the same order.",
+                           parts.positions.size(), parts.urdf.empty() ? "poses of the flange" : "lines of joint angles",
+                           measured, what));
 }
 
 void check_cameras(const NewSession& parts) {
   for (const RigCamera& c : parts.rig.cameras)
     if (c.camera.width <= 0 || c.camera.height <= 0)
-      throw InputError(fmt::format("The size of the images is not known; the {}calibration does not name it.",
-                                   parts.rig.count() == 2 ? "stereo " : ""));
+      throw InputError(message("The size of the images is not known; the {}calibration does not name it.",
+                               parts.rig.count() == 2 ? "stereo " : ""));
   for (const InstantImages& instant : parts.images)
     if (static_cast<int>(instant.files.size()) != parts.rig.count())
-      throw InputError(fmt::format("There are images of {} cameras and a calibration of {}; each camera needs both.",
-                                   instant.files.size(), parts.rig.count()));
+      throw InputError(message("There are images of {} cameras and a calibration of {}; each camera needs both.",
+                               instant.files.size(), parts.rig.count()));
 }
 
 void check_parts(const NewSession& parts, const Robot& robot) {
   if (fs::exists(parts.folder / "session.xml"))
-    throw InputError(fmt::format("{}: there is a session already; take another folder.", shown_path(parts.folder)));
+    throw InputError(message("{}: there is a session already; take another folder.", shown_path(parts.folder)));
   const bool has_cameras = parts.rig.count() > 0;
   if (has_cameras)
     check_count(parts, parts.images.size(), "images");
@@ -173,7 +173,7 @@ Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
   std::error_code error;
   fs::create_directories(parts.folder, error);
   if (error)
-    throw InputError(fmt::format("{}: the folder cannot be made ({}).", shown_path(parts.folder), error.message()));
+    throw InputError(message("{}: the folder cannot be made ({}).", shown_path(parts.folder), error.message()));
   const Session s = observed_session(parts, robot, notes);
   replace_file(s.file, session_text(s));
   try {

@@ -38,8 +38,8 @@ std::string find_image(const XmlNode& node, const char* attribute) {
   const std::filesystem::path path = *text;
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || path.is_absolute() || climbs)
-    refuse(node, fmt::format("has {}={}, expected a path relative to the session's folder and inside it.", attribute,
-                             in_quotes(*text, 100)));
+    refuse(node, message("has {}={}, expected a path relative to the session's folder and inside it.", attribute,
+                         in_quotes(*text, 100)));
   return *text;
 }
 
@@ -63,11 +63,10 @@ std::optional<PixelSigma> find_pixel_sigma(const XmlNode& node, const char* attr
   const bool is_covariance =
       bounds::sigma_pixel.hold(sigma.u) && bounds::sigma_pixel.hold(sigma.v) && std::abs(sigma.uv) < sigma.u * sigma.v;
   if (!is_covariance || !is_seen)
-    refuse(node,
-           fmt::format("has {}={}, expected {}.", attribute, in_quotes(*find_text(node, attribute), 100),
-                       is_seen ? "\"su sv suv\": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 "
-                                 "that is smaller than their product"
-                               : "none, as that camera did not see the marker"));
+    refuse(node, message("has {}={}, expected {}.", attribute, in_quotes(*find_text(node, attribute), 100),
+                         is_seen ? "\"su sv suv\": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 "
+                                   "that is smaller than their product"
+                                 : "none, as that camera did not see the marker"));
   return sigma;
 }
 
@@ -114,8 +113,8 @@ void read_sightings(const XmlNode& node, const Session& session, Observation& ob
   for (const XmlNode& marker : children(node, "marker")) {
     const Sighting sighting = read_sighting(marker, session, ignored);
     if (seen[static_cast<std::size_t>(sighting.marker)])
-      refuse(marker, fmt::format("has index=\"{}\" a second time in its observation, expected each marker once.",
-                                 sighting.marker));
+      refuse(marker,
+             message("has index=\"{}\" a second time in its observation, expected each marker once.", sighting.marker));
     seen[static_cast<std::size_t>(sighting.marker)] = 1;
     observation.sightings.push_back(sighting);
   }

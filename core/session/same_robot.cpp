@@ -8,9 +8,8 @@ namespace handsight {
 namespace {
 
 [[noreturn]] void refuse_robot(const Session& a, const Session& b, const std::string& what) {
-  throw InputError(fmt::format("{} and {} have other robots: {}; a collection is of one robot.",
-                               a.file.parent_path().filename().string(), b.file.parent_path().filename().string(),
-                               what));
+  throw InputError(message("{} and {} have other robots: {}; a collection is of one robot.",
+                           a.file.parent_path().filename().string(), b.file.parent_path().filename().string(), what));
 }
 
 std::string shown_place(const Rigid& m) {

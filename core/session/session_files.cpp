@@ -22,15 +22,14 @@ std::string file_name(const Session& session) {
 [[noreturn]] void refuse_joint(const Session& session, const SessionLines& lines, const std::string& name,
                                std::string_view why) {
   refuse(file_name(session), lines.joints,
-         fmt::format("<joints> names {}, {}, expected joints of the robot that move by themselves.", in_quotes(name),
-                     why));
+         message("<joints> names {}, {}, expected joints of the robot that move by themselves.", in_quotes(name), why));
 }
 
 void require_link(const Session& session, int line, std::string_view what, const std::string& name) {
   if (find_link(session.robot, name) < 0)
     refuse(file_name(session), line,
-           fmt::format("{}={} is no link of the robot, expected the name of a link in {}.", what, in_quotes(name),
-                       in_quotes(session.robot_file, 100)));
+           message("{}={} is no link of the robot, expected the name of a link in {}.", what, in_quotes(name),
+                   in_quotes(session.robot_file, 100)));
 }
 
 /// The session's file, where `path` may be its folder.
@@ -74,11 +73,10 @@ void require_allowed(const fs::path& robot, const Session& session, const Sessio
     is_allowed = fs::path(one).is_absolute() && is_inside(real, one);
   }
   if (!is_allowed)
-    refuse(
-        file_name(session), lines.robot,
-        fmt::format("<robot> has file={}, which leads out of the session's folder, expected a URDF file inside it, in "
-                    "a folder \"robots\" beside or above it, or in one that the environment variable {} names.",
-                    in_quotes(session.robot_file, 150), robot_folders_variable));
+    refuse(file_name(session), lines.robot,
+           message("<robot> has file={}, which leads out of the session's folder, expected a URDF file inside it, in "
+                   "a folder \"robots\" beside or above it, or in one that the environment variable {} names.",
+                   in_quotes(session.robot_file, 150), robot_folders_variable));
 }
 
 Robot read_robot_of(Session& session, const SessionLines& lines) {
@@ -88,9 +86,9 @@ Robot read_robot_of(Session& session, const SessionLines& lines) {
   std::error_code error;
   if (!fs::is_regular_file(path, error))
     refuse(file_name(session), lines.robot,
-           fmt::format("<robot> has file={}, which is not there, expected a URDF file, its "
-                       "path relative to the session's folder.",
-                       in_quotes(session.robot_file, 150)));
+           message("<robot> has file={}, which is not there, expected a URDF file, its "
+                   "path relative to the session's folder.",
+                   in_quotes(session.robot_file, 150)));
   return read_urdf(path, &session.notes);
 }
 
@@ -126,9 +124,9 @@ void check_image_paths(const Session& session, const SessionLines& lines) {
           !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
       if (!is_inside)
         refuse(file_name(session), i < lines.observations.size() ? lines.observations[i] : 0,
-               fmt::format("the image {} of observation {} leads out of the session's folder, expected "
-                           "images inside it.",
-                           in_quotes(image, 150), session.observations[i].id));
+               message("the image {} of observation {} leads out of the session's folder, expected "
+                       "images inside it.",
+                       in_quotes(image, 150), session.observations[i].id));
     }
 }
 
@@ -148,7 +146,7 @@ void require_no_file_of(const Session& session, const fs::path& output) {
   for (const fs::path& file : files_of(session))
     if (fs::equivalent(file, output, error))
       throw InputError(
-          fmt::format("{}: belongs to the session and is not written over; name another file.", shown_path(output)));
+          message("{}: belongs to the session and is not written over; name another file.", shown_path(output)));
 }
 
 Session read_session(const fs::path& path) {

@@ -87,14 +87,14 @@ void read_pair(const XmlNode& stereo, StereoRig& rig, Ignored& ignored) {
     const bool is_left = find_choice(node, "name", {"left", "right"}) == 0u;
     bool& has = is_left ? has_left : has_right;
     if (has)
-      refuse(node, fmt::format("is a second camera with name=\"{}\", expected one left and one right.",
-                               is_left ? "left" : "right"));
+      refuse(node, message("is a second camera with name=\"{}\", expected one left and one right.",
+                           is_left ? "left" : "right"));
     has = true;
     (is_left ? rig.left : rig.right) = read_camera(node, ignored);
   }
   if (!has_left || !has_right)
     refuse(stereo,
-           fmt::format("has no <camera name=\"{}\">, expected one left and one right.", has_left ? "right" : "left"));
+           message("has no <camera name=\"{}\">, expected one left and one right.", has_left ? "right" : "left"));
 }
 
 void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
@@ -117,16 +117,16 @@ std::string read_camera_name(const XmlNode& node, const Rig& rig) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
   if (name.size() > 40 || !std::all_of(name.begin(), name.end(), is_plain))
-    refuse(node, fmt::format("has name={}, expected at most 40 letters, digits and _.", in_quotes(name)));
+    refuse(node, message("has name={}, expected at most 40 letters, digits and _.", in_quotes(name)));
   for (const char* taken : {"index", "by", "point", "sigma"})
     if (name == taken)
       refuse(node,
-             fmt::format("has name=\"{}\", which markers have as an attribute already, expected another name.", name));
+             message("has name=\"{}\", which markers have as an attribute already, expected another name.", name));
   for (const RigCamera& other : rig.cameras)
     if (other.name == name || other.name == name + "_sigma" || other.name + "_sigma" == name)
-      refuse(node, fmt::format("has name=\"{}\" beside the camera \"{}\", expected names that differ, and none that "
-                               "is another's with _sigma behind it.",
-                               name, other.name));
+      refuse(node, message("has name=\"{}\" beside the camera \"{}\", expected names that differ, and none that "
+                           "is another's with _sigma behind it.",
+                           name, other.name));
   return name;
 }
 
@@ -135,7 +135,7 @@ void read_cameras(const XmlNode& node, Session& session, Ignored& ignored) {
   session.mount = read_mount(node, "mount_from_first", ignored);
   Rig& rig = session.rig.emplace();
   for (const XmlNode& child : children(node, "camera")) {
-    if (rig.count() == max_cameras) refuse(child, fmt::format("is one too many, expected at most {}.", max_cameras));
+    if (rig.count() == max_cameras) refuse(child, message("is one too many, expected at most {}.", max_cameras));
     RigCamera camera{read_camera_name(child, rig), read_camera(child, ignored, {"from_first"}), Rigid()};
     const auto from_first = find_child(child, "from_first");
     if (from_first) {
@@ -170,8 +170,8 @@ int read_device(const XmlNode& root, Session& session, Ignored& ignored) {
   for (const char* tag : {"stereo", "cameras", "tracker", "pose_sensor", "touch"})
     if (const auto device = find_child(root, tag)) {
       if (found)
-        refuse(*device, fmt::format("stands beside the <{}> of line {}, expected one of the two.",
-                                    found->element->Name(), found->line()));
+        refuse(*device, message("stands beside the <{}> of line {}, expected one of the two.", found->element->Name(),
+                                found->line()));
       found = device;
     }
   if (!found)
@@ -220,9 +220,9 @@ void read_target_element(const XmlNode& node, Session& session, Ignored& ignored
     refuse(node, "is found in images, and this session has a <tracker>; expected <cameras>, or <markers count=\"\"/>.");
   const Target target = read_target(node);
   if (point_count(target) > most_session_points)
-    refuse(node, fmt::format("has {} points, expected at most {}: a fit with more takes minutes and is no surer; use a "
-                             "board with fewer squares or tags.",
-                             point_count(target), most_session_points));
+    refuse(node, message("has {} points, expected at most {}: a fit with more takes minutes and is no surer; use a "
+                         "board with fewer squares or tags.",
+                         point_count(target), most_session_points));
   set_target(session, target);
   read_noise(node, session);
   if (looks_the_same_turned(target))
@@ -243,7 +243,7 @@ void read_markers_or_target(const XmlNode& root, Session& session, Ignored& igno
   }
   const auto target = find_child(root, "target"), markers = find_child(root, "markers");
   if (target && markers)
-    refuse(*target, fmt::format("stands beside the <markers> of line {}, expected one of the two.", markers->line()));
+    refuse(*target, message("stands beside the <markers> of line {}, expected one of the two.", markers->line()));
   if (target) return read_target_element(*target, session, ignored);
   read_markers_element(required_child(root, "markers"), session, ignored);
 }
@@ -254,7 +254,7 @@ void read_joints(const XmlNode& node, Session& session, Ignored& ignored) {
   std::unordered_set<std::string_view> seen;
   for (const std::string_view name : split_words(names)) {
     if (!seen.insert(name).second)
-      refuse(node, fmt::format("names joint {} a second time, expected each joint once.", in_quotes(name)));
+      refuse(node, message("names joint {} a second time, expected each joint once.", in_quotes(name)));
     session.joints.emplace_back(name);
   }
   if (session.joints.empty()) refuse(node, "names no joint, expected those that the observations' vectors hold.");
@@ -266,11 +266,10 @@ void read_observations(const XmlNode& node, Session& session, SessionLines& line
   for (const XmlNode& child : children(node, "observation")) {
     Observation observation = read_observation(child, session, ignored);
     if (!ids.insert(observation.id).second)
-      refuse(child, fmt::format("has id=\"{}\" a second time, expected each id once.", observation.id));
+      refuse(child, message("has id=\"{}\" a second time, expected each id once.", observation.id));
     if (!session.observations.empty() && observation.time < session.observations.back().time)
-      refuse(child,
-             fmt::format("has time=\"{}\" after {} of the observation before, expected times that do not go back.",
-                         observation.time, session.observations.back().time));
+      refuse(child, message("has time=\"{}\" after {} of the observation before, expected times that do not go back.",
+                            observation.time, session.observations.back().time));
     session.observations.push_back(std::move(observation));
     lines.observations.push_back(child.line());
   }

@@ -32,7 +32,7 @@ std::optional<Vector3> find_place(const XmlNode& node, const char* attribute) {
 std::optional<Vector3> find_direction(const XmlNode& node, const char* attribute) {
   auto direction = find_place(node, attribute);
   if (direction && direction->norm() < 1e-6)
-    refuse(node, fmt::format("has {}=\"0 0 0\", expected a direction.", attribute));
+    refuse(node, message("has {}=\"0 0 0\", expected a direction.", attribute));
   return direction;
 }
 
@@ -105,7 +105,7 @@ int fixture_named(const XmlNode& node, const char* attribute, const Session& ses
     if (session.fixtures[f].id == id) return static_cast<int>(f);
     known += (known.empty() ? "" : ", ") + session.fixtures[f].id;
   }
-  refuse(node, fmt::format("has {}=\"{}\", expected one of the fixtures: {}.", attribute, id, known));
+  refuse(node, message("has {}=\"{}\", expected one of the fixtures: {}.", attribute, id, known));
 }
 
 void read_apart(const XmlNode& node, Session& session, Ignored& ignored) {

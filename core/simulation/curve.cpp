@@ -40,12 +40,12 @@ Curve parse_curve(const std::string& text, const Robot& robot) {
   const auto colon = text.rfind(':');
   Curve curve;
   if (colon == std::string::npos || !read_formula(trimmed(text.substr(colon + 1)), curve))
-    throw InputError(fmt::format(
+    throw InputError(message(
         "Curve \"{}\": write JOINT: SIZE*sin(ORDERq), with sin or cos, for example \"arm_3: 0.0015*sin(3q)\".", text));
   const std::string name = trimmed(text.substr(0, colon));
   curve.joint = find_joint(robot, name);
   if (curve.joint < 0 || !robot.joints[static_cast<std::size_t>(curve.joint)].moves())
-    throw InputError(fmt::format("Curve \"{}\": the robot has no moving joint \"{}\".", text, name));
+    throw InputError(message("Curve \"{}\": the robot has no moving joint \"{}\".", text, name));
   return curve;
 }
 

@@ -133,7 +133,7 @@ Eigen::VectorXd PoseSampler::next(Random& random) {
     }
     return last_;
   }
-  throw InputError(fmt::format(
+  throw InputError(message(
       "No pose in {} searches shows all {} markers to {} between {:.2f} and {:.2f} m; check the mount of the "
       "cameras, or widen --joint-range.",
       most_tries, body_.markers_in_tcp.size(), cameras_that_must_see(chain_.rig), options_.nearest, options_.farthest));

@@ -130,7 +130,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
                                const ImageOptions& images, const fs::path& out,
                                const std::function<void(int)>& rendered) {
   if (fs::exists(out) && !(fs::is_directory(out) && fs::is_empty(out)))
-    throw InputError(fmt::format("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
+    throw InputError(message("{} is there already and not empty; name a new folder in --out.", shown_path(out)));
   if (images.observations > 0 && !simulated.session.rig)
     throw InputError("A tracker session has no images to render; leave --images out.");
   const bool has_file = !simulated.session.robot.is_of_poses;
@@ -140,7 +140,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   const fs::path part = make_temporary_folder((target.has_filename() ? target : target.parent_path()).parent_path());
   const Unfinished unfinished{part};
   if (images.observations > 0) fs::create_directory(part / "images", error);
-  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(out), error.message()));
+  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), error.message()));
 
   WrittenSession written;
   const auto chosen = chosen_observations(simulated, options, images.observations);
@@ -167,7 +167,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   write_truth(simulated, options, part / "truth.xml");
   fs::remove(out, error);  // an empty folder of that name
   fs::rename(part, out, error);
-  if (error) throw InputError(fmt::format("{} cannot be made: {}.", shown_path(out), error.message()));
+  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), error.message()));
   return written;
 }
 

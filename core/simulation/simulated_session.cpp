@@ -221,7 +221,7 @@ void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std:
   const auto named = std::find(s.session.joints.begin(), s.session.joints.end(), d.name);
   if (named == s.session.joints.end())
     throw InputError(
-        fmt::format("Disturbance of observation {}: the joint \"{}\" is not named in <joints>.", d.id, d.name));
+        message("Disturbance of observation {}: the joint \"{}\" is not named in <joints>.", d.id, d.name));
   const Eigen::Index j = named - s.session.joints.begin();
   if (d.kind == Disturbance::Kind::joint) {
     o.position[j] += d.size;
@@ -296,9 +296,9 @@ void add_touches(const Session& like, const SimulationOptions& options, const Wo
   s.later_root_from_sensor = s.root_from_sensor;
   for (const Disturbance& d : options.disturbances) {
     if (d.kind != Disturbance::Kind::joint || d.id < 0 || d.id >= options.observations)
-      throw InputError(fmt::format(
-          "Disturbance of observation {}: of touches only joints can be disturbed, in observations 0 to {}.", d.id,
-          options.observations - 1));
+      throw InputError(
+          message("Disturbance of observation {}: of touches only joints can be disturbed, in observations 0 to {}.",
+                  d.id, options.observations - 1));
     disturb(d, world, s, static_cast<std::size_t>(d.id));
   }
   for (std::size_t k = 0; k < s.session.observations.size(); ++k) spoil_sightings(options, k, s);
@@ -350,10 +350,10 @@ SimulatedSession simulated(const Session& like, const SimulationOptions& options
   for (const Disturbance& d : options.disturbances) {
     if (d.id < 0 || d.id >= options.observations ||
         (d.kind == Disturbance::Kind::marker && d.index >= like.marker_count))
-      throw InputError(fmt::format("Disturbance of observation {}: there are observations 0 to {} and markers 0 to {}.",
-                                   d.id, options.observations - 1, like.marker_count - 1));
+      throw InputError(message("Disturbance of observation {}: there are observations 0 to {} and markers 0 to {}.",
+                               d.id, options.observations - 1, like.marker_count - 1));
     if (d.kind == Disturbance::Kind::right_image && like.rig && like.rig->count() < 2)
-      throw InputError(fmt::format("Disturbance of observation {}: right_image needs a second camera.", d.id));
+      throw InputError(message("Disturbance of observation {}: right_image needs a second camera.", d.id));
     disturb(d, world, s, static_cast<std::size_t>(d.id));
   }
   const Random root(options.seed);
@@ -384,7 +384,7 @@ SimulatedSession simulate_at(const Session& like, const SimulationOptions& optio
 
 Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
   auto refuse = [&]() -> InputError {
-    return InputError(fmt::format(
+    return InputError(message(
         "Disturbance \"{}\": write ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD.", text));
   };
   const auto first = text.find(':');
@@ -409,7 +409,7 @@ Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
   if (kind != "joint" && kind != "right_image") throw refuse();
   d.kind = kind == "joint" ? Disturbance::Kind::joint : Disturbance::Kind::right_image;
   if (find_joint(robot, d.name) < 0)
-    throw InputError(fmt::format("Disturbance \"{}\": the robot has no joint \"{}\".", text, d.name));
+    throw InputError(message("Disturbance \"{}\": the robot has no joint \"{}\".", text, d.name));
   return d;
 }
 

@@ -104,10 +104,10 @@ std::vector<Observation> simulated_touches(const TouchSimulation& s) {
           q && stands_well(s, fixture.kind, at(*q), static_cast<int>(f)))
         o.position = std::move(*q);
     if (o.position.size() == 0)
-      throw InputError(fmt::format(
-          "No posture in {} searches touches the fixture {} within the joint limits; place it nearer to the "
-          "robot, or widen --joint-range.",
-          most_tries, fixture.id));
+      throw InputError(
+          message("No posture in {} searches touches the fixture {} within the joint limits; place it nearer to the "
+                  "robot, or widen --joint-range.",
+                  most_tries, fixture.id));
     o.sightings = touch_sightings(s.like.fixtures[f], marker, value);
     next.before = at(o.position).sensor;
   }

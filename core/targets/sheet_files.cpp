@@ -122,9 +122,9 @@ std::string png_bytes(const Sheet& sheet, double dots_per_inch) {
   const double width = std::ceil(sheet.width * dots), height = std::ceil(sheet.height * dots);
   if (!(width * height <= bounds::most_pixels))
     throw InputError(
-        fmt::format("The sheet of {:.0f} x {:.0f} mm has more than {:.0f} million pixels at {:g} dots per inch; "
-                    "use fewer, or PDF or SVG.",
-                    1e3 * sheet.width, 1e3 * sheet.height, bounds::most_pixels / 1e6, dots_per_inch));
+        message("The sheet of {:.0f} x {:.0f} mm has more than {:.0f} million pixels at {:g} dots per inch; "
+                "use fewer, or PDF or SVG.",
+                1e3 * sheet.width, 1e3 * sheet.height, bounds::most_pixels / 1e6, dots_per_inch));
   cv::Mat black(static_cast<int>(height), static_cast<int>(width), CV_32F, cv::Scalar(0));
   for (const Box& box : sheet.black) cover(black, box, dots);
   Image image(black.cols, black.rows);

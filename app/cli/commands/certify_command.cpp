@@ -74,7 +74,7 @@ CertificateRequest from_collection(const PartFit& part, const std::string& title
 CertificateRequest request_of(const CertifyArguments& o, const Session& session, Progress& progress) {
   if (!o.calibration.empty()) {
     if (!o.effects.empty())
-      throw InputError(fmt::format("{}: a calibration holds its effects already; leave --effects out.", o.calibration));
+      throw InputError(message("{}: a calibration holds its effects already; leave --effects out.", o.calibration));
     return certificate_request(session, read_calibration(o.calibration), o.calibration, software);
   }
   return o.effects.empty() ? from_improvement(session, progress) : from_effects(session, o.effects);

@@ -93,7 +93,7 @@ Json comparison_json(const Comparison& c) {
 
 CalibratedRobot calibration_of(const std::string& path, const std::string& robot) {
   if (robot.empty())
-    throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", path));
+    throw InputError(message("{}: a calibration alone has no robot; name its URDF with --robot.", path));
   return calibrated_robot(read_calibration(path), read_urdf(robot), robot, path);
 }
 

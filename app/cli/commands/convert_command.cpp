@@ -37,7 +37,7 @@ std::string sensor_text(const Session& s) {
 int run_fix(const ConvertArguments& o) {
   if (o.files.size() != 1)
     throw InputError(
-        fmt::format("--fix puts one session right; name its folder and no other file ({} are named).", o.files.size()));
+        message("--fix puts one session right; name its folder and no other file ({} are named).", o.files.size()));
   const Session session = open_searched_session(o.files.front(), o.output);
   const Session made = write_mended(session, o.fixes, o.out);
   o.output.line(

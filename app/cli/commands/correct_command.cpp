@@ -23,13 +23,13 @@ std::optional<Rigid> wanted_target(const std::string& text) {
   if (text.empty()) return std::nullopt;
   const auto n = parse_numbers(text);
   if (!n || n->size() != 6)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "--target \"{}\" is not understood; expected six numbers: x y z in m and roll pitch yaw in rad.", text));
   for (std::size_t i = 0; i < 6; ++i) {
     const Bounds& within = i < 3 ? bounds::length : bounds::joint;
     if (!within.hold((*n)[i]))
-      throw InputError(fmt::format("--target \"{}\" holds {:g}; expected numbers from {:g} to {:g}.", text, (*n)[i],
-                                   within.lowest, within.highest));
+      throw InputError(message("--target \"{}\" holds {:g}; expected numbers from {:g} to {:g}.", text, (*n)[i],
+                               within.lowest, within.highest));
   }
   return Rigid{rotation_from_rpy({(*n)[3], (*n)[4], (*n)[5]}), {(*n)[0], (*n)[1], (*n)[2]}};
 }

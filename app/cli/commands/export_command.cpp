@@ -35,7 +35,7 @@ Json export_json(const ExportArguments& o, const ExportedFile& file) {
 
 ExportOptions options_of(const ExportArguments& o) {
   if (!o.lerobot.empty() && o.kind != "lerobot")
-    throw InputError(fmt::format("--lerobot is for --as lerobot, and this is --as {}; leave it out.", o.kind));
+    throw InputError(message("--lerobot is for --as lerobot, and this is --as {}; leave it out.", o.kind));
   ExportOptions options;
   if (o.file != "-") options.file = std::filesystem::absolute(o.file);
   if (!o.lerobot.empty()) options.lerobot = read_file(o.lerobot);

@@ -29,16 +29,15 @@ Vector2 parse_point(const std::string& text) {
   int used = 0;
   if (std::sscanf(spaced.c_str(), "%lf %lf %n", &u, &v, &used) != 2 || used != static_cast<int>(spaced.size()) ||
       !std::isfinite(u) || !std::isfinite(v))
-    throw InputError(
-        fmt::format("--left \"{}\" is not a point; write \"u,v\" in px, for example \"312.5,204\".", text));
+    throw InputError(message("--left \"{}\" is not a point; write \"u,v\" in px, for example \"312.5,204\".", text));
   return {u, v};
 }
 
 Observation& observation_with(Session& session, std::int64_t id) {
   for (Observation& o : session.observations)
     if (o.id == id) return o;
-  throw InputError(fmt::format("The session has no observation {}; its ids are {} to {}.", id,
-                               session.observations.front().id, session.observations.back().id));
+  throw InputError(message("The session has no observation {}; its ids are {} to {}.", id,
+                           session.observations.front().id, session.observations.back().id));
 }
 
 /// Which markers the points are: as many as can be seen, three at least where the session has three.
@@ -50,27 +49,27 @@ std::vector<int> marker_numbers(const LabelArguments& options, int marker_count)
   if (all.size() != options.left.size() || different.size() != all.size() || *different.begin() < 0 ||
       *different.rbegin() >= marker_count)
     throw InputError(
-        fmt::format("--left has {} points for the markers {}; the session has markers 0 to {}: one point for each "
-                    "marker, each once.",
-                    options.left.size(), fmt::join(all, " "), marker_count - 1));
+        message("--left has {} points for the markers {}; the session has markers 0 to {}: one point for each "
+                "marker, each once.",
+                options.left.size(), fmt::join(all, " "), marker_count - 1));
   if (static_cast<int>(all.size()) < std::min(3, marker_count))
-    throw InputError(fmt::format("--left has {} points; a pose needs {} of the session's {} markers.", all.size(),
-                                 std::min(3, marker_count), marker_count));
+    throw InputError(message("--left has {} points; a pose needs {} of the session's {} markers.", all.size(),
+                             std::min(3, marker_count), marker_count));
   return all;
 }
 
 int run(const LabelArguments& options) {
   Session session = open_session(options.session, options.output);
   if (session.target || session.pose_sensor)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: nothing is to be labelled in a session with a <target>: its points name themselves; run online or fit.",
         session.file.filename().string()));
   if (!session.rig) throw InputError("A tracker session has no images to label; its markers are points already.");
   require_pair(session, "label");
   Observation& observation = observation_with(session, options.observation);
   if (observation.images[0].empty() || observation.images[1].empty())
-    throw InputError(fmt::format(
-        "Observation {} has no images to label; name a left and a right image in its <images>.", observation.id));
+    throw InputError(message("Observation {} has no images to label; name a left and a right image in its <images>.",
+                             observation.id));
   const std::vector<int> numbers_of = marker_numbers(options, session.marker_count);
   std::vector<Vector2> pointed;
   for (const std::string& text : options.left) pointed.push_back(parse_point(text));

@@ -86,8 +86,8 @@ void print_estimate(const Output& output, const OnlineStep& last) {
 /// Images that cannot be read say nothing of their observations: those stay undecided.
 void save(const Session& session, std::size_t unreadable, std::size_t with_images, const std::string& refusal) {
   if (unreadable > 0 && unreadable == with_images)
-    throw InputError(fmt::format("None of the {} observations' images can be read, so that nothing is saved. {}",
-                                 with_images, refusal));
+    throw InputError(
+        message("None of the {} observations' images can be read, so that nothing is saved. {}", with_images, refusal));
   if (unreadable > 0)
     Output::note(
         fmt::format("The images of {} observations cannot be read; what the session says of these stays as it "

@@ -118,8 +118,7 @@ class Rechecking {
     if (is_first) file << "utc,id,e_value,changed,what,where,text\n";
     file << fmt::format("{},{},{:.6g},{},{},{},{}\n", utc_now(), o.id, e_value(step), step.changed ? 1 : 0, step.what,
                         csv_cell(step.where), csv_cell(step.text));
-    if (!file.flush())
-      throw InputError(fmt::format("{} cannot be written; is the disk full?", shown_path(options_.csv)));
+    if (!file.flush()) throw InputError(message("{} cannot be written; is the disk full?", shown_path(options_.csv)));
   }
 
   const RecheckArguments& options_;
@@ -241,7 +240,7 @@ int run(const RecheckArguments& o) {
   const Calibration calibration = read_calibration(o.calibration);
   const std::string place = o.watch.empty() ? o.session : o.watch;
   if (place.empty() && o.robot.empty())
-    throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", o.calibration));
+    throw InputError(message("{}: a calibration alone has no robot; name its URDF with --robot.", o.calibration));
   std::optional<Session> session;
   if (!place.empty()) session = open_searched_session(place);
   const CalibratedRobot before = o.robot.empty()

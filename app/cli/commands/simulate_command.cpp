@@ -39,7 +39,7 @@ int images_wanted(const std::string& text, int observations) {
     if (used == text.size() && count >= 0) return std::min(count, observations);
   } catch (const std::exception&) {
   }
-  throw InputError(fmt::format("--images \"{}\": write all, none, or a number of observations.", text));
+  throw InputError(message("--images \"{}\": write all, none, or a number of observations.", text));
 }
 
 std::string effects_text(std::size_t count) { return fmt::format("{} effect{}", count, count == 1 ? "" : "s"); }

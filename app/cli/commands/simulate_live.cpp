@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 void append(const fs::path& file, const std::string& line) {
   std::ofstream out(file, std::ios::binary | std::ios::app);
   out << line << '\n';
-  if (!out.flush()) throw InputError(fmt::format("{} cannot be written; is the disk full?", shown_path(file)));
+  if (!out.flush()) throw InputError(message("{} cannot be written; is the disk full?", shown_path(file)));
 }
 
 std::string joined(const double* numbers, Eigen::Index count) {
@@ -80,7 +80,7 @@ void write_measured(const Session& s, const Observation& o, const fs::path& whol
 void simulate_live(const SimulatedSession& simulated, const SimulationOptions& options, const fs::path& robot_file,
                    const ImageOptions& images, const fs::path& folder, double rate,
                    const std::function<void(int)>& arrived) {
-  if (fs::exists(folder)) throw InputError(fmt::format("{} is there already; name a new folder.", shown_path(folder)));
+  if (fs::exists(folder)) throw InputError(message("{} is there already; name a new folder.", shown_path(folder)));
   fs::path whole = folder;
   whole += ".whole";
   write_simulated(simulated, options, robot_file, images, whole);

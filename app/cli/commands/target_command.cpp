@@ -29,14 +29,14 @@ std::string file_of(const Sheet& sheet, const TargetArguments& o) {
   if (ending == ".pdf") return pdf_text(sheet);
   if (ending == ".svg") return svg_text(sheet);
   if (ending == ".png") return png_bytes(sheet, o.dots_per_inch);
-  throw InputError(fmt::format("--out {}: expected a name that ends in .pdf, .svg or .png.", in_quotes(o.out)));
+  throw InputError(message("--out {}: expected a name that ends in .pdf, .svg or .png.", in_quotes(o.out)));
 }
 
 /// How to touch, in place of something to look at.
 int run_touch(const TargetArguments& o) {
   if (ending_of(o.out) != ".pdf")
-    throw InputError(fmt::format("--out {}: the pages about touching are a PDF; expected a name that ends in .pdf.",
-                                 in_quotes(o.out)));
+    throw InputError(
+        message("--out {}: the pages about touching are a PDF; expected a name that ends in .pdf.", in_quotes(o.out)));
   require_output(o.out, "--out");
   write_output(o.out, touch_page_pdf("handsight " HANDSIGHT_VERSION), "--out");
   Output().line(fmt::format("{}: how to touch each kind of fixture, and lines to write down what was touched", o.out));

@@ -24,8 +24,8 @@ std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOption
     return nullptr;
   }
   if (!session.rig)
-    throw InputError(fmt::format("{}: has no cameras of which --camera-images could say something; leave them out.",
-                                 session.file.filename().string()));
+    throw InputError(message("{}: has no cameras of which --camera-images could say something; leave them out.",
+                             session.file.filename().string()));
   if (!is_given(options.target) && !session.target)
     throw InputError(
         "The session has no target; say with --target what --camera-images show, for example \"charuco "

@@ -53,13 +53,13 @@ std::vector<Circumstances> driven_poses(const PoseOptions& o, const CalibratedRo
   for (const std::string& text : o.positions) {
     const auto numbers = parse_numbers(text);
     if (!numbers || numbers->size() != count)
-      throw InputError(fmt::format("--position \"{}\" has {} numbers; expected {} finite ones, one for each of: {}.",
-                                   text, numbers ? std::to_string(numbers->size()) : "unreadable", count,
-                                   fmt::join(source.joint_names, " ")));
+      throw InputError(message("--position \"{}\" has {} numbers; expected {} finite ones, one for each of: {}.", text,
+                               numbers ? std::to_string(numbers->size()) : "unreadable", count,
+                               fmt::join(source.joint_names, " ")));
     for (const double number : *numbers)
       if (!bounds::joint.hold(number))
-        throw InputError(fmt::format("--position \"{}\" holds {:g}; expected numbers from {:g} to {:g}.", text, number,
-                                     bounds::joint.lowest, bounds::joint.highest));
+        throw InputError(message("--position \"{}\" holds {:g}; expected numbers from {:g} to {:g}.", text, number,
+                                 bounds::joint.lowest, bounds::joint.highest));
     all.push_back(circumstances_at(source.chain, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
                                                      numbers->data(), static_cast<Eigen::Index>(count)))));
   }

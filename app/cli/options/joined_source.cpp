@@ -27,9 +27,9 @@ void share(const std::vector<std::string>& lists, const char* option, std::strin
                                       [&](const CollectionEntry& e) { return e.folder == name || e.title == name; });
       if (found == collection.entries.end())
         throw InputError(
-            fmt::format("{} {}: \"{}\" is none of the sessions that were given; name them as they are "
-                        "given, with commas between.",
-                        option, lists[i], name));
+            message("{} {}: \"{}\" is none of the sessions that were given; name them as they are "
+                    "given, with commas between.",
+                    option, lists[i], name));
       (*found).*what = fmt::format("{} {}", option, i + 1);
     }
 }

@@ -22,9 +22,9 @@ int part_meant(const Session& joined, const std::string& title) {
   if (joined.is_touch()) return 0;
   for (const SessionPart& p : joined.parts)
     if (p.tcp != joined.tcp || mount_of(p) != joined.mount.link)
-      throw InputError(fmt::format(
-          "{}: its sessions have several hands or sensors; say which with --session, for example --session {}.",
-          joined.title, p.title));
+      throw InputError(
+          message("{}: its sessions have several hands or sensors; say which with --session, for example --session {}.",
+                  joined.title, p.title));
   return 0;
 }
 
@@ -42,9 +42,9 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   if (!part.empty()) part_named(session, part);
   const bool has_urdf = !session.robot.is_of_poses;
   if (!has_urdf && !robot_file.empty())
-    throw InputError(fmt::format(
-        "--robot {}: the session has no joint angles for it, only where its flange is; leave the option out.",
-        robot_file));
+    throw InputError(
+        message("--robot {}: the session has no joint angles for it, only where its flange is; leave the option out.",
+                robot_file));
   const std::filesystem::path& file = session.parts.empty() ? session.file : session.parts.front().file;
   std::filesystem::path urdf = file.parent_path() / session.robot_file;
   if (!robot_file.empty()) bind_robot(session, read_urdf(urdf = robot_file));
@@ -68,8 +68,8 @@ Calibration calibration_meant(const Calibration& all, const std::string& session
   for (const Calibration& one : all.sessions)
     if (one.tcp != all.tcp || one.mount != all.mount)
       throw InputError(
-          fmt::format("{}: it holds several hands or sensors; say which with --session, for example --session {}.",
-                      path, one.session));
+          message("{}: it holds several hands or sensors; say which with --session, for example --session {}.", path,
+                  one.session));
   return all;
 }
 
@@ -77,7 +77,7 @@ CalibratedRobot from_calibration(const std::string& path, const std::string& rob
   const Calibration c = calibration_meant(read_calibration(path), session, path);
   if (c.joints == joint_names(poses_robot())) return calibrated_robot(c, poses_robot(), "", path);
   if (robot_file.empty())
-    throw InputError(fmt::format("{}: a calibration alone has no robot; name its URDF with --robot.", path));
+    throw InputError(message("{}: a calibration alone has no robot; name its URDF with --robot.", path));
   CalibratedRobot robot = calibrated_robot(c, read_urdf(robot_file), robot_file, path);
   robot.urdf_text = read_file(robot_file);
   robot.urdf_file = std::filesystem::path(robot_file).filename().string();
@@ -91,7 +91,7 @@ CalibratedRobot predict_source(const std::string& source, const std::string& rob
                                const std::vector<std::string>& effects, const std::string& session) {
   if (!is_calibration_file(source)) return from_session(source, robot_file, effects, session);
   if (!effects.empty())
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: a calibration holds its effects already; --effects is for sessions, which are fitted here.", source));
   return from_calibration(source, robot_file, session);
 }

@@ -9,7 +9,7 @@ namespace {
 std::vector<EffectTerm> rival(const std::string& text, const Session& session) {
   if (text.find('=') != std::string::npos)
     throw InputError(
-        fmt::format("--between: \"{}\" has a value; both effects are estimated, so write id or id:joint+joint.", text));
+        message("--between: \"{}\" has a value; both effects are estimated, so write id or id:joint+joint.", text));
   std::vector<EffectTerm> held, estimated;
   add_effects({text}, session, held, estimated);
   return estimated;
@@ -21,7 +21,7 @@ RivalEffects rivals(const std::string& text, const Session& session) {
   const auto comma = text.find(',');
   if (comma == std::string::npos || comma == 0 || comma + 1 == text.size() ||
       text.find(',', comma + 1) != std::string::npos)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "--between \"{}\": expected two effects with a comma between, for example joint_scale,encoder_eccentricity.",
         text));
   RivalEffects r;

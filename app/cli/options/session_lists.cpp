@@ -41,10 +41,10 @@ std::size_t session_count(const std::vector<std::pair<const char*, std::size_t>>
       std::max_element(given.begin(), given.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   for (const auto& [option, times] : given)
     if (times > 1 && times != most->second)
-      throw InputError(fmt::format(
-          "{} is given {} times and {} {} times; give each once for all sessions, or once for each (- where "
-          "a session has none).",
-          option, times, most->first, most->second));
+      throw InputError(
+          message("{} is given {} times and {} {} times; give each once for all sessions, or once for each (- where "
+                  "a session has none).",
+                  option, times, most->first, most->second));
   return std::max<std::size_t>(1, most->second);
 }
 

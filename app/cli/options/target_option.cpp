@@ -42,9 +42,9 @@ Words words_from(const std::string& text) {
       words.back().second += ' ' + std::string(word);
     else if (equals == std::string_view::npos)
       throw InputError(
-          fmt::format("--target: {} is no NAME=VALUE; expected, for example, charuco columns=8 rows=6 square=0.03 "
-                      "marker=0.022 dictionary=DICT_5X5_100.",
-                      in_quotes(word)));
+          message("--target: {} is no NAME=VALUE; expected, for example, charuco columns=8 rows=6 square=0.03 "
+                  "marker=0.022 dictionary=DICT_5X5_100.",
+                  in_quotes(word)));
     else
       words.emplace_back(word.substr(0, equals), word.substr(equals + 1));
   }
@@ -60,7 +60,7 @@ std::optional<Target> target_from_yaml_file(const std::string& name) {
   const std::string file = shown_path(std::filesystem::path(name).filename());
   const YAML::Node yaml = parse_yaml(read_file(name), file);
   if (!is_kalibr_target(yaml))
-    throw InputError(fmt::format("--target {}: has no target_type; expected Kalibr's description of a target.", file));
+    throw InputError(message("--target {}: has no target_type; expected Kalibr's description of a target.", file));
   return read_kalibr_target(yaml, file);
 }
 

@@ -53,17 +53,17 @@ void require_output(const std::string& file, const char* option) {
   std::error_code error;
   if (file.empty() || file == "-" || !fs::exists(file, error)) return;
   if (fs::is_directory(file, error))
-    throw InputError(fmt::format("{} {}: is a folder; name a file in it.", option, shown_path(file)));
+    throw InputError(message("{} {}: is a folder; name a file in it.", option, shown_path(file)));
   if (!fs::is_regular_file(file, error))
     throw InputError(
-        fmt::format("{} {}: is a device or a pipe and is not written over; name a file, or - for standard "
-                    "output.",
-                    option, shown_path(file)));
+        message("{} {}: is a device or a pipe and is not written over; name a file, or - for standard "
+                "output.",
+                option, shown_path(file)));
   const bool is_input = std::any_of(inputs().begin(), inputs().end(),
                                     [&](const fs::path& input) { return fs::equivalent(input, file, error); });
   if (is_input || is_source(file))
-    throw InputError(fmt::format("{} {}: {} and is not written over; name another file.", option, shown_path(file),
-                                 is_input ? "is what this command reads" : "holds a session, a robot or their like"));
+    throw InputError(message("{} {}: {} and is not written over; name another file.", option, shown_path(file),
+                             is_input ? "is what this command reads" : "holds a session, a robot or their like"));
 }
 
 void write_output(const std::string& file, std::string_view content, const char* option) {

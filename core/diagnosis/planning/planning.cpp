@@ -65,24 +65,24 @@ class Planner {
  private:
   void refuse_bad_options() const {
     if (options_.count < 1 || options_.count > most_planned_poses)
-      throw InputError(fmt::format("The number of poses to plan is {}; expected 1 to {} (--count).", options_.count,
-                                   most_planned_poses));
+      throw InputError(message("The number of poses to plan is {}; expected 1 to {} (--count).", options_.count,
+                               most_planned_poses));
     if (!options_.between) return;
     const RivalEffects& r = *options_.between;
     if (are_same(r.first, r.second))
       throw InputError(
-          fmt::format("\"{}\" and \"{}\" are the same effect at the same places; give two that differ "
-                      "(--between a,b).",
-                      r.first_name, r.second_name));
+          message("\"{}\" and \"{}\" are the same effect at the same places; give two that differ "
+                  "(--between a,b).",
+                  r.first_name, r.second_name));
     for (const auto* rival : {&r.first, &r.second})
       for (const EffectTerm& t : *rival)
         for (const auto* model : {&options_.effects, &options_.estimated})
           for (const EffectTerm& m : *model)
             if (m.id == t.id && m.joint == t.joint)
               throw InputError(
-                  fmt::format("The effect \"{}\" is to be told from another (--between) and is in the "
-                              "model already (--effects); leave it out of one of them.",
-                              rival == &r.first ? r.first_name : r.second_name));
+                  message("The effect \"{}\" is to be told from another (--between) and is in the "
+                          "model already (--effects); leave it out of one of them.",
+                          rival == &r.first ? r.first_name : r.second_name));
   }
 
   void fit_models() {

@@ -217,10 +217,10 @@ std::vector<Eigen::VectorXd> pose_pool(const Session& session, const PoseJudge& 
     }
   }
   if (starts.empty())
-    throw InputError(fmt::format(
-        "{}: in {} searches no pose within the joint limits shows all markers to {}; check the limits in the "
-        "robot's file and the mount of the cameras.",
-        session.file.filename().string(), most_failures, cameras_that_must_see(session.rig)));
+    throw InputError(
+        message("{}: in {} searches no pose within the joint limits shows all markers to {}; check the limits in the "
+                "robot's file and the mount of the cameras.",
+                session.file.filename().string(), most_failures, cameras_that_must_see(session.rig)));
   std::vector<Eigen::VectorXd> pool;
   for (int round = 0, wanted = count; wanted > 0 && round * chains < 2 * count + chains; ++round)
     for (Eigen::VectorXd& position : starts) {

@@ -113,9 +113,9 @@ TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& ju
   }
   if (pool.poses.empty())
     throw InputError(
-        fmt::format("{}: no posture within the joint limits touches a fixture; check the limits in the "
-                    "robot's file.",
-                    session.file.filename().string()));
+        message("{}: no posture within the joint limits touches a fixture; check the limits in the "
+                "robot's file.",
+                session.file.filename().string()));
   return pool;
 }
 

@@ -151,21 +151,21 @@ void refuse_cameras_of_points(const Session& session, const FitOptions& options,
   if (options.objective == Objective::image || options.estimated.empty()) return;
   const bool cameras = images.cameras_by_effect.cols() > 0;
   if (options.objective == Objective::camera && !cameras) return;
-  throw InputError(fmt::format("{}: the {} objective cannot estimate {}; use the image objective.",
-                               session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis",
-                               cameras ? "effects of the cameras" : "effects"));
+  throw InputError(message("{}: the {} objective cannot estimate {}; use the image objective.", session_name(session),
+                           options.objective == Objective::camera ? "camera" : "angle-axis",
+                           cameras ? "effects of the cameras" : "effects"));
 }
 
 void require_use_of_camera_images(const Session& session, const FitOptions& options, const Problem& images) {
   if (!options.camera_images) return;
   if (!images.rig || images.cameras_by_effect.cols() == 0)
     throw InputError(
-        fmt::format("{}: images of a board say something of the cameras, and no number of theirs is estimated; add "
-                    "--effects camera_intrinsics (also lens_distortion{}).",
-                    session_name(session),
-                    !session.rig || session.rig->count() == 1 ? ""
-                    : session.rig->count() == 2               ? ", stereo_rig"
-                                                              : ", rig"));
+        message("{}: images of a board say something of the cameras, and no number of theirs is estimated; add "
+                "--effects camera_intrinsics (also lens_distortion{}).",
+                session_name(session),
+                !session.rig || session.rig->count() == 1 ? ""
+                : session.rig->count() == 2               ? ", stereo_rig"
+                                                          : ", rig"));
 }
 
 /// Does a term move the body or its markers on the hand, in the body's own frame?
@@ -242,8 +242,8 @@ std::optional<Unknowns> start_for(const Session& session, const FitOptions& opti
 
 void refuse_objectives_of_parts(const Session& session, const FitOptions& options) {
   if (session.parts.empty() || options.objective != Objective::angle_axis) return;
-  throw InputError(fmt::format(
-      "{}: the angle-axis objective is of one session; fit a collection by the image objective.", session.title));
+  throw InputError(message("{}: the angle-axis objective is of one session; fit a collection by the image objective.",
+                           session.title));
 }
 
 Fit fit_as_told(const Session& session, const FitOptions& options) {
@@ -262,7 +262,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   auto start = start_for(session, options, images);
   if (start) start->effects = effect_values(images);
   if (!start)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: nothing is known of the mount, and no marker is seen by two cameras, so that no start can be found; give "
         "{} an xyz and rpy.",
         session_name(session),
@@ -288,7 +288,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   result.problem = are_images ? std::move(images) : as_points(images, result.sightings_left_out);
   Problem& measured = are_images ? result.problem : images;  // NOLINT(bugprone-use-after-move): moved where not used
   if (result.problem.observations.empty())
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: no marker is seen by two cameras in any used observation, which the {} objective needs; use the image "
         "objective.",
         session_name(session), options.objective == Objective::camera ? "camera" : "angle-axis"));

@@ -89,7 +89,7 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
               double noise, Fit& fit) {
   const std::optional<Unknowns> held = fit.fixed_markers ? with_held_shape(images, start, fit.shape_covariance) : start;
   if (!held)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: holding the markers fixed needs an observation that shows three of them as points (two cameras, or a "
         "tracker), and there is none; fit with free markers.",
         session.file.filename().string()));
@@ -103,7 +103,7 @@ void minimise(const Session& session, const Problem& images, const Unknowns& sta
   fit.problem = images;
   const auto result = angle_axis_step(images, fit.solution.unknowns, noise, options.loss);
   if (!result)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "{}: the angle-axis objective needs observations with three markers or more ({} of them); use the image "
         "objective.",
         session.file.filename().string(), images.mount_is_estimated ? "three" : "one"));

@@ -20,9 +20,9 @@ void require_bearable(const Session& session) {
   constexpr int most = 1024;
   if (session.marker_count > most)
     throw InputError(
-        fmt::format("{}: a fit can bear {} points, and the target has {}; use one with fewer squares or "
-                    "tags, or name fewer ids.",
-                    session.file.filename().string(), most, session.marker_count));
+        message("{}: a fit can bear {} points, and the target has {}; use one with fewer squares or "
+                "tags, or name fewer ids.",
+                session.file.filename().string(), most, session.marker_count));
 }
 
 void require_one_link(const Session& session, const KnownDistance& d, const Chain& chain) {
@@ -32,9 +32,9 @@ void require_one_link(const Session& session, const KnownDistance& d, const Chai
   };
   if (link(d.of) == link(d.from)) return;
   throw InputError(
-      fmt::format("{}: <apart> names {} and {}, which stand on different links; their distance is not one "
-                  "number.",
-                  session.file.filename().string(), session.fixtures[of].id, session.fixtures[from].id));
+      message("{}: <apart> names {} and {}, which stand on different links; their distance is not one "
+              "number.",
+              session.file.filename().string(), session.fixtures[of].id, session.fixtures[from].id));
 }
 
 /// Of a plane and a gauge the height of three places 0.3 m apart, of an edge two places of it, else the three numbers.

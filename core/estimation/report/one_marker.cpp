@@ -124,15 +124,15 @@ std::optional<Vector3> measured_marker(const Session& session, const Observation
 
 OneMarkerResult effective_masses(const Session& session, const OneMarkerOptions& options) {
   if (options.marker < 0 || options.marker >= session.marker_count)
-    throw InputError(fmt::format("Marker {} does not exist; the session has markers 0 to {}.", options.marker,
-                                 session.marker_count - 1));
+    throw InputError(message("Marker {} does not exist; the session has markers 0 to {}.", options.marker,
+                             session.marker_count - 1));
   const Chain chain = chain_of(session);
   OneMarkerResult result;
   Arm arm{chain, arm_joints(chain, options.default_stiffness, result.stiffness_is_assumed),
           session.mount.mount_from_sensor, Vector3::Zero()};
   if (arm.joints.empty())
-    throw InputError(fmt::format("{}: no joint moves {} without moving {}; a pull at the hand shows nowhere.",
-                                 session.file.filename().string(), session.tcp, session.mount.link));
+    throw InputError(message("{}: no joint moves {} without moving {}; a pull at the hand shows nowhere.",
+                             session.file.filename().string(), session.tcp, session.mount.link));
   for (const ArmJoint& j : arm.joints)
     result.joints.push_back(chain.robot.joints[static_cast<std::size_t>(j.joint)].name);
   if (options.marker_in_tcp) {
@@ -154,8 +154,8 @@ OneMarkerResult effective_masses(const Session& session, const OneMarkerOptions&
     result.observations.push_back(mass);
   }
   if (result.observations.empty())
-    throw InputError(fmt::format("{}: no used observation shows marker {} as a point; label it in both images first.",
-                                 session.file.filename().string(), options.marker));
+    throw InputError(message("{}: no used observation shows marker {} as a point; label it in both images first.",
+                             session.file.filename().string(), options.marker));
   return result;
 }
 

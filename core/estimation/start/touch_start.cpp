@@ -56,9 +56,9 @@ Rigid found_frame(const Session& session, std::size_t fixture, const std::vector
   const std::size_t least = f.kind == FixtureKind::plane ? 3 : 1;
   if (places.size() < least)
     throw InputError(
-        fmt::format("{}: nothing says where the fixture {} is, and {} touch{} of it do not tell; touch it "
-                    "more often, or say where it is about.",
-                    session.file.filename().string(), f.id, places.size(), places.size() == 1 ? "" : "es"));
+        message("{}: nothing says where the fixture {} is, and {} touch{} of it do not tell; touch it "
+                "more often, or say where it is about.",
+                session.file.filename().string(), f.id, places.size(), places.size() == 1 ? "" : "es"));
   Rigid frame = plane_through(places);
   if (f.kind == FixtureKind::point) frame.rotation.setIdentity();
   return frame;

@@ -23,8 +23,7 @@ std::string brought_image(const Session& session, std::int64_t id, const RigCame
   const fs::path to = folder(session) / name;
   if (fs::equivalent(from, to, error)) return name;
   if (fs::exists(to, error))
-    throw InputError(
-        fmt::format("{} is there already and is no image of this experiment; move it away.", shown_path(to)));
+    throw InputError(message("{} is there already and is no image of this experiment; move it away.", shown_path(to)));
   fs::create_directories(to.parent_path(), error);
   replace_file(to, read_file(from));
   return name;

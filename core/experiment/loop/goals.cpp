@@ -19,7 +19,7 @@ constexpr std::array lengths{Unit{"um", 1e-6}, Unit{"mm", 1e-3}, Unit{"cm", 1e-2
 constexpr std::array times{Unit{"min", 60}, Unit{"h", 3600}, Unit{"s", 1}};
 
 [[noreturn]] void refuse_goal(const std::string& text) {
-  throw InputError(fmt::format(
+  throw InputError(message(
       "--until {}: expected hand=0.3mm, odds=20, count=60 or time=30min (um, mm, cm, m; s, min, h), several with | "
       "between.",
       in_quotes(text)));

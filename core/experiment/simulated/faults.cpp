@@ -41,11 +41,11 @@ Fault parse_fault(const std::string& text) {
     names += (names.empty() ? "" : ", ") + std::string(kind.name);
     is_known = is_known || fault.name == kind.name;
   }
-  if (!is_known) throw InputError(fmt::format("--fault {}: expected one of {}.", in_quotes(text), names));
+  if (!is_known) throw InputError(message("--fault {}: expected one of {}.", in_quotes(text), names));
   if (at == std::string::npos) return fault;
   const auto from = parse_integer(text.substr(at + 1));
   if (!from || *from < 1 || *from > 100000)
-    throw InputError(fmt::format("--fault {}: expected the number of a move after the @, from 1 on.", in_quotes(text)));
+    throw InputError(message("--fault {}: expected the number of a move after the @, from 1 on.", in_quotes(text)));
   fault.from_move = static_cast<int>(*from);
   return fault;
 }

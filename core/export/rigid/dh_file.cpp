@@ -68,9 +68,9 @@ std::string dh_file(const DescribedRobot& d, TableForm form) {
   const DhChain modified = modified_dh(d.robot, hand), classical = classical_dh(d.robot, hand);
   if (modified.rows.empty())
     throw InputError(
-        fmt::format("No joint moves the hand {}: there are no Denavit-Hartenberg parameters to write; name "
-                    "the link that the robot moves as tcp.",
-                    in_quotes(d.urdf.hand_link)));
+        message("No joint moves the hand {}: there are no Denavit-Hartenberg parameters to write; name "
+                "the link that the robot moves as tcp.",
+                in_quotes(d.urdf.hand_link)));
   if (form == TableForm::yaml)
     return head(d) + yaml_table(d, "modified", modified) + yaml_table(d, "classical", classical);
   return head(d) + "convention,joint,type,a,alpha,d,theta,x,y,z,roll,pitch,yaw\n" + csv_table(d, "modified", modified) +

@@ -26,8 +26,8 @@ constexpr double ticks_a_turn = 4096, radians_a_tick = 2 * M_PI / ticks_a_turn;
 
 long integer_of(const Json& motor, const char* key, const std::string& joint) {
   if (!motor.is_object() || !motor.contains(key) || !motor[key].is_number())
-    throw InputError(fmt::format("lerobot's calibration has no number {} for {}; expected the JSON that lerobot wrote.",
-                                 in_quotes(key), in_quotes(joint)));
+    throw InputError(message("lerobot's calibration has no number {} for {}; expected the JSON that lerobot wrote.",
+                             in_quotes(key), in_quotes(joint)));
   return std::lround(motor[key].get<double>());
 }
 
@@ -46,9 +46,9 @@ Json motor_before(const Json& before, const std::string& joint, std::size_t numb
     return {{"id", number + 1}, {"drive_mode", 0}, {"homing_offset", 0}, {"range_min", 0}, {"range_max", 4095}};
   if (!before.contains(joint))
     throw InputError(
-        fmt::format("lerobot's calibration has no motor {}; the joints of the session need the names that "
-                    "it gives its motors.",
-                    in_quotes(joint)));
+        message("lerobot's calibration has no motor {}; the joints of the session need the names that "
+                "it gives its motors.",
+                in_quotes(joint)));
   return before[joint];
 }
 
@@ -86,9 +86,9 @@ std::string lerobot_file(const CalibratedRobot& robot, RigidFit& fit, const std:
     const std::string& name = robot.joint_names[i];
     if (joint_at(robot, i).kind == JointKind::prismatic)
       throw InputError(
-          fmt::format("Joint {} slides, and lerobot's calibration is of motors that turn; export as urdf or "
-                      "ros2_control.",
-                      in_quotes(name)));
+          message("Joint {} slides, and lerobot's calibration is of motors that turn; export as urdf or "
+                  "ros2_control.",
+                  in_quotes(name)));
     Json motor = motor_before(known, name, i);
     double& angle = change_at(robot, fit.change, i).angle;
     const long sense = integer_of(motor, "drive_mode", name) != 0 ? -1 : 1;

@@ -25,12 +25,12 @@ int joint_that_ends_with(const Robot& robot, const std::string& name) {
   for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j)
     if (robot.joints[static_cast<std::size_t>(j)].name.ends_with(name)) {
       if (found >= 0)
-        throw InputError(fmt::format(
-            "The robot has two joints that end with {}: ur_calibration is of one arm; export its URDF.", name));
+        throw InputError(
+            message("The robot has two joints that end with {}: ur_calibration is of one arm; export its URDF.", name));
       found = j;
     }
   if (found < 0)
-    throw InputError(fmt::format(
+    throw InputError(message(
         "ur_calibration is for robots with UR's six joints, and this one has no joint {}; export as urdf or dh.",
         name));
   return found;
@@ -42,7 +42,7 @@ Rigid from_joint_before(const Robot& robot, int joint, int before) {
   int link = robot.joints[static_cast<std::size_t>(joint)].parent_link;
   for (int j; (j = robot.links[static_cast<std::size_t>(link)].parent_joint) != before;) {
     if (j < 0 || robot.joints[static_cast<std::size_t>(j)].moves())
-      throw InputError(fmt::format(
+      throw InputError(message(
           "Joint {} does not follow the one before it in UR's order; ur_calibration is for UR's six joints one after "
           "another: export as urdf.",
           in_quotes(robot.joints[static_cast<std::size_t>(joint)].name)));
@@ -70,7 +70,7 @@ std::string ur_file(const DescribedRobot& d) {
     const int j = joint_that_ends_with(d.robot, ur.joint);
     const Joint& joint = d.robot.joints[static_cast<std::size_t>(j)];
     if ((joint.axis - Vector3::UnitZ()).norm() > 1e-9)
-      throw InputError(fmt::format(
+      throw InputError(message(
           "Joint {} does not turn about its z axis: the robot is described otherwise than in ur_description, whose "
           "frames the file is read with; use its URDF, or export as urdf.",
           in_quotes(joint.name)));

@@ -57,10 +57,10 @@ std::vector<fs::path> files_of_bag(const fs::path& path) {
 
 [[noreturn]] void refuse_version(const std::string& name, std::string_view begin) {
   const std::string version(begin.substr(0, begin.find('\n')));
-  throw InputError(fmt::format(
-      "{}: is a bag of ROS 1 of the version {}; expected V2.0. `rosbag fix OLD.bag NEW.bag` of ROS writes it "
-      "anew.",
-      name, in_quotes(version)));
+  throw InputError(
+      message("{}: is a bag of ROS 1 of the version {}; expected V2.0. `rosbag fix OLD.bag NEW.bag` of ROS writes it "
+              "anew.",
+              name, in_quotes(version)));
 }
 
 std::unique_ptr<BagFile> open_plain(const fs::path& file, const std::string& name) {
@@ -69,10 +69,10 @@ std::unique_ptr<BagFile> open_plain(const fs::path& file, const std::string& nam
   if (begin.starts_with("#ROSBAG V2.0")) return open_ros1_bag(file, name);
   if (begin.starts_with("#ROSBAG")) refuse_version(name, begin);
   if (file.extension() == ".db3") return open_sqlite_bag(file, name);
-  throw InputError(fmt::format(
-      "{}: does not begin as a bag does: it was not copied whole, or is of another kind; expected a ROS 2 bag "
-      "(sqlite3 or MCAP) or a ROS 1 bag of version 2.0.",
-      name));
+  throw InputError(
+      message("{}: does not begin as a bag does: it was not copied whole, or is of another kind; expected a ROS 2 bag "
+              "(sqlite3 or MCAP) or a ROS 1 bag of version 2.0.",
+              name));
 }
 
 /// Gone when it is no longer needed.
@@ -102,9 +102,8 @@ class DecompressedBag : public BagFile {
       inner_->topics();
     } catch (const InputError&) {
       if (fault.empty()) throw;
-      throw InputError(
-          fmt::format("{}: is compressed with zstd, and damaged ({}); expected a whole file: copy it again.", name,
-                      shortened(fault, 80)));
+      throw InputError(message("{}: is compressed with zstd, and damaged ({}); expected a whole file: copy it again.",
+                               name, shortened(fault, 80)));
     }
   }
 

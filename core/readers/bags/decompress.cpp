@@ -151,9 +151,9 @@ std::string decompress_file(const std::filesystem::path& from, const std::filesy
     }
     if (!out)
       throw InputError(
-          fmt::format("{}: there is no room to decompress it in {}; make room there, or name another folder "
-                      "in TMPDIR.",
-                      shown_path(from), shown_path(into.parent_path())));
+          message("{}: there is no room to decompress it in {}; make room there, or name another folder "
+                  "in TMPDIR.",
+                  shown_path(from), shown_path(into.parent_path())));
   }
   return at_end ? "" : "it ends too early";
 }

@@ -12,7 +12,7 @@ FileBytes::FileBytes(const std::filesystem::path& file) : stream_(file, std::ios
   std::error_code error;
   size_ = std::filesystem::file_size(file, error);
   if (!stream_ || error)
-    throw InputError(fmt::format("{}: the file cannot be read; is it there, and may you read it?", shown_path(file)));
+    throw InputError(message("{}: the file cannot be read; is it there, and may you read it?", shown_path(file)));
 }
 
 std::string_view FileBytes::view(std::uint64_t offset, std::uint64_t count) {

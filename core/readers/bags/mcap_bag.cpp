@@ -30,10 +30,10 @@ class McapBag : public BagFile {
     if (!summary_.is_complete) count_messages();
     if (channels_.all.empty())
       throw InputError(
-          fmt::format("{}: begins as MCAP does and holds no channel: it was broken off before anything was recorded, "
-                      "or is damaged; "
-                      "expected a recording with messages: record it again, or try `mcap recover`.",
-                      name_));
+          message("{}: begins as MCAP does and holds no channel: it was broken off before anything was recorded, "
+                  "or is damaged; "
+                  "expected a recording with messages: record it again, or try `mcap recover`.",
+                  name_));
   }
 
   std::vector<BagTopic> topics() override {

@@ -77,7 +77,7 @@ class Reader {
 
   [[noreturn]] void fail(const std::string& why) const {
     throw InputError(
-        fmt::format("{}: {}; the bag is damaged, or the message is of another type than it says.", what_, why));
+        message("{}: {}; the bag is damaged, or the message is of another type than it says.", what_, why));
   }
 
  private:

@@ -73,10 +73,10 @@ class Ros1Bag : public BagFile {
   Ros1Bag(const std::filesystem::path& file, std::string name) : name_(std::move(name)), file_(file) {
     if (!take_index()) count_messages();
     if (topics_.empty())
-      throw InputError(fmt::format(
-          "{}: is a bag of ROS 1 without a connection: nothing was recorded, or it is damaged; expected a bag "
-          "with messages: record it again, or try `rosbag reindex`.",
-          name_));
+      throw InputError(
+          message("{}: is a bag of ROS 1 without a connection: nothing was recorded, or it is damaged; expected a bag "
+                  "with messages: record it again, or try `rosbag reindex`.",
+                  name_));
   }
 
   std::vector<BagTopic> topics() override {
@@ -98,8 +98,8 @@ class Ros1Bag : public BagFile {
     const std::optional<Record> bag = record_at(magic_size);
     if (!bag || bag->op() != op_bag) return false;
     if (const std::string by = bag->text("encryptor"); !by.empty())
-      throw InputError(fmt::format(
-          "{}: is encrypted ({}); expected one that is not: `rosbag decrypt` of ROS writes it.", name_, in_quotes(by)));
+      throw InputError(message("{}: is encrypted ({}); expected one that is not: `rosbag decrypt` of ROS writes it.",
+                               name_, in_quotes(by)));
     std::uint64_t at = bag->number<std::uint64_t>("index_pos");
     const auto connections = bag->number<std::uint32_t>("conn_count"),
                chunks = bag->number<std::uint32_t>("chunk_count");

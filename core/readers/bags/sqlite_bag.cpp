@@ -68,9 +68,9 @@ class SqliteBag : public BagFile {
  private:
   [[noreturn]] void fail(const std::string& why) const {
     throw InputError(
-        fmt::format("{}: is no ROS 2 bag in sqlite3 that can be read: {}; expected what `ros2 bag record` "
-                    "writes: copy it again, or write it anew with `ros2 bag convert`.",
-                    name_, shortened(why, 200)));
+        message("{}: is no ROS 2 bag in sqlite3 that can be read: {}; expected what `ros2 bag record` "
+                "writes: copy it again, or write it anew with `ros2 bag convert`.",
+                name_, shortened(why, 200)));
   }
 
   Statement prepared(const char* sql) const {

@@ -79,8 +79,8 @@ std::vector<Servo> read_lerobot_calibration(const YAML::Node& yaml, const std::s
     const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
     const auto lowest = yaml_number(entry.second, "range_min"), highest = yaml_number(entry.second, "range_max");
     if (name.empty() || !lowest || !highest || !(*highest > *lowest))
-      throw InputError(fmt::format("{}: servo {} has no range_min below its range_max; expected LeRobot's calibration.",
-                                   file, in_quotes(name)));
+      throw InputError(message("{}: servo {} has no range_min below its range_max; expected LeRobot's calibration.",
+                               file, in_quotes(name)));
     servos.push_back({name, yaml_number(entry.second, "drive_mode").value_or(0) != 0, *lowest, *highest});
   }
   return servos;

@@ -48,9 +48,9 @@ class UrdfWriter {
       if (child.tag() == "frame") add_parts(e, link, before * place_of(e), depth + 1);
       for (const char* unread : {"replicate", "attach", "composite", "flexcomp"})
         if (child.tag() == unread)
-          refuse(child, fmt::format("<{}> makes other bodies, which is not read; write the whole model with "
-                                    "mj_saveLastXML (`simulate` has it as Save xml) and name that.",
-                                    unread));
+          refuse(child, message("<{}> makes other bodies, which is not read; write the whole model with "
+                                "mj_saveLastXML (`simulate` has it as Save xml) and name that.",
+                                unread));
     }
   }
 

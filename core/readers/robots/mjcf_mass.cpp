@@ -53,7 +53,7 @@ Mass mass_of(const Element& body, const std::vector<Element>& geoms) {
   if (inertial && !body.model.from_geoms.value_or(false)) {
     const Element e{body.model, *inertial, body.around};
     const double mass = e.number("mass", 0);
-    if (!bounds::mass.hold(mass)) refuse(e.node, fmt::format("has a mass of {:g} kg.", mass));
+    if (!bounds::mass.hold(mass)) refuse(e.node, message("has a mass of {:g} kg.", mass));
     return {mass, e.vector("pos", Vector3::Zero())};
   }
   Mass all;
@@ -62,7 +62,7 @@ Mass mass_of(const Element& body, const std::vector<Element>& geoms) {
   for (const Element& geom : geoms) {
     const Shape s = shape_of(geom);
     const double mass = geom.number("mass", volume_of(s) * geom.number("density", 1000));
-    if (!bounds::mass.hold(mass)) refuse(geom.node, fmt::format("has a mass of {:g} kg.", mass));
+    if (!bounds::mass.hold(mass)) refuse(geom.node, message("has a mass of {:g} kg.", mass));
     all.kilograms += mass;
     moment += mass * s.place.translation;
   }

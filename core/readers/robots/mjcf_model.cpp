@@ -37,14 +37,13 @@ class Includer {
   void replace(XMLElement& parent, XMLElement& include) {
     const XmlNode node{&include, file_};
     const std::string name = required_name(node, "file");
-    if (!seen_.insert(name).second)
-      refuse(node, fmt::format("includes {} a second time, expected once.", in_quotes(name)));
-    if (seen_.size() > most_files) refuse(node, fmt::format("is the include number {}.", seen_.size()));
+    if (!seen_.insert(name).second) refuse(node, message("includes {} a second time, expected once.", in_quotes(name)));
+    if (seen_.size() > most_files) refuse(node, message("is the include number {}.", seen_.size()));
     const fs::path path = folder_ / name;
     if (!fs::is_regular_file(path))
-      refuse(node, fmt::format("includes {}, which is not there; put it beside the model.", in_quotes(name)));
+      refuse(node, message("includes {}, which is not there; put it beside the model.", in_quotes(name)));
     const auto included = parse_xml(read_file(path), name);
-    if (!included->RootElement()) refuse(node, fmt::format("includes {}, which is empty.", in_quotes(name)));
+    if (!included->RootElement()) refuse(node, message("includes {}, which is empty.", in_quotes(name)));
     expand(*included->RootElement());
     tinyxml2::XMLNode* after = &include;
     for (const tinyxml2::XMLNode* part = included->RootElement()->FirstChild(); part; part = part->NextSibling())
@@ -64,7 +63,7 @@ void take_compiler(const XmlNode& node, Model& m) {
   if (const auto angle = find_text(node, "angle")) m.is_in_degrees = *angle != "radian";
   if (const auto order = find_text(node, "eulerseq")) m.euler = *order;
   if (m.euler.size() != 3 || m.euler.find_first_not_of("xyzXYZ") != std::string::npos)
-    refuse(node, fmt::format("has eulerseq {}, expected three of x y z X Y Z.", in_quotes(m.euler)));
+    refuse(node, message("has eulerseq {}, expected three of x y z X Y Z.", in_quotes(m.euler)));
   if (const auto where = find_text(node, "assetdir")) m.mesh_folder = *where;
   if (const auto where = find_text(node, "meshdir")) m.mesh_folder = *where;
   if (const auto how = find_text(node, "inertiafromgeom"); how && *how != "auto") m.from_geoms = yes(how);
@@ -109,7 +108,7 @@ Matrix3 euler_rotation(const Element& e, const std::vector<double>& angles) {
 
 Vector3 direction(const Element& e, const double* numbers, const char* attribute) {
   const Vector3 v(numbers);
-  if (!(v.norm() > 1e-12)) refuse(e.node, fmt::format("has {} without a direction, expected one.", attribute));
+  if (!(v.norm() > 1e-12)) refuse(e.node, message("has {} without a direction, expected one.", attribute));
   return v.normalized();
 }
 
@@ -159,7 +158,7 @@ std::optional<std::string> Element::text(const char* attribute) const {
   const auto found = model.classes.find(name);
   if (found == model.classes.end()) {
     if (name.empty()) return std::nullopt;
-    refuse(node, fmt::format("is of the class {}, which no <default> describes.", in_quotes(name)));
+    refuse(node, message("is of the class {}, which no <default> describes.", in_quotes(name)));
   }
   const auto of_tag = found->second.find(std::string(node.tag()));
   if (of_tag == found->second.end()) return std::nullopt;
@@ -172,10 +171,10 @@ std::optional<std::vector<double>> Element::numbers(const char* attribute, std::
   if (!told) return std::nullopt;
   auto all = parse_numbers(*told);
   if (!all || all->size() > count || all->size() < (least ? least : count))
-    refuse(node, fmt::format("has {}={}, expected {} finite numbers.", attribute, in_quotes(*told), count));
+    refuse(node, message("has {}={}, expected {} finite numbers.", attribute, in_quotes(*told), count));
   for (const double number : *all)
     if (!bounds::length.hold(number) && !bounds::joint.hold(number))
-      refuse(node, fmt::format("has {:g} in {}, far outside of any robot.", number, attribute));
+      refuse(node, message("has {:g} in {}, far outside of any robot.", number, attribute));
   return all;
 }
 

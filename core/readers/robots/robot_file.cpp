@@ -28,9 +28,9 @@ std::optional<std::string> expanded(const fs::path& path, const std::string& fil
   if (!output) return std::nullopt;
   if (output->status != 0 || !is_robot_text(output->out))
     throw InputError(
-        fmt::format("{}: xacro cannot expand it ({}); expand it with the arguments that the robot's launch file gives, "
-                    "`xacro {} NAME:=VALUE > robot.urdf`, and name robot.urdf.",
-                    file, shortened(last_line(output->err), 200), file));
+        message("{}: xacro cannot expand it ({}); expand it with the arguments that the robot's launch file gives, "
+                "`xacro {} NAME:=VALUE > robot.urdf`, and name robot.urdf.",
+                file, shortened(last_line(output->err), 200), file));
   return output->out;
 }
 

@@ -85,8 +85,7 @@ const ImageCodec& image_codec() {
     void* const module = dlopen("libhandsight_image_codec.so", RTLD_NOW | RTLD_LOCAL);
     void* const entry = module ? dlsym(module, "handsight_image_codec") : nullptr;
     if (!entry)
-      throw InputError(
-          fmt::format("The reader of image files cannot be loaded: {}; build Handsight again.", dlerror()));
+      throw InputError(message("The reader of image files cannot be loaded: {}; build Handsight again.", dlerror()));
     return reinterpret_cast<decltype(&handsight_image_codec)>(entry)();
   }();
   return *codec;
@@ -116,25 +115,25 @@ namespace {
 void require_size(const ImageSize& size, const Camera& camera, const std::string& name) {
   if (size.width == camera.width && size.height == camera.height) return;
   throw InputError(
-      fmt::format("{} is {} x {}, the camera says {} x {}; use the images that the camera was calibrated with.",
-                  shown_path(name), size.width, size.height, camera.width, camera.height));
+      message("{} is {} x {}, the camera says {} x {}; use the images that the camera was calibrated with.",
+              shown_path(name), size.width, size.height, camera.width, camera.height));
 }
 
 /// `camera`: the one that it must be of, or null.
 Image read(const std::filesystem::path& file, const Camera* camera, const std::string& name) {
   const std::string bytes = read_file(file);
   if (is_cut_off(bytes))
-    throw InputError(fmt::format("{}: the image is cut off after {} bytes; copy it again from where it came.",
-                                 shown_path(file), bytes.size()));
+    throw InputError(message("{}: the image is cut off after {} bytes; copy it again from where it came.",
+                             shown_path(file), bytes.size()));
   const std::optional<ImageSize> told = image_size(bytes);
   if (told && camera) require_size(*told, *camera, name);
   if (told && static_cast<double>(told->width) * static_cast<double>(told->height) > bounds::most_pixels)
-    throw InputError(fmt::format("{}: the image says that it has {} x {} pixels; at most {:g} million are read.",
-                                 shown_path(file), told->width, told->height, 1e-6 * bounds::most_pixels));
+    throw InputError(message("{}: the image says that it has {} x {} pixels; at most {:g} million are read.",
+                             shown_path(file), told->width, told->height, 1e-6 * bounds::most_pixels));
   const cv::Mat decoded = told ? image_codec().decode(bytes) : cv::Mat();
   if (decoded.empty())
-    throw InputError(fmt::format("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.",
-                                 shown_path(file), bytes.size()));
+    throw InputError(message("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.",
+                             shown_path(file), bytes.size()));
   Image image = from_mat(to_grey(decoded));
   if (camera) check_image_size(image, *camera, name);
   return image;
@@ -156,7 +155,7 @@ std::string encoded_png(const Image& image) {
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
   const std::vector<std::uint8_t> bytes = image_codec().encode_png(grey);
   if (bytes.empty())
-    throw InputError(fmt::format("The image of {} x {} could not be encoded as PNG.", image.width, image.height));
+    throw InputError(message("The image of {} x {} could not be encoded as PNG.", image.width, image.height));
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
