@@ -9,6 +9,7 @@
 #include <random>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/finding.h"
 #include "effects/own_effect.h"
 #include "fixtures/touch_session.h"
 
@@ -155,10 +156,58 @@ std::optional<EffectTerm> hidden(const Session& like, const char* id, int touche
   return shown > 50 ? std::optional(term) : std::nullopt;
 }
 
+/// ln of the Bayes factor of an effect at a place, its noise known and nothing else beside it: Laplace's, with the
+/// priors that the diagnosis has.
+double oracle_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
+  FitOptions o;
+  o.estimated = {zero};
+  const Fit f = fit(s, o);
+  const double unit = reading * reading;
+  const Eigen::Index first = f.problem.effect_column(), count = f.problem.effect_count();
+  const Eigen::MatrixXd covariance = unit * unit_covariance(f.solution).block(first, first, count, count);
+  Eigen::VectorXd at(count), size(count);
+  Eigen::Index k = 0;
+  const EffectTerm& answer = f.effects.front().term;
+  const Effect& effect = effect_of(answer);
+  for (std::size_t p = 0; p < answer.values.size() && k < count; ++p) {
+    if (effect.parameters[p].is_choice) continue;
+    at[k] = answer.values[p];
+    size[k++] = effect.parameters[p].sigma;
+  }
+  if (k != count) return -1e9;
+  double sum = 0;
+  for (std::size_t i = 0; i < plausible_scales.size(); ++i) {
+    Eigen::MatrixXd spread = covariance;
+    spread.diagonal() += (plausible_scales[i] * size).cwiseAbs2();
+    const Eigen::LDLT<Eigen::MatrixXd> factor(spread);
+    const double ln_volume =
+        0.5 * (std::log(std::max(covariance.determinant(), 1e-300)) - factor.vectorD().array().log().sum());
+    sum += scale_shares[i] * std::exp(ln_volume - 0.5 * at.dot(factor.solve(at)) + 300);
+  }
+  const double gain = 0.5 * (cost_without - f.solution.normal.cost) / unit;
+  return gain + std::log(std::max(sum, 1e-300)) - 300;
+}
+
+/// The effect that a program would name that knows the noise and fits each effect at each place.
+std::string oracle_name(const Session& s) {
+  const double without = fit(s, {}).solution.normal.cost;
+  std::string name;
+  double best = 0;
+  for (const Effect& effect : catalogue())
+    for (const int place : effect_places(effect, chain_of(s))) {
+      try {
+        const double ln = oracle_ln_bayes_factor(s, without, term_of(effect, place));
+        if (ln > best) best = ln, name = effect.id;
+      } catch (const std::exception&) {
+      }
+    }
+  return name;
+}
+
 void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
   for (const char* id :
        {"joint_offset", "joint_scale", "link_geometry", "joint_elasticity", "encoder_eccentricity", "backlash"}) {
-    int shown = 0, first = 0, equal = 0, unseen = 0;
+    int shown = 0, first = 0, equal = 0, unseen = 0, by_oracle = 0;
     for (int i = 0; i < seeds; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
       const Session like = setting(kind);
@@ -172,24 +221,30 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
       blur_places(s, random);
       const Diagnosis d = diagnose(s);
       ++shown;
+      const std::string oracle = oracle_name(s);
+      by_oracle += oracle == id;
       if (d.candidates.empty()) {
         fmt::print("  {} seed {}: nothing is named\n", id, seed);
         continue;
       }
-      const DiagnosisCandidate& best = d.candidates.front();
+      const DiagnosisCandidate* const leading = finding_of(d);  // what every sentence names first
+      const DiagnosisCandidate& best = leading ? *leading : d.candidates.front();
       const bool is_it = best.id == id;
       const auto& twins = best.cannot_be_told_from;
       const bool is_twin = std::find(twins.begin(), twins.end(), id) != twins.end();
       first += is_it;
       equal += !is_it && is_twin;
       if (!is_it)
-        fmt::print("  {} at {} seed {}: {} is first{}\n", id,
+        fmt::print("  {} at {} seed {}: {} is first{}; all told: {}\n", id,
                    like.robot.joints[static_cast<std::size_t>(term->joint)].name, seed, best.id,
-                   is_twin ? ", said to be the same here" : "");
+                   is_twin ? ", said to be the same here" : "", oracle);
       std::fflush(stdout);
     }
-    fmt::print("{}, {} hidden: first {} of {}, and {} of them said to be the same as the first; {} cannot show\n", kind,
-               id, first, shown, equal, unseen);
+    fmt::print(
+        "{}, {} hidden: first {} of {}, and {} of them said to be the same as the first; by the evidence of each "
+        "alone, "
+        "the noise known: {}; {} cannot show\n",
+        kind, id, first, shown, equal, by_oracle, unseen);
     std::fflush(stdout);
   }
 }

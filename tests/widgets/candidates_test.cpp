@@ -28,6 +28,23 @@ void leave(QWidget& widget) {
   QApplication::sendEvent(&widget, &event);
 }
 
+TEST(CandidateCard, APointerThatRestsPointsAtNothingThatComesBelowIt) {
+  CandidateList list;
+  list.set_cards({test::elasticity_card(), test::predicted_card()}, CardOrder::fresh);
+  test::show(list, {464, 600});
+  CandidateCard* const card = list.card(0);
+  const QPointF rests = card->mapFromGlobal(QPointF(QCursor::pos()));
+  QSignalSpy preview(&list, &CandidateList::preview), ended(&list, &CandidateList::preview_ended);
+  QEnterEvent below(rests, rests, QCursor::pos());
+  QApplication::sendEvent(card, &below);
+  test::hover(card, rests);
+  EXPECT_EQ(preview.size(), 0) << "nobody has moved the pointer";
+  test::hover(card, rests + QPointF(3, 0));
+  EXPECT_EQ(preview.size(), 1);
+  card->move(card->pos() + QPoint(2000, 0));
+  EXPECT_EQ(ended.size(), 1) << "it has been moved away";
+}
+
 TEST(CandidateCard, HoverTriesAndEnterAdds) {
   CandidateList list;
   list.set_cards({test::elasticity_card(), test::predicted_card()}, CardOrder::fresh);

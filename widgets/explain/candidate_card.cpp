@@ -2,6 +2,7 @@
 #include "widgets/explain/candidate_card.h"
 
 #include <QApplication>
+#include <QCursor>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -24,6 +25,7 @@ CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setMinimumWidth(320);
+  setMouseTracking(true);  // see resting_pointer_
   const auto button = [this](const QString& name, auto&& signal) {
     auto* made = new FilledButton(this);
     made->setObjectName(name);
@@ -171,9 +173,30 @@ void CandidateCard::look_at_attention() {
 }
 
 void CandidateCard::enterEvent(QEnterEvent* event) {
-  is_hovered_ = true;
+  if (event->globalPosition().toPoint() != resting_pointer_) is_hovered_ = true;
   look_at_attention();
   QFrame::enterEvent(event);
+}
+
+void CandidateCard::mouseMoveEvent(QMouseEvent* event) {
+  if (event->globalPosition().toPoint() != resting_pointer_) is_hovered_ = true;
+  look_at_attention();
+  QFrame::mouseMoveEvent(event);
+}
+
+// A pointer that rests while cards come, go and change their places points at none of them.
+void CandidateCard::showEvent(QShowEvent* event) {
+  resting_pointer_ = QCursor::pos();
+  QFrame::showEvent(event);
+}
+
+void CandidateCard::moveEvent(QMoveEvent* event) {
+  resting_pointer_ = QCursor::pos();
+  if (is_hovered_ && !rect().contains(mapFromGlobal(*resting_pointer_))) {
+    is_hovered_ = false;
+    look_at_attention();
+  }
+  QFrame::moveEvent(event);
 }
 
 void CandidateCard::leaveEvent(QEvent* event) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QPoint>
 #include <optional>
 
 #include "widgets/explain/card_state.h"
@@ -46,6 +47,9 @@ class CandidateCard : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
   void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void moveEvent(QMoveEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
@@ -60,6 +64,8 @@ class CandidateCard : public QFrame {
   void look_at_attention();  // hover or focus came or went
 
   CardState state_;
+  /// Where the pointer lay while the card came to lie below it: until it moves, nobody points at the card.
+  std::optional<QPoint> resting_pointer_;
   bool is_main_ = false, is_previewed_ = false, is_hovered_ = false, is_attended_ = false;
   QPushButton *add_ = nullptr, *what_if_ = nullptr, *poses_ = nullptr, *action_ = nullptr;
   QLineEdit* measured_ = nullptr;
