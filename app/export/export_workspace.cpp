@@ -47,12 +47,12 @@ std::shared_ptr<const Session> session_of_hand(const Document& document, const M
 using widgets::colors;
 using widgets::TextRole;
 
-/// "hit: 4.1 of 12"
+/// "hit: 4.1, limit 12"
 QString fresh_text(const FreshPose& pose) {
   if (pose.is_known_bad && !pose.is_hit)
-    return QObject::tr("known to be wrong: %1 of %2")
+    return QObject::tr("known to be wrong: %1, limit %2")
         .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
-  return (pose.is_hit ? QObject::tr("hit: %1 of %2") : QObject::tr("miss: %1 of %2"))
+  return (pose.is_hit ? QObject::tr("hit: %1, limit %2") : QObject::tr("miss: %1, limit %2"))
       .arg(widgets::short_text(1e3 * pose.distance), widgets::short_text(1e3 * pose.allowed));
 }
 
@@ -238,12 +238,12 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
   const auto bad = count([](const FreshPose& p) { return p.is_known_bad; });
   const auto tests = static_cast<qint64>(fresh.size()) - bad;
   QString sentence = tests == 0
-                         ? tr("Fresh poses: none that the fit has not seen can test it.")
+                         ? tr("No fresh pose can test it: the fit has seen all that can be used.")
                          : tr("Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those "
                               "it has.")
                                .arg(tests)
                                .arg(hits == 1 ? tr("1 lies") : tr("%1 lie").arg(hits));
-  if (bad > 0) sentence += ' ' + tr("%1 known to be wrong count neither way.").arg(bad);
+  if (bad > 0) sentence += ' ' + tr("Known to be wrong and not counted: %1.").arg(bad);
   fresh_->setVisible(!fresh.empty());
   fresh_->setText(sentence);
   excluded_->setRowCount(static_cast<int>(unused.size()));

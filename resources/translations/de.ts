@@ -5,6 +5,10 @@
 <context>
     <name>handsight</name>
     <message>
+        <source>noise %1</source>
+        <translation>Rauschen %1</translation>
+    </message>
+    <message>
         <source>noise, %1</source>
         <translation>Rauschen, %1</translation>
     </message>
@@ -417,8 +421,8 @@
         <translation>%1 ist nicht da. Lege es zurück oder lass die Beobachtung weg.</translation>
     </message>
     <message>
-        <source>%1 known to be wrong count neither way.</source>
-        <translation>%1 bekannt falsche zählen nicht.</translation>
+        <source>Known to be wrong and not counted: %1.</source>
+        <translation>Bekannt falsch und nicht gezählt: %1.</translation>
     </message>
     <message>
         <source>%1 left out of the fit: %2.</source>
@@ -1595,8 +1599,8 @@
         <translation>Gefunden</translation>
     </message>
     <message>
-        <source>Fresh poses: none that the fit has not seen can test it.</source>
-        <translation>Frische Stellungen: keine ungesehene kann es prüfen.</translation>
+        <source>No fresh pose can test it: the fit has seen all that can be used.</source>
+        <translation>Keine frische Stellung kann es prüfen: die Schätzung hat alle brauchbaren gesehen.</translation>
     </message>
     <message>
         <source>Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those it has.</source>
@@ -2744,7 +2748,7 @@
     </message>
     <message>
         <source>That is no number. Write it like 1.3 or 1.3 ± 0.1.</source>
-        <translation>Das ist keine Zahl. Schreibe sie wie 1.3 oder 1.3 ± 0.1.</translation>
+        <translation>Das ist keine Zahl. Schreibe sie wie 1,3 oder 1,3 ± 0,1.</translation>
     </message>
     <message>
         <source>The 3D view needs OpenGL 3.2, which this display does not offer.</source>
@@ -3064,7 +3068,7 @@
     </message>
     <message>
         <source>Use it</source>
-        <translation>Nehmen</translation>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3168,7 +3172,7 @@
     </message>
     <message>
         <source>What the real robot shows, with what it may be off by: 1.3 ± 0.1</source>
-        <translation>Was der wirkliche Roboter zeigt, und wie weit es daneben sein kann: 1.3 ± 0.1</translation>
+        <translation>Was der wirkliche Roboter zeigt, und wie weit es daneben sein kann: 1,3 ± 0,1</translation>
     </message>
     <message>
         <source>What was done</source>
@@ -3352,7 +3356,7 @@
     </message>
     <message>
         <source>arrows 0.1 px, Shift 1, Alt free</source>
-        <translation>Pfeile 0.1 px, Umschalt 1, Alt frei</translation>
+        <translation>Pfeile 0,1 px, Umschalt 1, Alt frei</translation>
     </message>
     <message>
         <source>arrows × %1</source>
@@ -3551,8 +3555,8 @@
         <translation>Form des Körpers gehalten</translation>
     </message>
     <message>
-        <source>hit: %1 of %2</source>
-        <translation>Treffer: %1 von %2</translation>
+        <source>hit: %1, limit %2</source>
+        <translation>Treffer: %1, Grenze %2</translation>
     </message>
     <message>
         <source>in the model as a curve without a name</source>
@@ -3583,8 +3587,8 @@
         <translation>Taste</translation>
     </message>
     <message>
-        <source>known to be wrong: %1 of %2</source>
-        <translation>bekannt falsch: %1 von %2</translation>
+        <source>known to be wrong: %1, limit %2</source>
+        <translation>bekannt falsch: %1, Grenze %2</translation>
     </message>
     <message>
         <source>labelled observation %1</source>
@@ -3659,8 +3663,8 @@
         <translation>gemessen für %1</translation>
     </message>
     <message>
-        <source>miss: %1 of %2</source>
-        <translation>daneben: %1 von %2</translation>
+        <source>miss: %1, limit %2</source>
+        <translation>daneben: %1, Grenze %2</translation>
     </message>
     <message>
         <source>missed</source>
@@ -3728,7 +3732,7 @@
     </message>
     <message>
         <source>nudge the chosen marker by 0.1 px, 1 px</source>
-        <translation>gewählten Marker um 0.1 px, 1 px rücken</translation>
+        <translation>gewählten Marker um 0,1 px, 1 px rücken</translation>
     </message>
     <message>
         <source>nudged marker %1 of observation %2</source>
@@ -4072,7 +4076,7 @@
     </message>
     <message>
         <source>use the labels</source>
-        <translation>die Marken nehmen</translation>
+        <translation>die Marken übernehmen</translation>
     </message>
     <message>
         <source>used</source>
@@ -5278,7 +5282,7 @@
     </message>
     <message>
         <source>Tour: the hand that hangs (Hidden 3)</source>
-        <translation>Rundgang: die hängende Hand (Hidden 3)</translation>
+        <translation>Rundgang: die hängende Hand (Versteckt 3)</translation>
     </message>
     <message>
         <source>Justin's hand is three pixels from where it should be: what is missing? Step by step.</source>
@@ -6518,7 +6522,7 @@
     </message>
     <message>
         <source>The whole hand, %1 mm and %2 deg from where the robot says.</source>
-        <translation>Die ganze Hand, %1 mm und %2 Grad neben der Stelle, die der Roboter sagt.</translation>
+        <translation>die ganze Hand, %1 mm und %2 Grad neben der Stelle, die der Roboter sagt.</translation>
     </message>
     <message>
         <source>Where marker %1 is in observation %2, matched points lie</source>

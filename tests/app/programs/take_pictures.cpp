@@ -108,14 +108,15 @@ TEST(Pictures, OfEveryWorkspace) {
 /// Of the sample sessions without images, for the start page (resources/pictures).
 TEST(Thumbnails, OfTheRobots) {
   for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
-                           "hidden_7", "hidden_8"}) {
+                           "hidden_7", "hidden_8", "probe_and_plate"}) {
     const Session s =
         read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name / "session.xml");
     widgets::RobotView view;
     view.resize(330, 260);
     view.show();
     view.set_robot(s.robot, folder(s));
-    view.set_posture(app::link_motions(s, s.observations[s.observations.size() / 2].position));
+    const std::size_t shown = s.observations.size() / (s.fixtures.empty() ? 2 : 3);  // where the whole arm is in view
+    view.set_posture(app::link_motions(s, s.observations[shown].position));
     view.look(widgets::StandardView::all);
     view.picture(1);
     const QImage picture = view.picture(1).copy(55, 15, 270, 180);
