@@ -134,7 +134,16 @@ double noncentrality(const Session& like, int touches, std::uint64_t seed, const
   return fit(s, {}).solution.normal.data_cost() / (reading * reading);
 }
 
-/// A cause of that kind at a random joint, as large as makes its noncentrality 50 to 100; nothing where it cannot show.
+/// Within three of its prior sigmas each: what the diagnosis calls plausible.
+bool is_plausible(const EffectTerm& term) {
+  const Effect& effect = effect_of(term);
+  for (std::size_t p = 0; p < term.values.size(); ++p)
+    if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * effect.parameters[p].sigma) return false;
+  return true;
+}
+
+/// A cause of that kind at a random joint, as large as makes its noncentrality 50 to 100; nothing where it would have
+/// to be larger than is plausible.
 std::optional<EffectTerm> hidden(const Session& like, const char* id, int touches, std::uint64_t seed) {
   std::mt19937_64 random(seed * 31 + 7);
   std::normal_distribution<double> normal;
@@ -149,11 +158,10 @@ std::optional<EffectTerm> hidden(const Session& like, const char* id, int touche
   double shown = noncentrality(like, touches, seed, term);
   for (int round = 0; round < 3 && !(shown > 50 && shown < 100); ++round) {
     const double times = std::sqrt(70 / std::max(shown, 1e-9));
-    if (times > 5) return std::nullopt;  // far beyond what is plausible
     for (double& v : term.values) v *= times;
     shown = noncentrality(like, touches, seed, term);
   }
-  return shown > 50 ? std::optional(term) : std::nullopt;
+  return shown > 50 && is_plausible(term) ? std::optional(term) : std::nullopt;
 }
 
 /// ln of the Bayes factor of an effect at a place, its noise known and nothing else beside it: Laplace's, with the
