@@ -34,7 +34,7 @@ struct Player::Run {
 namespace {
 
 /// The images of an observation; the sentence where one cannot be read.
-std::optional<ImagePair> read_pair(const Session& session, const Observation& o, std::string& refusal) {
+std::optional<ImagePair> read_pair(const Session& session, const Observation& o, QString& refusal) {
   if (o.images[0].empty() || o.images[1].empty() || !session.rig || !is_pair(*session.rig) ||
       o.decision == Decision::excluded)
     return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<ImagePair> read_pair(const Session& session, const Observation& o,
   const ShownImage right = read_shown_image(folder(session) / o.images[1], o.images[1], session.rig->at(1).camera);
   for (const ShownImage* shown : {&left, &right})
     if (shown->image.isNull()) {
-      refusal = shown->refusal.toStdString();
+      refusal = shown->refusal;
       return std::nullopt;
     }
   return ImagePair{grey_image(left.image), grey_image(right.image)};
@@ -83,12 +83,12 @@ OnlineStep decided(Player::Run& run, const Observation& o) {
     seen.sightings = std::move(found.sightings);
     return run.online.add(seen, nullptr, found.reason);
   }
-  std::string refusal;
+  QString refusal;
   const auto images = read_pair(run.session, o, refusal);
-  if (refusal.empty()) return run.online.add(o, images ? &*images : nullptr);
+  if (refusal.isEmpty()) return run.online.add(o, images ? &*images : nullptr);
   OnlineStep step;
   step.id = o.id;
-  step.reason = refusal;
+  step.reason = verbatim(refusal.toStdString());
   return step;
 }
 

@@ -92,7 +92,7 @@ namespace {
 Session open_one(const std::string& path) {
   Session session = read_session(path);
   note_inputs(session);
-  for (const std::string& note : session.notes) Output::note(note);
+  for (const Message& note : session.notes) Output::note(note);
   return session;
 }
 
@@ -112,7 +112,7 @@ std::string numbering(const Session& joined) {
 }
 
 Session opened(const Collection& collection, const OpenOne& open) {
-  for (const std::string& note : collection.notes) Output::note(note);
+  for (const Message& note : collection.notes) Output::note(note);
   Session session = joined_of(collection, open);
   if (!session.parts.empty()) Output::note(fmt::format("Observations are numbered through: {}.", numbering(session)));
   return session;
@@ -142,7 +142,7 @@ Session searched(const std::string& path, TargetSearch& search) {
     progress->at(done);
   });
   progress.reset();
-  for (const std::string& note : search.notes) Output::note(note);
+  for (const Message& note : search.notes) Output::note(note);
   if (search.looked_at > 0 && search.found == 0)
     for (const Blunder& b : blunders_in_files(session)) Output::note(b.text + " " + b.fix);
   if (const int turned = undo_half_turns(session); turned > 0)

@@ -239,9 +239,9 @@ void ShareDialog::add() {
     } else {
       std::error_code error;
       if (fs::exists(c.file, error))
-        throw InputError(tr("%1 is there already and is not written over; name another file.")
-                             .arg(QString::fromStdString(c.file.string()))
-                             .toStdString());
+        throw InputError(verbatim(tr("%1 is there already and is not written over; name another file.")
+                                      .arg(QString::fromStdString(c.file.string()))
+                                      .toStdString()));
       bench_.document.save();
       replace_file(c.file, collection_text(c));
       emit written(QString::fromStdString(c.file.string()));

@@ -181,7 +181,7 @@ void ComparePage::show_pair(std::shared_ptr<const ComparedPair> pair) {
   said_->setText((is_same ? QString::fromUtf8("✓  ") : QString::fromUtf8("▲  ")) + comparison_sentence(c));
   QStringList more;
   if (!is_same) more << hand_sentence(c);
-  for (const std::string& note : c.notes) more << translated(note);
+  for (const Message& note : c.notes) more << translated(note);
   more << pair_->notes;
   more.removeAll(QString());
   more_->setText(more.join(' '));

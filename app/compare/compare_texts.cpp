@@ -42,14 +42,9 @@ QString number_name(const std::string& name) {
 }  // namespace
 
 QString comparison_sentence(const Comparison& c) {
-  const std::size_t cut = c.sentence.find("; ");
-  const auto plain = [](QString text) { return text.replace("+-", QString(QChar(0x00B1))); };
-  if (cut == std::string::npos) return plain(translated(c.sentence));
-  std::string rest = c.sentence.substr(cut + 2);
-  if (rest.ends_with('.')) rest.pop_back();
-  QString told = translated(rest);
+  QString told = translated(c.sentence);
   for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), change_heading(change.id, {}));
-  return plain(translated(c.sentence.substr(0, cut)) + "; " + told + ".");
+  return told;
 }
 
 QString hand_sentence(const Comparison& c) {

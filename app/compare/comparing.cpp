@@ -102,9 +102,9 @@ ComparedPair with_session(const ComparisonTask& task, JobControl& control) {
   Session other = read_session(task.other);
   std::error_code error;
   if (std::filesystem::equivalent(other.file, task.session->file, error))
-    throw InputError(
+    throw InputError(verbatim(
         QObject::tr("This is the session that is open; choose another one of the same robot, or a calibration.")
-            .toStdString());
+            .toStdString()));
   ComparedSide opened = side_of(std::make_shared<Session>(searched(*task.session)));
   ComparedSide chosen = side_of(std::make_shared<Session>(searched(std::move(other))));
   if (opened.name == chosen.name)  // weeks apart, under one title

@@ -44,10 +44,11 @@ void Document::apply_collection(const Edit& edit, bool forward) {
 
 void Document::save_collection() {
   if (what_another_wrote())
-    throw InputError(tr("The collection or one of its sessions was changed by another program since it was opened; "
-                        "close it and open "
-                        "it again: what was done here is put on top of it.")
-                         .toStdString());
+    throw InputError(
+        verbatim(tr("The collection or one of its sessions was changed by another program since it was opened; "
+                    "close it and open "
+                    "it again: what was done here is put on top of it.")
+                     .toStdString()));
   SavedFiles saved = saved_files(files_, *session_, shared_text(files_) != collection_on_disk_);
   const std::string digest = digest_of(saved.content);
   const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});

@@ -177,14 +177,30 @@ ModelSettings parse_settings(const Json& json, const Session* session) {
   return s;
 }
 
+/// With its parts, so that it is said in the language of who reads it; its form alone where it has no arguments.
+Json message_json(const Message& message) {
+  if (message.kind() == Message::Kind::form && message.arguments().empty()) return message.form();
+  Json arguments = Json::array();
+  for (const Message& argument : message.arguments()) arguments.push_back(message_json(argument));
+  return {{"kind", static_cast<int>(message.kind())}, {"text", message.form()}, {"arguments", arguments}};
+}
+
+Message parse_message_json(const Json& json) {
+  if (json.is_string()) return looked_up(json.get<std::string>());
+  std::vector<Message> arguments;
+  for (const Json& argument : json.at("arguments")) arguments.push_back(parse_message_json(argument));
+  const int kind = std::clamp(json.at("kind").get<int>(), 0, static_cast<int>(Message::Kind::sequence));
+  return {static_cast<Message::Kind>(kind), json.at("text").get<std::string>(), std::move(arguments)};
+}
+
 Json reading_json(const std::optional<RobotReading>& reading) {
   if (!reading) return nullptr;
   const CheckPrediction& p = reading->predicted;
   return {{"value", reading->value},
           {"sigma", reading->sigma},
           {"predicted",
-           {{"before", p.before},
-            {"after", p.after},
+           {{"before", message_json(p.before)},
+            {"after", message_json(p.after)},
             {"value", p.value},
             {"sigma", p.sigma},
             {"unit", p.unit},
@@ -195,8 +211,9 @@ std::optional<RobotReading> parse_reading_json(const std::string& effect, const 
   if (json.is_null()) return std::nullopt;
   RobotReading reading{effect, json.at("value").get<double>(), json.at("sigma").get<double>(), {}};
   const Json& p = json.at("predicted");
-  reading.predicted = {p.at("before").get<std::string>(), p.at("after").get<std::string>(), p.at("value").get<double>(),
-                       p.at("sigma").get<double>(),       p.at("unit").get<std::string>(),  std::nullopt};
+  reading.predicted = {parse_message_json(p.at("before")), parse_message_json(p.at("after")),
+                       p.at("value").get<double>(),        p.at("sigma").get<double>(),
+                       p.at("unit").get<std::string>(),    std::nullopt};
   if (!p.at("observation").is_null()) reading.predicted.observation = p.at("observation").get<std::int64_t>();
   return reading;
 }

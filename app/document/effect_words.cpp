@@ -41,8 +41,14 @@ QString effect_title(const std::string& id) {
 
 QString place_text(const std::string& place) {
   // A joint's name is what the robot's file calls it, even where a text of the core is called the same.
-  return place.starts_with("marker ") || place.starts_with("from observation ") ? translated(place)
-                                                                                : QString::fromStdString(place);
+  const QString name = QString::fromStdString(place);
+  const QStringList words = name.split(' ');
+  bool is_number = false;
+  if (words.size() == 2 && words[0] == "marker" && (words[1].toInt(&is_number), is_number))
+    return QObject::tr("marker %1").arg(words[1]);
+  if (words.size() == 4 && words[0] == "from" && words[1] == "observation" && words[3] == "on")
+    return QObject::tr("from observation %1 on").arg(words[2]);
+  return name;
 }
 
 QString places_text(const std::vector<std::string>& where) {

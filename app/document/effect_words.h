@@ -8,6 +8,7 @@
 
 #include "effects/effect.h"
 #include "session/session.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 
@@ -20,6 +21,9 @@ ShownUnit shown_unit(const std::string& unit);
 
 /// What a number is called: its name, abbreviations in words ("tu": "shift across, u").
 QString number_title(const std::string& name);
+inline QString number_title(const Message& quantity) {
+  return quantity.arguments().empty() ? number_title(quantity.form()) : translated(quantity);
+}
 
 /// "Joint elasticity"; the id itself where the catalogue does not know it.
 QString effect_title(const std::string& id);

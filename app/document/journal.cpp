@@ -119,7 +119,7 @@ Journal::Journal(const fs::path& session_file, const std::string& digest, const 
     throw InputError(
         message("{}: the journal of this session cannot be written ({}); make its folder writable or "
                 "set XDG_STATE_HOME to another.",
-                shown_path(file_), std::strerror(errno)));
+                shown_path(file_), system_text(errno)));
   if (::flock(open_.descriptor, LOCK_EX | LOCK_NB) != 0)
     throw InputError(message("{}: the session is open in another window of Handsight; work there or close it.",
                              shown_path(session_file_)));
@@ -180,7 +180,7 @@ void Journal::recover(const std::string& digest, const Session* session) {
         read.entries.size() + 2, read.entries.size(), read.not_understood, shown_path(aside));
   }
   if (::ftruncate(open_.descriptor, static_cast<off_t>(read.good_bytes)) != 0)
-    throw InputError(message("{}: the journal cannot be repaired: {}.", shown_path(file_), std::strerror(errno)));
+    throw InputError(message("{}: the journal cannot be repaired: {}.", shown_path(file_), system_text(errno)));
   contents_.entries = std::move(read.entries);
 }
 
@@ -198,7 +198,7 @@ fs::path Journal::clear_and_keep(const std::string& digest) {
 
 void Journal::start(const std::string& digest) {
   if (::ftruncate(open_.descriptor, 0) != 0)
-    throw InputError(message("{}: the journal cannot be written: {}.", shown_path(file_), std::strerror(errno)));
+    throw InputError(message("{}: the journal cannot be written: {}.", shown_path(file_), system_text(errno)));
   write_line("handsight journal 1 " + digest + " " + session_file_.string());
 }
 
@@ -214,9 +214,9 @@ void Journal::write_line(const std::string& line) {
     throw InputError(
         message("{}: the last action could not be written down ({}), and half of it stands there; save "
                 "the session and open it again.",
-                shown_path(file_), std::strerror(error)));
+                shown_path(file_), system_text(error)));
   throw InputError(message("{}: the last action could not be written down ({}); make room and save the session.",
-                           shown_path(file_), std::strerror(error)));
+                           shown_path(file_), system_text(error)));
 }
 
 }  // namespace handsight::app

@@ -65,7 +65,7 @@ OpenedSession open_files(const fs::path& path) {
   opened.files.members =
       members_of(*opened.files.collection, [](const std::string& folder) { return read_session(folder); });
   opened.session = joined_session(opened.files);
-  const std::vector<std::string>& notes = opened.files.collection->notes;
+  const std::vector<Message>& notes = opened.files.collection->notes;
   opened.session.notes.insert(opened.session.notes.begin(), notes.begin(), notes.end());
   return opened;
 }

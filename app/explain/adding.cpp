@@ -73,7 +73,7 @@ std::shared_ptr<ModelVersion> version_of_all(const Session& session, const Model
                                              std::int64_t revision, const QString& cause, const SecondLooks& looks,
                                              const std::function<bool()>& goes_on) {
   const ModelVersionPointer made = make_version(session, settings, revision, cause, looks, goes_on);
-  if (!made->fit && goes_on()) throw InputError(made->refusal.toStdString());
+  if (!made->fit && goes_on()) throw InputError(verbatim(made->refusal.toStdString()));
   return std::make_shared<ModelVersion>(*made);
 }
 

@@ -362,10 +362,10 @@ void FailingPane::show_variable(const std::string& variable) {
     choose_plot(place);
   };
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (places_[i].variable == variable) return choose(static_cast<int>(i));
+    if (places_[i].variable.english() == variable) return choose(static_cast<int>(i));
   // A variable that has no place yet takes the last one.
   for (const Pattern& p : residuals_->patterns) {
-    if (residuals_->views.variables[p.variable].name != variable) continue;
+    if (residuals_->views.variables[p.variable].name.english() != variable) continue;
     places_.back() = {residuals_->views.series[p.series].name, variable};
     page_->update_plots(all_plots(*residuals_, nullptr));
     return choose(static_cast<int>(places_.size()) - 1);
@@ -400,7 +400,7 @@ void FailingPane::look_for_common() {
     std::erase_if(list, [&](const Common& c) { return translated(v.variables[c.variable].name) == plot->against; });
   if (list.empty()) return;
   const Variable& variable = v.variables[list.front().variable];
-  common_variable_ = variable.name;
+  common_variable_ = variable.name.english();
   common_->setText(translated(common_text(list.front(), variable)));
   common_->setToolTip(tr("Shows the plot against it"));
   common_->show();

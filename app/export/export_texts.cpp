@@ -183,7 +183,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
                        false});
   if (!model.wrong_points.empty()) remarks.push_back({wrong_points_text(model, 3), false});
   if (document.session().mount.estimate) remarks.push_back({mount_text(document.session(), *model.fit), false});
-  for (const std::string& note : model.fit->notes) remarks.push_back({translated(note), true});
+  for (const Message& note : model.fit->notes) remarks.push_back({translated(note), true});
   return remarks;
 }
 

@@ -371,7 +371,7 @@ void ExportWorkspace::save_for_others(const std::string& kind) {
     const ExportedFile made = exported_file(robot, kind, {std::filesystem::absolute(file), ""});
     replace_file(file, made.text);
     QStringList lines{tr("Written: %1").arg(QString::fromStdString(file.string()))};
-    for (const std::string& note : made.notes) lines << translated(note);
+    for (const Message& note : made.notes) lines << translated(note);
     say(lines.join('\n'), false);
   } catch (const std::exception& error) {
     say(translated_error(error), true);

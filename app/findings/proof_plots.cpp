@@ -44,7 +44,7 @@ bool is_spring(const ProofPlot& plot) {
 
 /// One number that grows with time: no curve without a name, which has more.
 bool is_drift(const ProofPlot& plot) {
-  return plot.numbers.size() == 1 && plot.against == "time" && plot.quantity.ends_with(" of the mount");
+  return plot.numbers.size() == 1 && plot.against == "time" && plot.quantity.english().ends_with(" of the mount");
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ bool is_drift(const ProofPlot& plot) {
 widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, double added) {
   const ShownUnit unit = shown_unit(proof.unit);
   widgets::PatternPlot plot;
-  plot.id = QString::fromStdString("proof " + proof.of + " " + proof.quantity);
+  plot.id = QString::fromStdString("proof " + proof.of + " " + proof.quantity.english());
   plot.what = number_title(proof.quantity);
   plot.against = translated(proof.against);
   plot.x_unit = translated(proof.against_unit);
@@ -88,7 +88,7 @@ QString proof_sentence(const ProofPlot& p) {
         widgets::with_sigma_text(unit.scale * p.numbers.front().value, unit.scale * p.numbers.front().sigma);
     const QString per = unit.unit.section('/', 0, 0);
     const QString load = widgets::with_unit_text(p.largest_x, against);
-    return p.quantity.starts_with("bend")
+    return p.quantity.english().starts_with("bend")
                ? QObject::tr("%1 bends across its axis by %2 %3 for each %4: %5 at most here, so %6.")
                      .arg(of, slope, per, against, load, at_most(p))
                : QObject::tr("%1 gives way by %2 %3 for each %4: %5 at most here, so %6.")

@@ -6,6 +6,7 @@
 
 #include "estimation/problem/running_shape.h"
 #include "vision/markers/marker_numbering.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -236,7 +237,7 @@ void Labeller::find_partners() {
   }
   // With the partners that are taken now, the same judgement as on the command line.
   if (static_cast<int>(markers_.size()) >= wanted())
-    refusal_ = QString::fromStdString(
+    refusal_ = translated(
         (together.markers.empty() && any_chosen ? label_first(*rig_, lefts, rights, pointed) : together).refusal);
 }
 

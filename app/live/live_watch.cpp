@@ -19,12 +19,6 @@ QString preference_of(const fs::path& session_file) {
   return "watch " + QString::fromStdString(fs::weakly_canonical(session_file).string());
 }
 
-/// "left" is translated, file names are not.
-QString translated_remark(const std::string& english) {
-  const QString whole = translated(english);
-  return whole == QString::fromStdString(english) ? translated_of_file(english) : whole;
-}
-
 /// A path as the user would name it: relative to the session where it is inside.
 QString short_path(const fs::path& path, const fs::path& session_folder) {
   const fs::path inside = path.lexically_relative(session_folder);
@@ -109,7 +103,7 @@ void LiveWatch::look() {
   if (std::exchange(is_session_changed_, false)) arrivals_->know(bench_.document.session());
   struct Found {
     std::vector<Observation> arrived;
-    std::vector<std::string> standing;
+    std::vector<Message> standing;
   };
   jobs_.start<std::shared_ptr<Found>>(
       "look", bench_.document.session().rig ? tr("Looking for new images") : tr("Looking for new measurements"),
@@ -120,7 +114,7 @@ void LiveWatch::look() {
         return found;
       },
       [this](const std::shared_ptr<Found>& found) { take(std::move(found->arrived), found->standing); },
-      [this](const QString& sentence) { take({}, {sentence.toStdString()}); });
+      [this](const QString& sentence) { take({}, {verbatim(sentence.toStdString())}); });
 }
 
 /// What was measured is not replaced by something invented: it is left out and named.
@@ -146,7 +140,7 @@ std::pair<std::int64_t, double> end_of(const Session& session) {
 
 }  // namespace
 
-void LiveWatch::take(std::vector<Observation> arrived, const std::vector<std::string>& remarks) {
+void LiveWatch::take(std::vector<Observation> arrived, const std::vector<Message>& remarks) {
   if (!is_watching_) return;
   std::vector<Observation> observations;
   auto [id, time] = end_of(bench_.document.session());
@@ -157,7 +151,7 @@ void LiveWatch::take(std::vector<Observation> arrived, const std::vector<std::st
     observations.push_back(std::move(o));
   }
   QStringList said = early_;
-  for (const std::string& remark : remarks) said << QString::fromStdString(remark);
+  for (const Message& remark : remarks) said << translated(remark);
   const bool has_news = !observations.empty() || said != remarks_;
   remarks_ = std::move(said);
   timer_.start(between_looks);
@@ -183,7 +177,7 @@ QString LiveWatch::state_text() const {
   const fs::path home = folder(bench_.document.session());
   QString text = bench_.document.session().rig ? images_text(home) : measured_text();
   constexpr qsizetype most = 2;
-  for (const QString& remark : remarks_.mid(0, most)) text += ' ' + translated_remark(remark.toStdString());
+  for (const QString& remark : remarks_.mid(0, most)) text += ' ' + remark;
   if (remarks_.size() > most) text += tr(" And %1 more.").arg(remarks_.size() - most);
   return text;
 }

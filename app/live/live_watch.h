@@ -40,7 +40,7 @@ class LiveWatch : public QObject {
   QString images_text(const std::filesystem::path& home) const;
   void watch_paths();
   void look();
-  void take(std::vector<Observation> arrived, const std::vector<std::string>& remarks);
+  void take(std::vector<Observation> arrived, const std::vector<Message>& remarks);
   void hand_over(const std::vector<Observation>& observations);
   bool is_early(const Observation& arrived, double last);
 

@@ -197,7 +197,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("joints", [](const Session& s) { return s.joints; })
       .def_property_readonly("title", [](const Session& s) { return s.title; })
       .def_property_readonly("marker_count", [](const Session& s) { return s.marker_count; })
-      .def_property_readonly("notes", [](const Session& s) { return s.notes; })
+      .def_property_readonly("notes", [](const Session& s) { return english(s.notes); })
       .def_property_readonly("cameras", &camera_names_of)
       .def_property_readonly("ids", &ids_of)
       .def_property_readonly("positions", &positions_of)

@@ -168,7 +168,7 @@ fs::path working_copy(const SampleSession& sample) {
     throw InputError(
         message("{}: the sample session could not be copied there ({}); make room or set "
                 "XDG_STATE_HOME to another folder.",
-                shown_path(copy), error.message()));
+                shown_path(copy), system_text(error)));
   return copy;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QLocale>
 #include <QMenu>
 
 #include "bench/preferences.h"
@@ -16,7 +17,15 @@ using widgets::MotionChoice;
 
 const QStringList theme_words = {"desktop", "light", "dark"};
 const QStringList motion_words = {"desktop", "full", "reduced"};
-const QStringList language_words = {"", "en", "de"};
+/// As the desktop has it, English, and what there is a translation into.
+QStringList language_words() { return QStringList{"", "en"} + languages(); }
+
+/// As its speakers call it: "Deutsch".
+QString name_of_language(const QString& language) {
+  QString name = QLocale(language).nativeLanguageName();
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
+  return name.isEmpty() ? language : '&' + name;
+}
 
 /// The place of a word in a list; the first where it is none of them.
 int place_of(const QStringList& words, const QString& word) {
@@ -72,8 +81,10 @@ void Appearance::add_to(QMenu& menu, QAction* before) {
   add(tr("&Motion"), {tr("As the &desktop"), tr("&Full"), tr("&Reduced: nothing moves on its way")},
       static_cast<int>(widgets::motion()), [this](int i) { choose(static_cast<MotionChoice>(i)); })
       ->setObjectName("menu_motion");
-  add(tr("&Language, from the next start on"), {tr("As the &desktop"), "&English", "&Deutsch"},
-      place_of(language_words, preference("language")), [this](int i) { choose_language(language_words[i]); })
+  QStringList names{tr("As the &desktop"), "&English"};
+  for (const QString& language : languages()) names << name_of_language(language);
+  add(tr("&Language, from the next start on"), names, place_of(language_words(), preference("language")),
+      [this](int i) { choose_language(language_words()[i]); })
       ->setObjectName("menu_language");
 }
 

@@ -75,7 +75,7 @@ void DoubtBar::look_through() {
   is_put_away_ = false;
   of_model_.clear();
   sentences_.clear();
-  for (const std::string& doubt : session_doubts(bench_.document.session())) sentences_ << translated(doubt);
+  for (const Message& doubt : session_doubts(bench_.document.session())) sentences_ << translated(doubt);
   sentences_ += size_doubts(bench_.document.session());
   refresh();
 }

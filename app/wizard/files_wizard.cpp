@@ -50,9 +50,9 @@ std::filesystem::path free_folder(const std::filesystem::path& first) {
   return folder;
 }
 
-QString lines_of(const std::vector<std::string>& texts, const QString& mark) {
+QString lines_of(const std::vector<Message>& texts, const QString& mark) {
   QStringList lines;
-  for (const std::string& text : texts) lines << mark + translated_of_file(text);
+  for (const Message& text : texts) lines << mark + translated(text);
   return lines.join('\n');
 }
 

@@ -18,8 +18,8 @@
 namespace handsight::app {
 namespace {
 
-QString with_notes(QString sentence, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) sentence += " " + translated_of_file(note);
+QString with_notes(QString sentence, const std::vector<Message>& notes) {
+  for (const Message& note : notes) sentence += " " + translated(note);
   return sentence;
 }
 
@@ -140,9 +140,9 @@ std::vector<Rigid> SessionWizard::poses_in(const Part& part, PosesOf of_what, st
   if (brought.samples)
     return of_what == PosesOf::flange ? brought.samples->base_from_effector : brought.samples->camera_from_target;
   if (brought.poses.empty())
-    throw InputError(tr("%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.")
-                         .arg(part.path->text())
-                         .toStdString());
+    throw InputError(verbatim(tr("%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.")
+                                  .arg(part.path->text())
+                                  .toStdString()));
   if (brought.poses.size() != 2) return settled_series(brought.poses.front()).poses;
   const auto [flange, target] = flange_and_target(brought.poses);
   return settled_series(of_what == PosesOf::flange ? flange : target).poses;

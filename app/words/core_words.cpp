@@ -4,30 +4,68 @@
 #include <QCoreApplication>
 #include <QObject>
 #include <cmath>
+#include <vector>
+
+#include "base/error.h"
 
 namespace handsight::app {
 namespace {
 
+/// The translation of "%1 has %2" and the like, with its places.
+QString looked_up(const std::string& form) { return QCoreApplication::translate("core", form.c_str()); }
+
 /// The core writes what every terminal has.
-QString said_in(const char* context, const std::string& english) {
-  if (english.empty()) return {};
-  return QCoreApplication::translate(context, english.c_str()).replace(" +- ", QString::fromUtf8(" ± "));
+QString with_signs(QString text) { return text.replace(" +- ", QString::fromUtf8(" ± ")); }
+
+QString with_mark(QString number) {
+  const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated
+  return mark.size() == 1 ? number.replace('.', mark) : number;
+}
+
+QString put_in(const QString& form, const std::vector<Message>& arguments) {
+  QString text;
+  for (qsizetype i = 0; i < form.size(); ++i) {
+    const qsizetype place = form[i] == '%' && i + 1 < form.size() ? form[i + 1].digitValue() : -1;
+    if (place < 1 || place > static_cast<qsizetype>(arguments.size())) {
+      text += form[i];
+      continue;
+    }
+    text += translated(arguments[static_cast<std::size_t>(place - 1)]);
+    ++i;
+  }
+  return text;
 }
 
 }  // namespace
 
-QString translated(const std::string& english) { return said_in("core", english); }
+QString translated(const Message& message) {
+  const QString text = QString::fromStdString(message.form());
+  switch (message.kind()) {
+    case Message::Kind::verbatim:
+      return text;
+    case Message::Kind::number:
+      return with_mark(text);
+    case Message::Kind::form:
+      return text.isEmpty() ? text : put_in(with_signs(looked_up(message.form())), message.arguments());
+    case Message::Kind::sequence:
+      break;
+  }
+  QString all;
+  for (const Message& part : message.arguments()) all += translated(part);
+  return all;
+}
 
-QString translated_of_file(const std::string& english) { return said_in("errors", english); }
+QString translated(const std::string& text) { return translated(handsight::looked_up(text)); }
 
-QString translated_error(const std::exception& error) { return translated_of_file(error.what()); }
+QString translated_error(const std::exception& error) {
+  const auto* const told = dynamic_cast<const InputError*>(&error);
+  return told ? translated(told->sentence()) : translated(std::string(error.what()));
+}
 
 QString short_number(double value, int digits) {
   int before = value != 0 ? static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1 : 1;
   if (std::round(std::abs(value) * std::pow(10, digits - before)) >= std::pow(10, digits)) ++before;  // 0.996 is 1.0
-  const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated
-  QString text = QString::number(value, 'f', std::max(digits - before, 0));
-  return mark.size() == 1 ? text.replace('.', mark) : text;
+  return with_mark(QString::number(value, 'f', std::max(digits - before, 0)));
 }
 
 QString within_sentence(QString title) {

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the core says in English, in the window's language.
+// What the core says, in the window's language.
 #pragma once
 
 #include <QString>
 #include <exception>
 #include <string>
 
+#include "base/message.h"
+
 namespace handsight::app {
 
-/// A text of the catalogue (a title, a cause, a number's name) or a sentence of the core, translated by the contexts
-/// "effects" and "core" of resources/translations; as it stands where these do not have it.
-QString translated(const std::string& english);
+/// A message of the core: its form is looked up (resources/translations), its arguments are translated in their turn,
+/// numbers get the decimal mark of the language, and what is verbatim stays. English where there is no translation.
+QString translated(const Message& message);
 
-/// What is said of a file, whichever it is: the same, by the context "errors" too.
-QString translated_of_file(const std::string& english);
+/// A text of the catalogue (a title, a cause, a number's name, a unit), looked up as it is.
+QString translated(const std::string& text);
+inline QString translated(const char* text) { return translated(Message(text)); }
+
+/// What went wrong, as the window says it.
 QString translated_error(const std::exception& error);
 
 /// So many digits of a number, with the decimal mark of the window's language: 9.1, 0.24, 1200.

@@ -26,8 +26,8 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr std::string_view unfinished = ".handsight-";
 
-[[noreturn]] void refuse_file(const fs::path& path, std::string_view what, int error) {
-  throw InputError(message("{}: the file {}: {}.", shown_path(path), what, std::strerror(error)));
+[[noreturn]] void refuse_file(const fs::path& path, const char* what, int error) {
+  throw InputError(message("{}: the file {}: {}.", shown_path(path), what, system_text(error)));
 }
 
 /// Closes the descriptor at the end of the scope.
@@ -228,7 +228,7 @@ fs::path make_temporary_folder(const fs::path& parent) {
   remove_leftovers(parent);
   fs::path folder = parent / unfinished_name(".part");
   fs::create_directory(folder, error);
-  if (error) throw InputError(message("{}: no folder can be made in it: {}.", shown_path(parent), error.message()));
+  if (error) throw InputError(message("{}: no folder can be made in it: {}.", shown_path(parent), system_text(error)));
   return folder;
 }
 

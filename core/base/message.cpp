@@ -91,6 +91,18 @@ Message& Message::operator+=(const Message& after) {
 
 std::ostream& operator<<(std::ostream& stream, const Message& message) { return stream << message.english(); }
 
+std::vector<Message> verbatim(const std::vector<std::string>& texts) {
+  std::vector<Message> messages;
+  for (const std::string& text : texts) messages.push_back(verbatim(text));
+  return messages;
+}
+
+std::vector<std::string> english(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(message.english());
+  return texts;
+}
+
 Message joined(const std::vector<Message>& messages, const Message& between, const Message& before_last) {
   Message all;
   for (std::size_t i = 0; i < messages.size(); ++i) {

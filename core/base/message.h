@@ -29,7 +29,7 @@ class Message {
   /// A form without places, or a word that is translated.
   Message(const char* form) : text_(form) {}  // NOLINT(google-explicit-constructor)
   /// What stays as it is in each language.
-  Message(std::string verbatim) : kind_(Kind::verbatim), text_(std::move(verbatim)) {}  // NOLINT
+  explicit Message(std::string verbatim) : kind_(Kind::verbatim), text_(std::move(verbatim)) {}
   Message(Kind kind, std::string text, std::vector<Message> arguments = {})
       : kind_(kind), text_(std::move(text)), arguments_(std::move(arguments)) {}
 
@@ -41,6 +41,8 @@ class Message {
   bool empty() const { return text_.empty() && arguments_.empty(); }
 
   std::string english() const;
+  /// Where a text stands in the English, as std::string has it.
+  std::size_t find(std::string_view text) const { return english().find(text); }
   operator std::string() const { return english(); }  // NOLINT(google-explicit-constructor)
 
   Message& operator+=(const Message& after);
@@ -60,6 +62,12 @@ inline Message verbatim(std::string text) { return {Message::Kind::verbatim, std
 
 /// A number that is written already: "0.53", "1200".
 inline Message number(std::string text) { return {Message::Kind::number, std::move(text)}; }
+
+/// A text of the catalogue or of another table, which is looked up as it is: a title, a cause, a unit.
+inline Message looked_up(std::string text) { return {Message::Kind::form, std::move(text)}; }
+
+std::vector<Message> verbatim(const std::vector<std::string>& texts);
+std::vector<std::string> english(const std::vector<Message>& messages);
 
 /// The messages one after another with `between` between them, and `before_last` before the last.
 Message joined(const std::vector<Message>& messages, const Message& between, const Message& before_last);

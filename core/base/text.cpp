@@ -101,6 +101,15 @@ std::string shown_path(const std::filesystem::path& path) {
   return "..." + shortened(end, most);
 }
 
+Message at_most(const Message& message, std::size_t most) {
+  const std::string english = message.english();
+  return english.size() <= most ? message : verbatim(shortened(english, most));
+}
+
+Message system_text(int error) { return {Message::Kind::form, std::generic_category().message(error)}; }
+
+Message system_text(const std::error_code& error) { return {Message::Kind::form, error.message()}; }
+
 void refuse(std::string_view file, int line, const Message& sentence) {
   const std::string name = shortened(file, 80), shown = shortened(sentence.english(), 480);
   const Message whole = line > 0 ? message("{}, line {}: {}", name, line, sentence) : message("{}: {}", name, sentence);

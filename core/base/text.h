@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "base/message.h"
 
@@ -28,6 +29,13 @@ std::string printable(std::string_view text);
 
 /// `shortened` in double quotes.
 std::string in_quotes(std::string_view text, std::size_t most = 60);
+
+/// The message itself where its English has at most so many bytes, else that, shortened.
+Message at_most(const Message& message, std::size_t most = 60);
+
+/// What the system says of an error (`errno`, or that of a library), to be translated: "No such file or directory".
+Message system_text(int error);
+Message system_text(const std::error_code& error);
 
 /// A path to show: whole where short, else its end.
 std::string shown_path(const std::filesystem::path& path);

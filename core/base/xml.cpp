@@ -12,7 +12,7 @@ namespace handsight {
 
 namespace {
 
-std::string_view xml_error(tinyxml2::XMLError error) {
+const char* xml_error(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
       return "an element is closed by another name or not at all";
@@ -37,12 +37,12 @@ int line_of_byte(std::string_view text, std::size_t position) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n'));
 }
 
-std::string with_attribute(const char* attribute, std::string_view value) {
-  return fmt::format("has {}={}", attribute, in_quotes(value, 80));
+Message with_attribute(const char* attribute, std::string_view value) {
+  return message("has {}={}", verbatim(attribute), in_quotes(value, 80));
 }
 
 /// A URDF that is still to be made from a xacro file is a common mistake.
-std::string_view xacro_hint(std::string_view value) {
+const char* xacro_hint(std::string_view value) {
   return value.find("${") == std::string_view::npos ? "" : " (is this a xacro file? Make a URDF of it first)";
 }
 
@@ -64,29 +64,29 @@ void refuse_outside(const tinyxml2::XMLDocument& document, std::string_view file
            "a closing tag too many stands after what begins here, expected well-formed XML.");
 }
 
-double as_number(const XmlNode& node, const char* attribute, std::string_view text, std::string_view expected) {
+double as_number(const XmlNode& node, const char* attribute, std::string_view text, const char* expected) {
   const std::optional<std::vector<double>> numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 1)
     refuse(node, message("{}, expected {}{}.", with_attribute(attribute, text), expected, xacro_hint(text)));
   return numbers->front();
 }
 
-void require_within(const XmlNode& node, const char* place, double number, const Bounds& within) {
+void require_within(const XmlNode& node, const Message& place, double number, const Bounds& within) {
   if (!within.hold(number))
     refuse(node, message("has the number {:g}{}, expected a number from {:g} to {:g}.", number, place, within.lowest,
                          within.highest));
 }
 
-std::string in_attribute(const char* attribute) { return fmt::format(" in {}", attribute); }
+Message in_attribute(const char* attribute) { return message(" in {}", verbatim(attribute)); }
 
 void require_length(const XmlNode& node, const char* attribute, const std::string& text, std::size_t most) {
   if (text.size() > most)
-    refuse(node, message("has {} bytes in {} ({}), expected at most {}.", text.size(), attribute,
+    refuse(node, message("has {} bytes in {} ({}), expected at most {}.", text.size(), verbatim(attribute),
                          handsight::in_quotes(text, 40), most));
 }
 
 [[noreturn]] void refuse_missing(const XmlNode& node, const char* attribute) {
-  refuse(node, message("has no attribute {}, expected {}=\"...\".", attribute, attribute));
+  refuse(node, message("has no attribute {}, expected {}=\"...\".", verbatim(attribute), verbatim(attribute)));
 }
 
 }  // namespace
@@ -145,8 +145,7 @@ std::optional<XmlNode> find_child(const XmlNode& node, std::string_view tag) {
   for (auto* child = node.element->FirstChildElement(); child; child = child->NextSiblingElement()) {
     if (child->Name() != tag) continue;
     if (found)
-      refuse(XmlNode{child, node.file},
-             fmt::format("stands a second time in <{}>, expected once.", shortened(node.tag())));
+      refuse(XmlNode{child, node.file}, message("stands a second time in <{}>, expected once.", shortened(node.tag())));
     found = XmlNode{child, node.file};
   }
   return found;
@@ -189,7 +188,7 @@ std::optional<double> find_number(const XmlNode& node, const char* attribute, co
   const std::optional<std::string> text = find_text(node, attribute);
   if (!text) return std::nullopt;
   const double number = as_number(node, attribute, *text, "one finite number");
-  require_within(node, in_attribute(attribute).c_str(), number, within);
+  require_within(node, in_attribute(attribute), number, within);
   return number;
 }
 
@@ -204,7 +203,7 @@ std::optional<double> find_positive(const XmlNode& node, const char* attribute, 
   if (!text) return std::nullopt;
   const double number = as_number(node, attribute, *text, "a positive number");
   if (number <= 0) refuse(node, message("{}, expected a positive number.", with_attribute(attribute, *text)));
-  require_within(node, in_attribute(attribute).c_str(), number, within);
+  require_within(node, in_attribute(attribute), number, within);
   return number;
 }
 
@@ -221,11 +220,11 @@ std::optional<std::vector<double>> find_numbers(const XmlNode& node, const char*
   std::string bad_word;
   std::optional<std::vector<double>> numbers = parse_numbers(*text, &bad_word);
   if (!numbers)
-    refuse(node, message("has {} in {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word), attribute,
-                         count, xacro_hint(*text)));
+    refuse(node, message("has {} in {}, expected {} finite numbers{}.", handsight::in_quotes(bad_word),
+                         verbatim(attribute), count, xacro_hint(*text)));
   if (numbers->size() != count)
-    refuse(node, message("has {} numbers in {}, expected {}.", numbers->size(), attribute, count));
-  for (const double number : *numbers) require_within(node, in_attribute(attribute).c_str(), number, within);
+    refuse(node, message("has {} numbers in {}, expected {}.", numbers->size(), verbatim(attribute), count));
+  for (const double number : *numbers) require_within(node, in_attribute(attribute), number, within);
   return numbers;
 }
 
@@ -243,8 +242,8 @@ std::optional<std::int64_t> find_integer(const XmlNode& node, const char* attrib
   const std::vector<std::string_view> words = split_words(*text);
   const std::optional<std::int64_t> number = words.size() == 1 ? parse_integer(words[0]) : std::nullopt;
   if (!number || *number < lowest || *number > highest) {
-    const std::string range =
-        highest == INT64_MAX ? fmt::format("of at least {}", lowest) : fmt::format("from {} to {}", lowest, highest);
+    const Message range =
+        highest == INT64_MAX ? message("of at least {}", lowest) : message("from {} to {}", lowest, highest);
     refuse(node, message("{}, expected an integer {}.", with_attribute(attribute, *text), range));
   }
   return number;
@@ -277,9 +276,8 @@ std::string inner_text(const XmlNode& node) {
   return text;
 }
 
-std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason,
-                                  const Bounds& within) {
-  const std::string comma = reason.empty() ? "" : fmt::format(", {}", reason);
+std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, const Message& reason, const Bounds& within) {
+  const Message comma = reason.empty() ? Message() : message(", {}", reason);
   std::string bad_word;
   std::optional<std::vector<double>> numbers = parse_numbers(inner_text(node), &bad_word);
   if (!numbers)

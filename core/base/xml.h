@@ -84,7 +84,7 @@ std::optional<std::size_t> find_choice(const XmlNode& node, const char* attribut
 std::string inner_text(const XmlNode& node);
 
 /// So many finite numbers within bounds inside an element; `reason` completes "expected COUNT".
-std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, std::string_view reason = {},
+std::vector<double> inner_numbers(const XmlNode& node, std::size_t count, const Message& reason = {},
                                   const Bounds& within = bounds::any);
 
 /// Elements, attributes and texts that a reader does not know, counted by kind.
@@ -105,7 +105,7 @@ void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::
                   std::initializer_list<std::string_view> elements, bool holds_text = false);
 
 /// "session.xml: element <foo> in <bar> is not known and is ignored (12 times, first at line 30)."
-std::vector<std::string> ignored_sentences(const Ignored& ignored, std::string_view file);
+std::vector<Message> ignored_sentences(const Ignored& ignored, std::string_view file);
 
 /// The document as text, indented by two spaces.
 std::string xml_text(const tinyxml2::XMLDocument& document);

@@ -40,12 +40,12 @@ void note_others(Ignored& ignored, const XmlNode& node, const Names& attributes,
   const std::string tag = shortened(node.tag());
   for (auto* attribute = node.element->FirstAttribute(); attribute; attribute = attribute->Next())
     if (!is_among(attribute->Name(), attributes))
-      count(ignored, fmt::format("attribute {} of <{}>", shortened(attribute->Name()), tag), attribute->GetLineNum());
+      count(ignored, message("attribute {} of <{}>", shortened(attribute->Name()), tag), attribute->GetLineNum());
   for (auto* child = node.element->FirstChild(); child; child = child->NextSibling()) {
     if (child->ToElement() && !is_among(child->Value(), elements))
-      count(ignored, fmt::format("element <{}> in <{}>", shortened(child->Value()), tag), child->GetLineNum());
+      count(ignored, message("element <{}> in <{}>", shortened(child->Value()), tag), child->GetLineNum());
     if (child->ToText() && !holds_text && !split_words(child->Value()).empty())
-      count(ignored, fmt::format("text in <{}>", tag), child->GetLineNum());
+      count(ignored, message("text in <{}>", tag), child->GetLineNum());
   }
 }
 
@@ -61,14 +61,13 @@ void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::
   note_others(ignored, node, attributes, elements, holds_text);
 }
 
-std::vector<std::string> ignored_sentences(const Ignored& ignored, std::string_view file) {
-  std::vector<std::string> sentences;
+std::vector<Message> ignored_sentences(const Ignored& ignored, std::string_view file) {
+  std::vector<Message> sentences;
   for (const auto& [kind, counted] : ignored.kinds)
-    sentences.push_back(counted.times == 1
-                            ? fmt::format("{}: {} is not known and is ignored (line {}).", shortened(file, 80), kind,
-                                          counted.first_line)
-                            : fmt::format("{}: {} is not known and is ignored ({} times, first at line {}).",
-                                          shortened(file, 80), kind, counted.times, counted.first_line));
+    sentences.push_back(counted.times == 1 ? message("{}: {} is not known and is ignored (line {}).",
+                                                     shortened(file, 80), kind, counted.first_line)
+                                           : message("{}: {} is not known and is ignored ({} times, first at line {}).",
+                                                     shortened(file, 80), kind, counted.times, counted.first_line));
   return sentences;
 }
 

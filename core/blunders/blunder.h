@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 struct Blunder {
   std::string id;         // "joint_sense"
   std::string where;      // "elbow", "a3=1.5708", "1"; empty where the kind has one place only
-  std::string text;       // one sentence: what is wrong
-  std::string fix;        // one sentence: what to change, and in which file
+  Message text;           // one sentence: what is wrong
+  Message fix;            // one sentence: what to change, and in which file
   bool is_by_fit = true;  // false: it shows in the files themselves; nothing is known of what is left
   bool in_pixels = true;
   double rms_before = 0;  // px or m of one coordinate, of the session as it is

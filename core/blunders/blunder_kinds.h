@@ -23,7 +23,7 @@ struct BlunderKind {
   /// Puts the session right there; `where` is one of the places, settled.
   std::function<void(const std::string& where, Session&)> mend;
   /// Sentences for people: what is wrong there; what to change, and in which file.
-  std::function<std::string(const std::string&where, const Session&)> text, fix;
+  std::function<Message(const std::string&where, const Session&)> text, fix;
   /// The place with the numbers that go with it, found from a session of points (seen_points.h). Empty: there are none.
   std::function<std::string(const std::string& where, const Session& points)> settle = {};
   /// A camera's image as it should have been, where images themselves have to be put right.

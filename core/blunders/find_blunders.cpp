@@ -225,13 +225,13 @@ void bring_likeliest_first(const Session& thin, std::vector<Claim>& claims) {
 }
 
 void say_what_else(const std::vector<Claim>& claims, const Claim& told_one, std::vector<Blunder>& blunders) {
-  std::vector<std::string> others;
+  std::vector<Message> others;
   for (const Claim& other : claims)
     if (other.trial != told_one.trial && (other.ln > told_one.ln - as_likely || are_twins(other, told_one)) &&
         other.trial->mends.size() == told_one.trial->mends.size())
-      others.push_back(fmt::format("{}", fmt::join(names_of(other.trial->mends), " with ")));
+      others.push_back(joined(verbatim(names_of(other.trial->mends)), " with "));
   if (!others.empty())
-    blunders.front().text += fmt::format(" (These measurements are explained as well by {}.)", fmt::join(others, ", "));
+    blunders.front().text += message(" (These measurements are explained as well by {}.)", joined(others));
 }
 
 }  // namespace

@@ -39,11 +39,11 @@ BlunderKind gravity_turned() {
   };
   k.mend = [](const std::string& where, Session& s) { s.gravity = strength(s) * direction_named(where); };
   k.text = [](const std::string& where, const Session&) {
-    return fmt::format("Gravity does not pull as the session says, but along {} of the robot's root link.", where);
+    return message("Gravity does not pull as the session says, but along {} of the robot's root link.", where);
   };
   k.fix = [](const std::string& where, const Session& s) {
     const Vector3 right = strength(s) * direction_named(where);
-    return fmt::format("Write <gravity xyz=\"{}\"/> into {}.", format_numbers({right.data(), 3}), session_name(s));
+    return message("Write <gravity xyz=\"{}\"/> into {}.", format_numbers({right.data(), 3}), session_name(s));
   };
   return k;
 }

@@ -29,10 +29,10 @@ BlunderKind sides_swapped() {
     }
   };
   k.text = [](const std::string&, const Session& s) {
-    return fmt::format("The images of the cameras {} and {} are exchanged.", s.rig->at(0).name, s.rig->at(1).name);
+    return message("The images of the cameras {} and {} are exchanged.", s.rig->at(0).name, s.rig->at(1).name);
   };
   k.fix = [](const std::string&, const Session& s) {
-    return fmt::format(
+    return message(
         "Exchange {} and {} in <images> and <marker> of every observation of {} (or exchange the cameras of "
         "the calibration).",
         s.rig->at(0).name, s.rig->at(1).name, session_name(s));
@@ -58,12 +58,12 @@ BlunderKind board_transposed() {
     set_target(s, target);
   };
   k.text = [](const std::string&, const Session& s) {
-    return fmt::format("Columns and rows of the board are exchanged: it has {} columns and {} rows.", s.target->rows,
-                       s.target->columns);
+    return message("Columns and rows of the board are exchanged: it has {} columns and {} rows.", s.target->rows,
+                   s.target->columns);
   };
   k.fix = [](const std::string&, const Session& s) {
-    return fmt::format("Write columns=\"{}\" rows=\"{}\" into <target> of {}.", s.target->rows, s.target->columns,
-                       session_name(s));
+    return message("Write columns=\"{}\" rows=\"{}\" into <target> of {}.", s.target->rows, s.target->columns,
+                   session_name(s));
   };
   return k;
 }
@@ -111,14 +111,14 @@ BlunderKind marker_order() {
   };
   k.mend = [](const std::string& where, Session& s) { count_from_other_end(s, camera_named(s, where)); };
   k.text = [](const std::string& where, const Session& s) {
-    return fmt::format(
+    return message(
         "The board's points are counted from the other corner in the images of the camera {} than in those "
         "of {}.",
         where, s.rig->at(0).name);
   };
   k.fix = [](const std::string& where, const Session& s) {
-    return fmt::format("Count the points of {} in {} from the other end: point m becomes {} - m.", where,
-                       session_name(s), s.marker_count - 1);
+    return message("Count the points of {} in {} from the other end: point m becomes {} - m.", where, session_name(s),
+                   s.marker_count - 1);
   };
   return k;
 }
@@ -192,10 +192,10 @@ BlunderKind length_unit(bool of_images) {
   k.places = of_images ? lengths_of_images : measured_lengths;
   k.mend = mend_length;
   k.text = [](const std::string& where, const Session&) {
-    return fmt::format("{} are in millimetres, where metres are expected.", lengths_text(where));
+    return message("{} are in millimetres, where metres are expected.", lengths_text(where));
   };
   k.fix = [](const std::string& where, const Session& s) {
-    return fmt::format("Write {} in {} in metres (a thousandth).", lengths_fix(where), session_name(s));
+    return message("Write {} in {} in metres (a thousandth).", lengths_fix(where), session_name(s));
   };
   return k;
 }

@@ -29,12 +29,11 @@ BlunderKind joint_sense() {
     each_vector(s, [&](Eigen::VectorXd& v) { v[j] = -v[j]; });
   };
   k.text = [](const std::string& where, const Session&) {
-    return fmt::format("Joint {} counts the other way than the robot's description says.", where);
+    return message("Joint {} counts the other way than the robot's description says.", where);
   };
   k.fix = [](const std::string& where, const Session& s) {
-    return fmt::format(
-        "Turn the sign of the readings of {} in {} (or, where the description is wrong, its <axis> in {}).", where,
-        session_name(s), robot_name(s));
+    return message("Turn the sign of the readings of {} in {} (or, where the description is wrong, its <axis> in {}).",
+                   where, session_name(s), robot_name(s));
   };
   return k;
 }
@@ -63,13 +62,12 @@ BlunderKind joint_swap() {
   };
   k.text = [](const std::string& where, const Session&) {
     const auto [first, second] = two_words(where, "joint_swap");
-    return fmt::format("The readings of joints {} and {} are exchanged.", first, second);
+    return message("The readings of joints {} and {} are exchanged.", first, second);
   };
   k.fix = [](const std::string& where, const Session& s) {
     const auto [first, second] = two_words(where, "joint_swap");
-    return fmt::format(
-        "Exchange the names {} and {} in <joints> of {} (in the header of the table that it was made of).", first,
-        second, session_name(s));
+    return message("Exchange the names {} and {} in <joints> of {} (in the header of the table that it was made of).",
+                   first, second, session_name(s));
   };
   return k;
 }
@@ -113,24 +111,24 @@ BlunderKind joint_coupled() {
   };
   k.text = [](const std::string& where, const Session& s) {
     const Coupling c = coupling_at(where, s);
-    return fmt::format(
+    return message(
         "Joint {} is not reckoned against the link before it: the angle of {} has to be {} it (some makers reckon a "
         "joint against the horizontal).",
         c.joint, c.other, c.ratio > 0 ? "added to" : "taken from");
   };
   k.fix = [](const std::string& where, const Session& s) {
     const Coupling c = coupling_at(where, s);
-    return fmt::format("In {} write {} {} {} in place of the readings of {}.", session_name(s), c.joint,
-                       c.ratio > 0 ? "+" : "-", c.other, c.joint);
+    return message("In {} write {} {} {} in place of the readings of {}.", session_name(s), c.joint,
+                   c.ratio > 0 ? "+" : "-", c.other, c.joint);
   };
   return k;
 }
 
-std::string shift_text(const std::string& where, const Session& s) {
+Message shift_text(const std::string& where, const Session& s) {
   const auto [joint, value] = name_and_value(where);
   const double shift = number_in(value, "joint_zero");
-  if (joint_named(s, joint).kind == JointKind::prismatic) return fmt::format("{:+.1f} mm", 1e3 * shift);
-  return fmt::format("{:+.2f} degrees", shift * 180 / std::numbers::pi);
+  if (joint_named(s, joint).kind == JointKind::prismatic) return message("{:+.1f} mm", 1e3 * shift);
+  return message("{:+.2f} degrees", shift * 180 / std::numbers::pi);
 }
 
 BlunderKind joint_zero() {
@@ -151,12 +149,12 @@ BlunderKind joint_zero() {
     for (Observation& o : s.observations) o.position[j] += shift;
   };
   k.text = [](const std::string& where, const Session& s) {
-    return fmt::format("Joint {} has another zero than the robot's description: {} are missing in its readings.",
-                       name_and_value(where).first, shift_text(where, s));
+    return message("Joint {} has another zero than the robot's description: {} are missing in its readings.",
+                   name_and_value(where).first, shift_text(where, s));
   };
   k.fix = [](const std::string& where, const Session& s) {
-    return fmt::format("Add {} to the readings of {} in {} (or set the zero of that joint so).", shift_text(where, s),
-                       name_and_value(where).first, session_name(s));
+    return message("Add {} to the readings of {} in {} (or set the zero of that joint so).", shift_text(where, s),
+                   name_and_value(where).first, session_name(s));
   };
   return k;
 }
@@ -188,12 +186,12 @@ BlunderKind joint_degrees() {
             if (v->size() > static_cast<Eigen::Index>(j)) (*v)[static_cast<Eigen::Index>(j)] *= std::numbers::pi / 180;
   };
   k.text = [](const std::string& where, const Session&) {
-    return where == "all" ? std::string("All joints are in degrees, where radians are expected.")
-                          : fmt::format("Joint {} is in degrees, where radians are expected.", where);
+    return where == "all" ? Message("All joints are in degrees, where radians are expected.")
+                          : message("Joint {} is in degrees, where radians are expected.", where);
   };
   k.fix = [](const std::string& where, const Session& s) {
-    return fmt::format("Write the readings of {} in {} in radians (times pi / 180).",
-                       where == "all" ? "all joints" : where, session_name(s));
+    return message("Write the readings of {} in {} in radians (times pi / 180).",
+                   where == "all" ? Message("all joints") : verbatim(where), session_name(s));
   };
   return k;
 }

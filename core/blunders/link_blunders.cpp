@@ -47,16 +47,16 @@ void require_link(const Session& s, const std::string& link) {
 }
 
 /// "hand" or "hand (or tool, flange, which are fixed to it)".
-std::string body_text(const Session& s, const std::string& link) {
+Message body_text(const Session& s, const std::string& link) {
   const int own = first_of_body(s.robot, find_link(s.robot, link));
   std::vector<std::string> others;
   for (int l = 0; l < static_cast<int>(s.robot.links.size()); ++l) {
     const std::string& name = s.robot.links[static_cast<std::size_t>(l)].name;
     if (first_of_body(s.robot, l) == own && name != link) others.push_back(name);
   }
-  if (others.empty()) return link;
-  return fmt::format("{} (or a link that is fixed to it: {})", link,
-                     shortened(fmt::format("{}", fmt::join(others, ", ")), 200));
+  if (others.empty()) return verbatim(link);
+  return message("{} (or a link that is fixed to it: {})", link,
+                 shortened(fmt::format("{}", fmt::join(others, ", ")), 200));
 }
 
 BlunderKind wrong_link() {
@@ -75,17 +75,16 @@ BlunderKind wrong_link() {
   k.text = [](const std::string& where, const Session& s) {
     const auto [what, link] = name_and_value(where);
     if (where == "exchanged")
-      return fmt::format("Hand and mount are exchanged: the sensor is on {}, and what it sees on {}.", s.tcp,
-                         s.mount.link);
-    return link.empty() ? fmt::format("What the sensor sees is not on {}, but on {}.", s.tcp, body_text(s, what))
-                        : fmt::format("The sensor is not on {}, but on {}.", s.mount.link, body_text(s, link));
+      return message("Hand and mount are exchanged: the sensor is on {}, and what it sees on {}.", s.tcp, s.mount.link);
+    return link.empty() ? message("What the sensor sees is not on {}, but on {}.", s.tcp, body_text(s, what))
+                        : message("The sensor is not on {}, but on {}.", s.mount.link, body_text(s, link));
   };
   k.fix = [](const std::string& where, const Session& s) {
     const auto [what, link] = name_and_value(where);
     if (where == "exchanged")
-      return fmt::format("Write tcp=\"{}\" and mount=\"{}\" into {}.", s.mount.link, s.tcp, session_name(s));
-    return link.empty() ? fmt::format("Write tcp=\"{}\" into <robot> of {}.", what, session_name(s))
-                        : fmt::format("Write mount=\"{}\" into {}.", link, session_name(s));
+      return message("Write tcp=\"{}\" and mount=\"{}\" into {}.", s.mount.link, s.tcp, session_name(s));
+    return link.empty() ? message("Write tcp=\"{}\" into <robot> of {}.", what, session_name(s))
+                        : message("Write mount=\"{}\" into {}.", link, session_name(s));
   };
   return k;
 }

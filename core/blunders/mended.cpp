@@ -135,7 +135,7 @@ Session write_mended(const Session& session, const std::vector<std::string>& ids
   }
   std::error_code error;
   fs::create_directories(made, error);
-  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(made), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(made), system_text(error)));
   right.file = made / "session.xml";
   if (!right.robot_file.empty()) {
     // The robot may lie in a folder that several sessions share.

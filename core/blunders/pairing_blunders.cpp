@@ -50,19 +50,19 @@ BlunderKind pairing_shift() {
   k.mend = [](const std::string& where, Session& s) { pair_with(s, shift_in(where)); };
   k.text = [](const std::string& where, const Session& s) {
     const int n = shift_in(where);
-    return fmt::format(
+    return message(
         "What was seen and where the robot stood are paired {} off: each {} belongs to the robot's {} {} "
         "{}.",
         std::abs(n), s.rig ? "image" : "measurement", s.robot.is_of_poses ? "pose" : "angles",
-        std::abs(n) == 1 ? "one line" : fmt::format("{} lines", std::abs(n)), n > 0 ? "later" : "earlier");
+        std::abs(n) == 1 ? "one line" : message("{} lines", std::abs(n)), n > 0 ? "later" : "earlier");
   };
   k.fix = [](const std::string& where, const Session& s) {
     const int n = shift_in(where);
-    return fmt::format(
+    return message(
         "In {} give each observation the robot's readings of the one {} place{} {} (leave out the {} {} of "
         "the table of the robot that it was made of).",
         session_name(s), std::abs(n), std::abs(n) == 1 ? "" : "s", n > 0 ? "later" : "before", n > 0 ? "first" : "last",
-        std::abs(n) == 1 ? "line" : fmt::format("{} lines", std::abs(n)));
+        std::abs(n) == 1 ? "line" : message("{} lines", std::abs(n)));
   };
   return k;
 }

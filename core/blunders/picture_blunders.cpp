@@ -17,22 +17,22 @@ std::string cameras_text(int camera, const Session& s) {
   return fmt::format("{}", fmt::join(camera_names(*s.rig), ", "));
 }
 
-std::string turn_text(PictureTurn turn, const std::string& cameras) {
+Message turn_text(PictureTurn turn, const std::string& cameras) {
   switch (turn) {
     case PictureTurn::mirrored:
-      return fmt::format("The images of {} are mirrored: left and right are exchanged.", cameras);
+      return message("The images of {} are mirrored: left and right are exchanged.", cameras);
     case PictureTurn::flipped:
-      return fmt::format("The images of {} are mirrored: top and bottom are exchanged.", cameras);
+      return message("The images of {} are mirrored: top and bottom are exchanged.", cameras);
     case PictureTurn::half:
-      return fmt::format("The images of {} stand upside down against how the camera was calibrated.", cameras);
+      return message("The images of {} stand upside down against how the camera was calibrated.", cameras);
     case PictureTurn::quarter_right:
-      return fmt::format(
-          "The images of {} are turned by 90 degrees to the right against how the camera was calibrated.", cameras);
+      return message("The images of {} are turned by 90 degrees to the right against how the camera was calibrated.",
+                     cameras);
     case PictureTurn::quarter_left:
       break;
   }
-  return fmt::format("The images of {} are turned by 90 degrees to the left against how the camera was calibrated.",
-                     cameras);
+  return message("The images of {} are turned by 90 degrees to the left against how the camera was calibrated.",
+                 cameras);
 }
 
 BlunderKind picture_blunder(const char* id) {
@@ -50,7 +50,7 @@ BlunderKind picture_blunder(const char* id) {
     return turn_text(at.turn, cameras_text(at.camera, s));
   };
   k.fix = [](const std::string&, const Session& s) {
-    return fmt::format(
+    return message(
         "Take the images as the camera delivers them (look for flip, mirror or rotate in the driver), or calibrate the "
         "camera with images as those of {}.",
         session_name(s));
@@ -102,16 +102,15 @@ BlunderKind size_swapped() {
     if (!any) throw InputError(message("size_swapped: the session has no camera {:?}.", where));
   };
   k.text = [](const std::string& where, const Session& s) {
-    return fmt::format("Width and height of the images of {} are exchanged.",
-                       where.empty() ? cameras_text(-1, s) : where);
+    return message("Width and height of the images of {} are exchanged.", where.empty() ? cameras_text(-1, s) : where);
   };
   k.fix = [](const std::string& where, const Session& s) {
     Camera camera = s.rig->at(0).camera;
     for (const RigCamera& one : s.rig->cameras)
       if (one.name == where) camera = one.camera;
     exchange(camera);
-    return fmt::format("Write width=\"{}\" height=\"{}\" cx=\"{:g}\" cy=\"{:g}\" into <camera> of {}.", camera.width,
-                       camera.height, camera.cx, camera.cy, session_name(s));
+    return message("Write width=\"{}\" height=\"{}\" cx=\"{:g}\" cy=\"{:g}\" into <camera> of {}.", camera.width,
+                   camera.height, camera.cx, camera.cy, session_name(s));
   };
   return k;
 }

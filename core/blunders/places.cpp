@@ -73,8 +73,8 @@ std::string session_name(const Session& session) {
   return name.empty() ? "session.xml" : name;
 }
 
-std::string robot_name(const Session& session) {
-  return session.robot_file.empty() ? "the robot's URDF" : shown_path(session.robot_file);
+Message robot_name(const Session& session) {
+  return session.robot_file.empty() ? "the robot's URDF" : verbatim(shown_path(session.robot_file));
 }
 
 }  // namespace handsight

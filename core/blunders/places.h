@@ -30,6 +30,6 @@ std::vector<std::string> telling_joints(const Session& session);
 
 /// What sentences call the file of the session, and that of its robot.
 std::string session_name(const Session& session);
-std::string robot_name(const Session& session);
+Message robot_name(const Session& session);
 
 }  // namespace handsight

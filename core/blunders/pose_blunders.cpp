@@ -34,7 +34,7 @@ Tables tables_at(const std::string& name, const Session& s, const char* id) {
   const std::vector<std::string> all = pose_tables(s);
   if (std::find(all.begin(), all.end(), name) == all.end())
     throw InputError(message("{}: the session has no poses of {:?}; it has those of: {}.", id, name,
-                             all.empty() ? "nothing" : fmt::format("{}", fmt::join(all, " "))));
+                             all.empty() ? Message("nothing") : verbatim(fmt::format("{}", fmt::join(all, " ")))));
   return {name != "flange", name != "target"};
 }
 
@@ -81,18 +81,18 @@ BlunderKind pose_inverted() {
   };
   k.text = [](const std::string& where, const Session& s) {
     if (where == "target")
-      return std::string(
+      return Message(
           "The target's poses are inverted: they say where the sensor is in the target's frame, where the "
           "target in the sensor's is expected.");
-    return fmt::format("The flange's poses are inverted: they say where the base is in the flange's frame{}.",
-                       s.tcp == "base" ? ", or the sensor stands beside the robot and the flange carries the target"
-                                       : ", or the flange carries the sensor and the target stands beside the robot");
+    return message("The flange's poses are inverted: they say where the base is in the flange's frame{}.",
+                   s.tcp == "base" ? ", or the sensor stands beside the robot and the flange carries the target"
+                                   : ", or the flange carries the sensor and the target stands beside the robot");
   };
   k.fix = [](const std::string& where, const Session& s) {
     if (where == "target")
-      return fmt::format("Invert each <target_pose> in {} (each pose in the table of the target that it was made of).",
-                         session_name(s));
-    return fmt::format(
+      return message("Invert each <target_pose> in {} (each pose in the table of the target that it was made of).",
+                     session_name(s));
+    return message(
         "Invert each <flange_pose> in {} (each pose in the table of the flange), or convert {} --eye-on-base.",
         session_name(s), s.tcp == "base" ? "with" : "without");
   };
@@ -129,15 +129,15 @@ BlunderKind quaternion_order() {
   };
   k.text = [](const std::string& where, const Session&) {
     const auto [table, order] = name_and_value(where);
-    return fmt::format("The quaternions of {} have w {}; they were read with w {}.", table_text(table),
-                       order == "wxyz" ? "first" : "last", order == "wxyz" ? "last" : "first");
+    return message("The quaternions of {} have w {}; they were read with w {}.", table_text(table),
+                   order == "wxyz" ? "first" : "last", order == "wxyz" ? "last" : "first");
   };
   k.fix = [](const std::string& where, const Session& s) {
     const auto [table, order] = name_and_value(where);
-    return fmt::format(
+    return message(
         "In {} bring the quaternions of {} into the order x y z w (in the table that they come from name the "
         "columns {}).",
-        session_name(s), table_text(table), order == "wxyz" ? "qw,qx,qy,qz" : "qx,qy,qz,qw");
+        session_name(s), table_text(table), verbatim(order == "wxyz" ? "qw,qx,qy,qz" : "qx,qy,qz,qw"));
   };
   return k;
 }
@@ -273,12 +273,12 @@ BlunderKind euler_convention() {
   };
   k.text = [](const std::string& where, const Session&) {
     const auto [table, convention] = name_and_value(where);
-    return fmt::format("The rotations of {} are {}.", table_text(table), convention_text(convention));
+    return message("The rotations of {} are {}.", table_text(table), convention_text(convention));
   };
   k.fix = [](const std::string& where, const Session& s) {
     const auto [table, convention] = name_and_value(where);
-    return fmt::format("In the table that {} of {} come from, {}.", table_text(table), session_name(s),
-                       convention_fix(convention));
+    return message("In the table that {} of {} come from, {}.", table_text(table), session_name(s),
+                   convention_fix(convention));
   };
   return k;
 }

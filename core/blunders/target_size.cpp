@@ -20,14 +20,14 @@ bool has_effect(const std::vector<EffectTerm>& terms, const std::string& id) {
   return std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& term) { return term.id == id; });
 }
 
-std::string lengths(const Session& session, double scale) {
-  const auto mm = [](double metres) { return fmt::format("{:.4g} mm", 1e3 * metres); };
+Message lengths(const Session& session, double scale) {
+  const auto mm = [](double metres) { return message("{:.4g} mm", 1e3 * metres); };
   if (!session.target) return "";
   const Target& t = *session.target;
   const bool has_squares = t.kind == TargetKind::chessboard || t.kind == TargetKind::charuco;
   const double described = has_squares ? t.square : t.tag;
-  return fmt::format(": its {} are about {}, not {}", has_squares ? "squares" : "tags", mm(described * (1 + scale)),
-                     mm(described));
+  return message(": its {} are about {}, not {}", has_squares ? "squares" : "tags", mm(described * (1 + scale)),
+                 mm(described));
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ std::optional<TargetSize> other_target_size(const Session& session, const Fit& f
                      .rms_after = right.residual_rms};
     if (std::abs(found.scale) < std::max(least_scale, 5 * found.sigma) || found.scale < -0.75 || found.scale > 3)
       return std::nullopt;
-    found.text = fmt::format("The target is {:.1f} % {} than its description says{}.", 100 * std::abs(found.scale),
-                             found.scale > 0 ? "larger" : "smaller", lengths(session, found.scale));
+    found.text = message("The target is {:.1f} % {} than its description says{}.", 100 * std::abs(found.scale),
+                         found.scale > 0 ? "larger" : "smaller", lengths(session, found.scale));
     found.fix =
         "Measure it over its whole length and put the right size into <target>; until then no place of the hand or of "
         "a camera is to be trusted (--effects target_scale estimates it with them).";

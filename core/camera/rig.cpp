@@ -105,13 +105,9 @@ std::vector<std::string> camera_names(const Rig& rig) {
   return names;
 }
 
-std::string listed_names(const Rig& rig) {
-  std::string list;
-  for (int c = 0; c < rig.count(); ++c) list += (c == 0 ? "" : c + 1 == rig.count() ? " and " : ", ") + rig.at(c).name;
-  return list;
-}
+Message listed_names(const Rig& rig) { return joined(verbatim(camera_names(rig)), ", ", " and "); }
 
-std::string cameras_that_must_see(const std::optional<Rig>& rig) {
+const char* cameras_that_must_see(const std::optional<Rig>& rig) {
   if (!rig || is_pair(*rig)) return "both cameras";
   return rig->count() == 1 ? "the camera" : "two of the cameras";
 }

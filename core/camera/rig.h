@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera/camera.h"
 
 namespace handsight {
@@ -46,7 +47,7 @@ bool is_left_and_right(const Rig& rig);
 std::vector<std::string> camera_names(const Rig& rig);
 
 /// "front, side and rear".
-std::string listed_names(const Rig& rig);
+Message listed_names(const Rig& rig);
 
 /// The camera of that name, -1 where there is none.
 int find_camera(const Rig& rig, const std::string& name);
@@ -67,7 +68,7 @@ struct LeastTwo {
 };
 
 /// "both cameras", "the camera" or "two of the cameras": which must see a marker in a good pose.
-std::string cameras_that_must_see(const std::optional<Rig>& rig);
+const char* cameras_that_must_see(const std::optional<Rig>& rig);
 
 /// One camera that saw a point.
 struct View {

@@ -68,7 +68,7 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
   return result;
 }
 
-std::string shown_in_its_place(const DetectedImages& detected, const Target& target) {
+Message shown_in_its_place(const DetectedImages& detected, const Target& target) {
   constexpr std::size_t most = 4;
   std::vector<const ReadImage*> without;
   for (const ReadImage& image : detected.images)

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "base/message.h"
 #include "camera_calibration/bundle.h"
 #include "camera_calibration/camera_images.h"
 
@@ -14,7 +15,7 @@ struct ReadImage {
   int camera = 0, frame = 0;
   std::filesystem::path file;
   int points = 0, dropped = 0;  // seen; left out because they did not agree with the rest
-  std::string reason;           // why there are none
+  Message reason;               // why there are none
   std::vector<int> repeated;    // numbers of single tags that are there several times, which are left out
 };
 
@@ -33,6 +34,6 @@ DetectedImages detect_in_images(const GroupedImages& grouped, const Target& targ
 
 /// What the images show where hardly one of them shows the target; empty where most do, and where nothing can be said.
 /// With the words of the options that say it.
-std::string shown_in_its_place(const DetectedImages& detected, const Target& target);
+Message shown_in_its_place(const DetectedImages& detected, const Target& target);
 
 }  // namespace handsight

@@ -115,9 +115,9 @@ GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig) {
   if (found == grouped.cameras.size()) return ordered;
   ordered = grouped;
   for (int c = 0; rig.count() > 1 && c < rig.count(); ++c)
-    ordered.notes.push_back(fmt::format("the images of {} are taken for those of camera {}",
-                                        in_quotes(grouped.cameras[static_cast<std::size_t>(c)].name),
-                                        in_quotes(rig.at(c).name)));
+    ordered.notes.push_back(message("the images of {} are taken for those of camera {}",
+                                    in_quotes(grouped.cameras[static_cast<std::size_t>(c)].name),
+                                    in_quotes(rig.at(c).name)));
   return ordered;
 }
 

@@ -58,21 +58,20 @@ Vector2 extents(const Eigen::Matrix3Xd& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).head<2>();
 }
 
-std::string mm(double metres) {
-  return fmt::format("{:.{}f} mm", 1e3 * metres, std::abs(metres) < 1e-3 ? 2 : std::abs(metres) < 1e-2 ? 1 : 0);
+Message mm(double metres) {
+  return message("{:.{}f} mm", 1e3 * metres, std::abs(metres) < 1e-3 ? 2 : std::abs(metres) < 1e-2 ? 1 : 0);
 }
 
 double bow_along(double curvature, double length) { return std::abs(curvature) * length * length / 8; }
 
 /// The way in which it is bent most, in words.
-std::string bow_text(const Vector3& bend, const Vector2& extent) {
+Message bow_text(const Vector3& bend, const Vector2& extent) {
   const double x = bow_along(bend.x(), extent.x()), y = bow_along(bend.y(), extent.y());
   const double most = std::max(x, y);
   const double askew = std::abs(bend.z()) * extent.x() * extent.y() / 4;
-  std::string text = fmt::format("{} over {} along {} (curvatures in 1/m: {:.3f} along x, {:.3f} along y", mm(most),
-                                 mm(x >= y ? extent.x() : extent.y()), x >= y ? "x" : "y", bend.x(), bend.y());
-  if (askew > 0.3 * most) text += fmt::format(", {:.3f} askew", bend.z());
-  return text + ")";
+  return message("{} over {} along {} (curvatures in 1/m: {:.3f} along x, {:.3f} along y{})", mm(most),
+                 mm(x >= y ? extent.x() : extent.y()), x >= y ? 'x' : 'y', bend.x(), bend.y(),
+                 askew > 0.3 * most ? message(", {:.3f} askew", bend.z()) : Message());
 }
 
 bool is_grid(const Target& target) { return target.kind == TargetKind::aprilgrid; }
@@ -126,9 +125,9 @@ void say_what_fits(const Target& target, const BoardImages& images, const Pairs&
     const double left = rms(distances(to_other.found, to_other.described));
     if (left < much * report.off_rms && std::abs(other->spacing - target.spacing) > 0.01 * target.spacing) {
       report.warnings.push_back(
-          fmt::format("The tags stand as spacing={:.3g} has them (gaps of {} between tags of {}), not spacing={:g} as "
-                      "described; with that the points are {} off.",
-                      other->spacing, mm(other->spacing * target.tag), mm(target.tag), target.spacing, mm(left)));
+          message("The tags stand as spacing={:.3g} has them (gaps of {} between tags of {}), not spacing={:g} as "
+                  "described; with that the points are {} off.",
+                  other->spacing, mm(other->spacing * target.tag), mm(target.tag), target.spacing, mm(left)));
       return;
     }
   }
@@ -136,9 +135,9 @@ void say_what_fits(const Target& target, const BoardImages& images, const Pairs&
   const double stretch = stretch_along_x(pairs);
   if (std::abs(stretch) > hardly_noticed && std::abs(stretch) * extents(pairs.described).minCoeff() > report.off_rms)
     report.warnings.push_back(
-        fmt::format("Beside its rows its columns stand {:.2f} % {} than described, as printers do it that feed paper "
-                    "unevenly.",
-                    100 * std::abs(stretch), stretch > 0 ? "farther apart" : "closer together"));
+        message("Beside its rows its columns stand {:.2f} % {} than described, as printers do it that feed paper "
+                "unevenly.",
+                100 * std::abs(stretch), stretch > 0 ? "farther apart" : "closer together"));
 }
 
 const TriedShape* find(const CameraCalibration& calibration, BoardShape shape) {
@@ -155,7 +154,7 @@ void say_it_is_flat(const CameraCalibration& calibration, const Pairs& pairs, Bo
   for (const int axis : {0, 1})
     most = std::max(most, bow_along(std::abs(bent->bend[axis]) + 2 * (*bent->bend_sigmas)[axis], extent[axis]));
   report.sentences.push_back(
-      fmt::format("The board is as described as far as these images tell: bent by less than {}.", mm(most)));
+      message("The board is as described as far as these images tell: bent by less than {}.", mm(most)));
 }
 
 }  // namespace
@@ -180,21 +179,21 @@ BoardReport board_report(const BoardImages& images, const CameraCalibration& cal
     const bool is_bow_worth_a_word = report.bow > report.off_rms;
     const bool is_asked_for = target.sigma != std::optional<double>(0);
     if (report.shape == BoardShape::bent || is_bow_worth_a_word)
-      report.warnings.push_back(fmt::format("The board is not flat: it is bent by {}.", bow_text(report.bend, extent)));
+      report.warnings.push_back(message("The board is not flat: it is bent by {}.", bow_text(report.bend, extent)));
     if (report.shape != BoardShape::bent)
       (is_asked_for ? report.sentences : report.warnings)
-          .push_back(fmt::format("Its points lie {} from where they are described (rms), one of them {}{}.",
-                                 mm(report.off_rms), mm(report.off_most),
-                                 is_asked_for ? "" : ": they were estimated with the cameras"));
+          .push_back(message("Its points lie {} from where they are described (rms), one of them {}{}.",
+                             mm(report.off_rms), mm(report.off_most),
+                             is_asked_for ? "" : ": they were estimated with the cameras"));
     if (report.shape == BoardShape::free && is_one) say_what_fits(target, images, pairs, report);
     if (report.shape == BoardShape::within && report.off_rms > 2 * std::sqrt(3.0) * *target.sigma)
-      report.warnings.push_back(fmt::format(
+      report.warnings.push_back(message(
           "That is more than sigma={:g} m allows; say sigma=free, or look at what the target is.", *target.sigma));
   }
   report.sentences.push_back(
       report.shape == BoardShape::within
-          ? fmt::format("How large it is images cannot tell: it is known to the {} of its description alone.",
-                        mm(*target.sigma))
+          ? message("How large it is images cannot tell: it is known to the {} of its description alone.",
+                    mm(*target.sigma))
           : "How large it is images cannot tell: its size as a whole is taken as described, and so are all lengths.");
   return report;
 }

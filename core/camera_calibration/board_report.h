@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera_calibration/camera_calibration.h"
 #include "print/target.h"
 
@@ -13,12 +14,12 @@ namespace handsight {
 
 struct BoardReport {
   BoardShape shape = BoardShape::held;
-  Vector3 bend = Vector3::Zero();      // 1/m: along x, along y, askew; of free points the bend that is nearest to them
-  double bow = 0;                      // m, how far the middle stands off a line between the ends, where that is most
-  double off_rms = 0, off_most = 0;    // m, of points from where they are described; 0 where they are held
-  std::vector<Vector3> points;         // m, by number, in the target's frame; empty where they are held
-  std::vector<std::string> sentences;  // what the board is, the size that nobody can see included
-  std::vector<std::string> warnings;   // what of it is not as described
+  Vector3 bend = Vector3::Zero();    // 1/m: along x, along y, askew; of free points the bend that is nearest to them
+  double bow = 0;                    // m, how far the middle stands off a line between the ends, where that is most
+  double off_rms = 0, off_most = 0;  // m, of points from where they are described; 0 where they are held
+  std::vector<Vector3> points;       // m, by number, in the target's frame; empty where they are held
+  std::vector<Message> sentences;    // what the board is, the size that nobody can see included
+  std::vector<Message> warnings;     // what of it is not as described
 };
 
 /// `images` and what they were calibrated to; `target`: what they show, as it is described.

@@ -58,34 +58,34 @@ double widest_turn(const BundleResult& bundle) {
   return widest;
 }
 
-std::vector<std::string> warnings_of(const CameraCalibration& c, const std::vector<std::string>& names) {
-  std::vector<std::string> warnings;
+std::vector<Message> warnings_of(const CameraCalibration& c, const std::vector<std::string>& names) {
+  std::vector<Message> warnings;
   int frames = 0;
   for (const auto& pose : c.bundle.first_from_target) frames += pose.has_value();
   if (frames < 8)
-    warnings.push_back(fmt::format("Only {} poses of the target; 10 to 20 from different sides are better.", frames));
+    warnings.push_back(message("Only {} poses of the target; 10 to 20 from different sides are better.", frames));
   if (widest_turn(c.bundle) < 20 * M_PI / 180)
     warnings.push_back(
-        fmt::format("The target is turned by at most {:.0f} degrees from pose to pose: focal length and distance can "
-                    "hardly be told apart; tilt it by 30 degrees and more, to all sides.",
-                    widest_turn(c.bundle) * 180 / M_PI));
+        message("The target is turned by at most {:.0f} degrees from pose to pose: focal length and distance can "
+                "hardly be told apart; tilt it by 30 degrees and more, to all sides.",
+                widest_turn(c.bundle) * 180 / M_PI));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto& cells = c.cameras[i].cells;
     const auto seen =
         std::count_if(cells.begin(), cells.end(), [](const ResidualCell& cell) { return cell.points > 0; });
     if (2 * seen < static_cast<std::ptrdiff_t>(cells.size()))
       warnings.push_back(
-          fmt::format("Camera {}: the points lie in {} of {} parts of the image; the distortion elsewhere is guessed. "
-                      "Bring the target into the corners too.",
-                      names[i], seen, cells.size()));
+          message("Camera {}: the points lie in {} of {} parts of the image; the distortion elsewhere is guessed. "
+                  "Bring the target into the corners too.",
+                  names[i], seen, cells.size()));
     const auto& covariance = c.bundle.lens_covariances[i];
     if (!covariance)
-      warnings.push_back(fmt::format(
+      warnings.push_back(message(
           "Camera {}: these poses do not determine all of its numbers; take images from more sides.", names[i]));
     else if (const double sigma = std::sqrt((*covariance)(0, 0)); sigma > 0.01 * c.bundle.rig.lenses[i].numbers[0])
       warnings.push_back(
-          fmt::format("Camera {}: the focal length is known to {:.1f} px only ({:.1f} %); tilt the target more.",
-                      names[i], sigma, 100 * sigma / c.bundle.rig.lenses[i].numbers[0]));
+          message("Camera {}: the focal length is known to {:.1f} px only ({:.1f} %); tilt the target more.", names[i],
+                  sigma, 100 * sigma / c.bundle.rig.lenses[i].numbers[0]));
   }
   return warnings;
 }
@@ -114,7 +114,7 @@ class ModelSearch {
       : images_(images), sizes_(sizes), names_(names), shapes_(shapes_of(images)) {}
 
   /// Why a lens does not serve; empty: it does.
-  std::string add_lens(const LensModel& model) {
+  Message add_lens(const LensModel& model) {
     try {
       Candidate candidate;
       candidate.bundle = solution_with(model, images_, sizes_, names_, brown_);
@@ -125,7 +125,7 @@ class ModelSearch {
       as_described_.push_back(candidate);
       candidates_.push_back(reshaped(images_, candidate, shapes_.front()));
     } catch (const InputError& error) {
-      return error.what();
+      return error.sentence();
     }
     return {};
   }
@@ -192,7 +192,7 @@ CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector
   }
   const Candidate* best = search.best();
   if (!best)
-    throw InputError(result.tried.empty() ? fmt::format("There is no lens model \"{}\".", options.model)
+    throw InputError(result.tried.empty() ? message("There is no lens model \"{}\".", options.model)
                                           : result.tried.front().failure);
   for (std::size_t i = 0; i < lenses.size(); ++i)
     if (const Candidate* c = search.find(*lenses[i], best->bundle.shape))

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera_calibration/held_out.h"
 
 namespace handsight {
@@ -19,7 +20,7 @@ struct CalibrationOptions {
 struct TriedModel {
   std::string name;
   double rms_pixel = 0, held_out_rms_pixel = 0;
-  std::string failure;  // why it has none; empty: it has
+  Message failure;  // why it has none; empty: it has
 };
 
 /// What the target's shape may be, with the chosen lens.
@@ -49,7 +50,7 @@ struct CameraCalibration {
   std::vector<TriedModel> tried;
   std::vector<TriedShape> shapes;  // that were tried with the chosen lens
   std::vector<CameraReport> cameras;
-  std::vector<std::string> warnings;  // sentences: where the images do not suffice
+  std::vector<Message> warnings;  // sentences: where the images do not suffice
 };
 
 /// `sizes` (px) and `names` of the cameras. The target is as described (within BoardImages::sigma), unless views that

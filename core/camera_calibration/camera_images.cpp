@@ -42,7 +42,7 @@ void list_folder(const fs::path& folder, Listed& listed, std::vector<fs::path>& 
     else
       ++listed.others;
   }
-  if (error) throw InputError(message("{}: the folder cannot be read: {}.", shown_path(folder), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be read: {}.", shown_path(folder), system_text(error)));
 }
 
 /// The name of a file without its ending; a date and time in it is one number.
@@ -176,7 +176,7 @@ std::int64_t usual_step(const std::vector<std::int64_t>& times) {
 
 /// Cameras that are named by times of their own: each image with the nearest in time of the first camera, no farther
 /// than a fifth of a step. Said, as a board that moves is seen at two places then.
-void bring_times_together(ByCamera& cameras, std::vector<std::string>& notes) {
+void bring_times_together(ByCamera& cameras, std::vector<Message>& notes) {
   const std::vector<std::int64_t> first =
       cameras.empty() ? std::vector<std::int64_t>() : times_of(cameras.begin()->second);
   if (first.size() < 2) return;
@@ -197,9 +197,9 @@ void bring_times_together(ByCamera& cameras, std::vector<std::string>& notes) {
     if (together.size() != camera->second.size()) continue;  // two would be of one moment
     camera->second = std::move(together);
     notes.push_back(
-        fmt::format("the images of camera {} have other times than those of camera {}; each is taken as of the "
-                    "moment of the nearest one. A board that moved between is seen at two places",
-                    camera->first, cameras.begin()->first));
+        message("the images of camera {} have other times than those of camera {}; each is taken as of the "
+                "moment of the nearest one. A board that moved between is seen at two places",
+                camera->first, cameras.begin()->first));
   }
 }
 
@@ -222,17 +222,15 @@ GroupedImages grouped(const ByCamera& cameras) {
 
 void note(GroupedImages& result, int others) {
   for (const CameraImages& camera : result.cameras)
-    result.notes.push_back(fmt::format("camera {}: {} images, {} to {}", camera.name, camera.files.size(),
-                                       camera.files.front().filename().string(),
-                                       camera.files.back().filename().string()));
+    result.notes.push_back(message("camera {}: {} images, {} to {}", camera.name, camera.files.size(),
+                                   camera.files.front().filename().string(), camera.files.back().filename().string()));
   for (const CameraImages& camera : result.cameras) {
     const std::size_t missing = result.frames.size() - camera.files.size();
     if (missing > 0)
       result.notes.push_back(
-          fmt::format("camera {} has no image of {} of the {} moments", camera.name, missing, result.frames.size()));
+          message("camera {} has no image of {} of the {} moments", camera.name, missing, result.frames.size()));
   }
-  if (others > 0)
-    result.notes.push_back(fmt::format("{} files are no images by their names and were left out", others));
+  if (others > 0) result.notes.push_back(message("{} files are no images by their names and were left out", others));
 }
 
 /// Folders in the one that was named: each with images is a camera's; else those in them ("cam0/data").
@@ -297,7 +295,7 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
     throw InputError(message("The names of the images speak of {} cameras ({}, {}, ...); expected at most {}.",
                              cameras.size(), shortened(cameras.begin()->first),
                              shortened(std::next(cameras.begin())->first), most_cameras));
-  std::vector<std::string> of_times;
+  std::vector<Message> of_times;
   bring_times_together(cameras, of_times);
   GroupedImages result = grouped(cameras);
   result.notes = std::move(of_times);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// The images of one camera; `keys` tell the moments: equal keys of two cameras are one frame.
@@ -18,7 +20,7 @@ struct CameraImages {
 struct GroupedImages {
   std::vector<CameraImages> cameras;  // left before right, else by name
   std::vector<std::string> frames;    // keys, in order
-  std::vector<std::string> notes;     // sentences: what was taken for what, and what was left out
+  std::vector<Message> notes;         // sentences: what was taken for what, and what was left out
 };
 
 /// Folders, each a camera's own (or one with several cameras' images, or with folders of cameras), or files. In names

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "certify/attained.h"
 #include "certify/iso9283.h"
 

@@ -27,13 +27,13 @@ bool has_own(const std::vector<int>& joints, const std::vector<int>& others) {
                      [&](int j) { return std::find(others.begin(), others.end(), j) == others.end(); });
 }
 
-std::string sensor_of(const Session& session) {
+const char* sensor_of(const Session& session) {
   if (session.pose_sensor) return "sensor";
   if (!session.rig) return "tracker";
   return session.rig->count() == 1 ? "camera" : "cameras";
 }
 
-std::string target_of(const Session& session) {
+const char* target_of(const Session& session) {
   if (session.pose_sensor) return "a target";
   if (!session.target) return session.marker_count == 1 ? "a marker" : "markers";
   if (has_places(*session.target)) return is_tag_grid(*session.target) ? "a board" : "a body of tags";
@@ -51,23 +51,22 @@ Arrangement arrangement_of(const Chain& chain) {
   return sensor_moves ? Arrangement::sensor_on_hand : Arrangement::nothing_moves;
 }
 
-std::string arrangement_sentence(const Session& session, const Chain& chain) {
-  const std::string sensor = sensor_of(session), target = target_of(session);
+Message arrangement_sentence(const Session& session, const Chain& chain) {
+  const Message sensor = sensor_of(session), target = target_of(session);
   switch (arrangement_of(chain)) {
     case Arrangement::sensor_stands:
-      return fmt::format("The {} on {} {} {} that the robot moves on {}.", sensor, session.mount.link,
-                         sensor == "cameras" ? "see" : "sees", target, session.tcp);
+      return message("The {} on {} {} {} that the robot moves on {}.", sensor, session.mount.link,
+                     sensor == "cameras" ? "see" : "sees", target, session.tcp);
     case Arrangement::sensor_on_hand:
-      return fmt::format("The robot moves the {} on {} over {} on {}.", sensor, session.mount.link, target,
-                         session.tcp);
+      return message("The robot moves the {} on {} over {} on {}.", sensor, session.mount.link, target, session.tcp);
     case Arrangement::both_move:
-      return fmt::format("The robot moves both the {} on {} and {} on {}.", sensor, session.mount.link, target,
-                         session.tcp);
+      return message("The robot moves both the {} on {} and {} on {}.", sensor, session.mount.link, target,
+                     session.tcp);
     case Arrangement::nothing_moves:
       break;
   }
-  return fmt::format("No measured joint moves the {} on {} against {} on {}: nothing can be told of where they are.",
-                     sensor, session.mount.link, target, session.tcp);
+  return message("No measured joint moves the {} on {} against {} on {}: nothing can be told of where they are.",
+                 sensor, session.mount.link, target, session.tcp);
 }
 
 std::string advice_on(Arrangement arrangement) {

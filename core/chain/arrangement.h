@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "chain/chain.h"
 
 namespace handsight {
@@ -18,7 +19,7 @@ enum class Arrangement {
 Arrangement arrangement_of(const Chain& chain);
 
 /// One plain sentence about the session: "The camera on base sees a board that the robot moves on tool0."
-std::string arrangement_sentence(const Session& session, const Chain& chain);
+Message arrangement_sentence(const Session& session, const Chain& chain);
 
 /// What there is to do with it, for people who set up a session: one sentence each.
 std::string advice_on(Arrangement arrangement);

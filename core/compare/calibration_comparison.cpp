@@ -91,7 +91,7 @@ Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after) 
   for (const NumberChange& n : c.numbers) {
     if (std::abs(n.in_sigmas()) <= most) continue;
     most = std::abs(n.in_sigmas());
-    c.sentence = fmt::format(
+    c.sentence = message(
         "Most of all {} has changed, by {:.1f} of its sigma; the marker body is {:.2f} mm from where it "
         "was (mean over {} poses).",
         n.name, most, 1e3 * sum, poses);
@@ -99,7 +99,7 @@ Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after) 
   // Of many numbers the largest is beyond 3.5 sigma once in a hundred times by chance.
   c.verdict = most > 4 ? ComparisonVerdict::changed : ComparisonVerdict::unchanged;
   if (c.verdict == ComparisonVerdict::unchanged)
-    c.sentence = fmt::format(
+    c.sentence = message(
         "No number differs by more than {:.1f} of its sigma; the marker body is {:.2f} mm from where it "
         "was (mean over {} poses).",
         most, 1e3 * sum, poses);

@@ -27,12 +27,12 @@ constexpr Kind kinds[] = {{"camera_mount", "camera_mount", false},
                           {"joint_elasticity", "joint_elasticity", false}};
 
 /// A length and its sigma along it, of three numbers.
-std::string size_text(const std::vector<double>& v, const Eigen::VectorXd& sigma, std::size_t first, double unit,
-                      const char* name) {
+Message size_text(const std::vector<double>& v, const Eigen::VectorXd& sigma, std::size_t first, double unit,
+                  const char* name) {
   const auto i = static_cast<Eigen::Index>(first);
   const Vector3 x(v[first], v[first + 1], v[first + 2]), s(sigma[i], sigma[i + 1], sigma[i + 2]);
   const double length = x.norm(), along = length > 0 ? x.cwiseProduct(s).norm() / length : s.norm();
-  return fmt::format("{:.3g} +- {:.2g} {}", length * unit, along * unit, name);
+  return message("{:.3g} +- {:.2g} {}", length * unit, along * unit, name);
 }
 
 }  // namespace
@@ -59,35 +59,34 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
 
 double ln_prior_odds(const std::string& group) { return group == "joint_elasticity" ? std::log(0.1) : 0; }
 
-std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,
-                        const Chain& chain) {
+Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,
+                    const Chain& chain) {
   const std::vector<double>& v = terms.front().values;
   const std::string& id = unit.group;
   const char* const device = chain.rig ? "camera" : "tracker";
   if (id == "camera_mount")
-    return fmt::format("The {} turned by {} and moved by {} on its mount", device,
-                       size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
+    return message("The {} turned by {} and moved by {} on its mount", device,
+                   size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
   if (id == "stereo_rig")
-    return fmt::format("The cameras turned against each other by {} and moved by {}",
-                       size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
+    return message("The cameras turned against each other by {} and moved by {}",
+                   size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
   if (id == "body_slip")
-    return fmt::format("The marker body slipped on the hand by {} and turned by {}", size_text(v, sigma, 0, 1e3, "mm"),
-                       size_text(v, sigma, 3, degrees, "degrees"));
+    return message("The marker body slipped on the hand by {} and turned by {}", size_text(v, sigma, 0, 1e3, "mm"),
+                   size_text(v, sigma, 3, degrees, "degrees"));
   if (id == "marker_slip")
-    return fmt::format("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
+    return message("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
   const std::string own_unit = unit_at(effect_of(terms.front()), 0, terms.front().joint, chain.robot);
   if (id == "joint_offset") {
     const bool slides = own_unit == "m";
     const double scale = slides ? 1e3 : degrees;
-    return fmt::format("Joint {} lost its zero: it stands {:.3g} +- {:.2g} {} further than it reads", unit.where,
-                       v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees");
+    return message("Joint {} lost its zero: it stands {:.3g} +- {:.2g} {} further than it reads", unit.where,
+                   v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees");
   }
-  if (id == "payload") return fmt::format("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
+  if (id == "payload") return message("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
   if (id == "joint_elasticity")
-    return fmt::format("Joint {} gives way by {:.3g} +- {:.2g} {} more than it did", unit.where, v[0], sigma[0],
-                       own_unit);
-  return std::string("The cameras' lenses are not what they were (") +
-         (terms.front().id == "lens_distortion" ? "distortion" : "focal lengths or centres") + ")";
+    return message("Joint {} gives way by {:.3g} +- {:.2g} {} more than it did", unit.where, v[0], sigma[0], own_unit);
+  return message("The cameras' lenses are not what they were ({})",
+                 terms.front().id == "lens_distortion" ? "distortion" : "focal lengths or centres");
 }
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "estimation/problem/problem.h"
 
 namespace handsight {
@@ -24,7 +25,7 @@ std::vector<ChangeUnit> change_units(const Problem& problem);
 double ln_prior_odds(const std::string& group);
 
 /// "The camera mount turned by 0.12 +- 0.01 degrees and moved by 1.3 mm".
-std::string change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,
-                        const Chain& chain);
+Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,
+                    const Chain& chain);
 
 }  // namespace handsight

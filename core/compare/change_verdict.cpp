@@ -58,13 +58,13 @@ void judge(const ComparedSides& sides, Comparison& c) {
   c.verdict = several ? ComparisonVerdict::several : ComparisonVerdict::changed;
   c.sentence = change_text(unit_of(best), best.terms, best.sigma, sides.after.problem.source->chain);
   if (several)
-    c.sentence += fmt::format("; and more than one thing has changed: {} too, or something that is not in the list.",
-                              second.changes.front().id);
+    c.sentence += message("; and more than one thing has changed: {} too, or something that is not in the list.",
+                          second.changes.front().id);
   else if (!c.cannot_be_told_from.empty())
     c.sentence +=
-        fmt::format("; or it is {}, which these poses do not tell apart.", fmt::join(c.cannot_be_told_from, " or "));
+        message("; or it is {}, which these poses do not tell apart.", fmt::join(c.cannot_be_told_from, " or "));
   else
-    c.sentence += fmt::format("; {}.", rest_text(best.id));
+    c.sentence += message("; {}.", rest_text(best.id));
 }
 
 std::vector<Eigen::VectorXd> used_positions(const Session& s) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/message.h"
 #include "compare/comparison_result.h"
 #include "correct/calibrated_robot.h"
 
@@ -17,7 +18,7 @@ struct WatchStep {
   std::string where;              // joint or marker; empty: it has no place
   std::vector<EffectTerm> terms;  // with its size
   Eigen::VectorXd sigma;          // of the numbers that are no choices, in their order
-  std::string text;               // "The camera turned by ... on its mount"
+  Message text;                   // "The camera turned by ... on its mount"
 };
 
 struct WatchOptions {

@@ -12,14 +12,14 @@ namespace handsight {
 namespace {
 
 void require_alike(const Session& a, const Session& b) {
-  const auto refuse_pair = [](const std::string& what) {
-    throw InputError("The two cannot be compared: " + what +
-                     "; name two sessions of one robot, sensor and marker body.");
+  const auto refuse_pair = [](const Message& what) {
+    throw InputError(
+        message("The two cannot be compared: {}; name two sessions of one robot, sensor and marker body.", what));
   };
   if (a.is_tracker() != b.is_tracker()) refuse_pair("one has cameras, the other a tracker");
   if (a.rig && camera_names(*a.rig) != camera_names(*b.rig)) refuse_pair("their cameras have other names");
   if (a.marker_count != b.marker_count)
-    refuse_pair(fmt::format("one has {} markers, the other {}", a.marker_count, b.marker_count));
+    refuse_pair(message("one has {} markers, the other {}", a.marker_count, b.marker_count));
   if (a.tcp != b.tcp || a.mount.link != b.mount.link) refuse_pair("TCP or mount are other links");
   if (a.joints != b.joints) refuse_pair("their joints are others, or in another order");
   if (a.robot.joints.size() != b.robot.joints.size()) refuse_pair("their robots are others");
@@ -95,11 +95,11 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   Comparison c;
   for (const auto* clean : {&clean_a, &clean_b}) {
     if (!clean->lone.empty())
-      c.notes.push_back(fmt::format("Of the {} session: {}", clean == &clean_a ? "first" : "second",
-                                    lone_text(clean->lone, a.is_tracker())));
+      c.notes.push_back(message("Of the {} session: {}", clean == &clean_a ? "first" : "second",
+                                lone_text(clean->lone, a.is_tracker())));
     if (!clean->wrong.empty())
-      c.notes.push_back(fmt::format("{} single wrong points of the {} session are left out.", clean->wrong.size(),
-                                    clean == &clean_a ? "first" : "second"));
+      c.notes.push_back(message("{} single wrong points of the {} session are left out.", clean->wrong.size(),
+                                clean == &clean_a ? "first" : "second"));
   }
   if (a.rig && b.rig && !are_alike(*a.rig, *b.rig))
     c.notes.push_back("The sessions name other calibrations of the cameras; each is measured by its own.");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "effects/effect.h"
 
 namespace handsight {
@@ -39,14 +40,14 @@ enum class ComparisonVerdict {
 
 struct Comparison {
   ComparisonVerdict verdict = ComparisonVerdict::unchanged;
-  std::string sentence;                          // for people
+  Message sentence;                              // for people
   std::vector<Change> changes;                   // best first
   std::vector<std::string> cannot_be_told_from;  // ids within odds of 20 of the best, where one passes
   double threshold = 0;  // ln of a Bayes factor that is no chance: 1 in 200 where nothing changed
   std::vector<NumberChange> numbers;
   std::optional<double> hand_mean_m, hand_max_m;  // how far the hand is from where it was, over the poses of both
   bool model_fits = true;  // false: both sides miss their noise; what the model lacks was fitted beside the change
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Hears how much is done (0 to 1; a share smaller than before means: still at work). Where it answers no the

@@ -103,7 +103,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
                const PoseTableOptions& o, Brought& b, Waiting& waiting) {
   switch (kind) {
     case FileKind::robot:
-      throw InputError(file + ": is a second robot; name one URDF, with --robot or among the files.");
+      throw InputError(message("{}: is a second robot; name one URDF, with --robot or among the files.", file));
     case FileKind::images:
       b.image_folders.push_back(path);
       if (const auto poses = pose_files_in(path); poses.size() > 2) waiting.single_poses[path] = poses;
@@ -127,7 +127,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
     case FileKind::target:
       require_new(!b.target, file, kind);
       b.target = read_kalibr_target(parse_yaml(read_file(path), file), file);
-      b.notes.push_back(fmt::format("{}: {}.", file, description_of(*b.target)));
+      b.notes.push_back(message("{}: {}.", file, description_of(*b.target)));
       return;
     case FileKind::samples:
       require_new(!b.samples, file, kind);
@@ -164,11 +164,11 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     const fs::path& path = files[i];
     const FileKind kind = kinds[i];
     const std::string file = shown_path(path.filename().empty() ? path.parent_path().filename() : path.filename());
-    if (kind != FileKind::pose) b.took.push_back(file + ": " + kind_text(kind));
+    if (kind != FileKind::pose) b.took.push_back(message("{}: {}", file, kind_text(kind)));
     bring_one(path, file, kind, robot, {angles, degrees}, b, waiting);
   }
   for (const auto& [folder, poses] : waiting.single_poses) {
-    b.took.push_back(fmt::format("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));
+    b.took.push_back(message("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));
     add_poses(read_pose_files(poses, shown_path(folder.filename()), b.notes), shown_path(folder.filename()), b);
   }
   if (!angles.empty() && std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_told; }))

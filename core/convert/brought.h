@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "convert/file_kind.h"
 #include "print/target.h"
 #include "readers/bag_contents.h"
@@ -34,8 +35,8 @@ struct Brought {
   std::vector<std::filesystem::path> image_folders;
   std::filesystem::path bag;
   std::optional<Target> target;
-  std::vector<Servo> servos;             // what the readings of joints mean
-  std::vector<std::string> took, notes;  // what each was taken for; what else is to be said
+  std::vector<Servo> servos;         // what the readings of joints mean
+  std::vector<Message> took, notes;  // what each was taken for; what else is to be said
 };
 
 /// Reads all files; `robot` null: none was named. InputError where one is wrong, or two say the same.
@@ -51,7 +52,7 @@ const PoseSeries& settled_series(const NamedPoses& poses);
 
 /// The cameras of a calibration: OpenCV's (one or several files), Kalibr's camchain, camodocal's or RealSense's camera,
 /// or those of one or two cameras of ROS. InputError where they make no rig.
-Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes);
+Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<Message>& notes);
 
 /// The same of what was brought.
 Rig rig_of_brought(const Brought& brought);

@@ -77,17 +77,17 @@ std::vector<const Trial*> serving(const std::vector<Trial>& trials, const NamedP
   return usual.empty() ? all : usual;
 }
 
-std::string readings_text(const NamedPoses& flange, const NamedPoses& target, const Trial& trial) {
-  std::string text;
+Message readings_text(const NamedPoses& flange, const NamedPoses& target, const Trial& trial) {
+  std::vector<Message> texts;
   for (const auto& [poses, reading] : {std::pair(&flange, trial.flange), std::pair(&target, trial.target)})
     if (is_open(*poses))
-      text += fmt::format("{}{}: {} are read as {}", text.empty() ? "" : "; ", poses->file, poses->turns.columns,
-                          reading_text(poses->turns.readings[reading]));
-  return text;
+      texts.push_back(message("{}: {} are read as {}", poses->file, poses->turns.columns,
+                              reading_text(poses->turns.readings[reading])));
+  return joined(texts, "; ");
 }
 
-std::string misfit_text(const Misfit& misfit) {
-  return fmt::format("{:.2g} degrees and {:.2g} mm", misfit.turn / degree, 1e3 * misfit.shift);
+Message misfit_text(const Misfit& misfit) {
+  return message("{:.2g} degrees and {:.2g} mm", misfit.turn / degree, 1e3 * misfit.shift);
 }
 
 void take(const Trial& trial, NamedPoses& flange, NamedPoses& target) {
@@ -99,11 +99,11 @@ void take(const Trial& trial, NamedPoses& flange, NamedPoses& target) {
 
 bool is_usual_for(const NamedPoses& p) { return !is_open(p) || p.turns.first_is_usual; }
 
-std::string open_tables(const NamedPoses& flange, const NamedPoses& target) {
-  std::string text;
+Message open_tables(const NamedPoses& flange, const NamedPoses& target) {
+  std::vector<Message> tables;
   for (const NamedPoses* p : {&flange, &target})
-    if (is_open(*p)) text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", p->turns.columns, p->file);
-  return text;
+    if (is_open(*p)) tables.push_back(message("{} of {}", p->turns.columns, p->file));
+  return joined(tables);
 }
 
 constexpr char how_to_say[] =
@@ -111,30 +111,30 @@ constexpr char how_to_say[] =
 
 [[noreturn]] void refuse_two(const NamedPoses& flange, const NamedPoses& target, const Trial& a, const Trial& b) {
   throw InputError(message("{}, or {}: both suit the other poses as well; {}.",
-                           shortened(readings_text(flange, target, a), 180),
-                           shortened(readings_text(flange, target, b), 180), how_to_say));
+                           at_most(readings_text(flange, target, a), 180),
+                           at_most(readings_text(flange, target, b), 180), how_to_say));
 }
 
 /// Where nothing goes together what is usual stays, else nobody knows.
-void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, std::vector<std::string>& notes) {
+void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, std::vector<Message>& notes) {
   if (!is_usual_for(flange) || !is_usual_for(target))
     throw InputError(
         message("No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
                 "is one of them inverted? If they do, {}.",
-                shortened(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
+                at_most(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
   take_usual_turns(flange, notes);
   take_usual_turns(target, notes);
   notes.push_back(
-      fmt::format("However they are read, the motions of the flange and of the target do not agree (the best leaves "
-                  "{}); see what fit says.",
-                  misfit_text(best.misfit)));
+      message("However they are read, the motions of the flange and of the target do not agree (the best leaves "
+              "{}); see what fit says.",
+              misfit_text(best.misfit)));
 }
 
 /// How far the next reading is that is not the same in other words.
-std::string next_best(const std::vector<Trial>& trials, const Trial& chosen) {
+Message next_best(const std::vector<Trial>& trials, const Trial& chosen) {
   for (const Trial& trial : trials)
     if (&trial != &chosen && !are_alike(trial, chosen, chosen.misfit.size()))
-      return fmt::format("; the next best reading leaves {}", misfit_text(trial.misfit));
+      return message("; the next best reading leaves {}", misfit_text(trial.misfit));
   return "";
 }
 
@@ -142,7 +142,7 @@ std::string next_best(const std::vector<Trial>& trials, const Trial& chosen) {
 
 bool is_open(const NamedPoses& poses) { return poses.turns.readings.size() > 1; }
 
-void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std::vector<std::string>& notes) {
+void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std::vector<Message>& notes) {
   if (!is_open(flange) && !is_open(target)) return;
   std::vector<Trial> trials = trials_of(flange, target, eye_in_hand);
   if (trials.empty()) {
@@ -165,13 +165,13 @@ void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std:
     if (!are_alike(*other, *good.front(), good.front()->misfit.size()))
       refuse_two(flange, target, *good.front(), *other);
   const Trial chosen = *good.front();
-  notes.push_back(fmt::format("{}: so the motions of the flange and of the target agree to {}{}.",
-                              readings_text(flange, target, chosen), misfit_text(chosen.misfit),
-                              next_best(trials, *good.front())));
+  notes.push_back(message("{}: so the motions of the flange and of the target agree to {}{}.",
+                          readings_text(flange, target, chosen), misfit_text(chosen.misfit),
+                          next_best(trials, *good.front())));
   take(chosen, flange, target);
 }
 
-void take_usual_turns(NamedPoses& p, std::vector<std::string>& notes) {
+void take_usual_turns(NamedPoses& p, std::vector<Message>& notes) {
   if (!is_open(p)) return;
   if (!p.turns.first_is_usual)
     throw InputError(
@@ -181,7 +181,7 @@ void take_usual_turns(NamedPoses& p, std::vector<std::string>& notes) {
                 p.file, p.turns.columns, reading_text(p.turns.readings[0]), reading_text(p.turns.readings[1])));
   p.turns.readings.resize(1);
   read_turns(p.turns, p.turns.readings[0], p.series);
-  notes.push_back(fmt::format("{}: {} are taken for {}.", p.file, p.turns.columns, reading_text(p.turns.readings[0])));
+  notes.push_back(message("{}: {} are taken for {}.", p.file, p.turns.columns, reading_text(p.turns.readings[0])));
 }
 
 }  // namespace handsight

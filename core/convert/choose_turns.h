@@ -3,6 +3,7 @@
 // convert.
 #pragma once
 
+#include "base/message.h"
 #include "convert/brought.h"
 #include "convert/conversion.h"
 
@@ -13,9 +14,9 @@ bool is_open(const NamedPoses& poses);
 
 /// Settles both; they are paired row by row. What was chosen and by what is said in the notes. InputError where nobody
 /// said what the turns are and several readings serve, none does, or nothing can be tried.
-void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std::vector<std::string>& notes);
+void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std::vector<Message>& notes);
 
 /// The same where nothing can be held against it: what is usual for its columns. InputError where nothing is.
-void take_usual_turns(NamedPoses& poses, std::vector<std::string>& notes);
+void take_usual_turns(NamedPoses& poses, std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 
+#include "base/message.h"
 #include "readers/series.h"
 #include "session/session.h"
 
@@ -38,9 +39,9 @@ struct ConversionStopped : std::exception {
 
 struct Conversion {
   Session session;
-  std::vector<std::string> took;   // what each file was taken for
-  std::vector<std::string> notes;  // what was understood, what is missing, what was left out
-  std::string sensor, target;      // what measured and what it saw, as files or topics call them; empty: not told
+  std::vector<Message> took;   // what each file was taken for
+  std::vector<Message> notes;  // what was understood, what is missing, what was left out
+  std::string sensor, target;  // what measured and what it saw, as files or topics call them; empty: not told
 };
 
 /// Throws ConversionStopped where it is no longer wanted.

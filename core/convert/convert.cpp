@@ -32,7 +32,7 @@ std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const std::opt
   for (auto f = files.begin(); f != files.end(); ++f)
     if (fs::is_regular_file(*f) && !is_bag(*f) && begins_with_bracket(*f) && is_robot_text(read_file(*f))) {
       FieldUrdf robot = robot_of_file(*f);
-      c.took.push_back(f->filename().string() + ": " + kind_text(FileKind::robot));
+      c.took.push_back(message("{}: {}", f->filename().string(), kind_text(FileKind::robot)));
       files.erase(f);
       return robot;
     }
@@ -126,7 +126,7 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   ask_whether_to_go_on(o);
   if (!o.target) o.target = b.target;
   c = assemble(robot, bag, b, o, std::move(c));
-  for (const std::string& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
+  for (const Message& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
   return c;
 }
 

@@ -106,7 +106,7 @@ void keep_camera(BagContents& bag, const std::string& camera) {
   std::erase_if(bag.images, [&](const BagImages& images) { return images.topic.find(camera) == std::string::npos; });
   if (bag.images.empty())
     throw InputError(message("--camera {}: no image topic of the bag has this in its name; it has: {}.",
-                             in_quotes(camera), topics.empty() ? "none" : shortened(topics, 300)));
+                             in_quotes(camera), topics.empty() ? Message("none") : verbatim(shortened(topics, 300))));
 }
 
 std::string named_topics(const BagRig& rig) {
@@ -132,7 +132,7 @@ std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, con
   throw InputError(
       message("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
               "camera with its CameraInfo, or a left and a right one, or say with --camera which to take.",
-              single.size(), topics.empty() ? "" : " (" + shortened(topics, 200) + ")"));
+              single.size(), topics.empty() ? std::string() : " (" + shortened(topics, 200) + ")"));
 }
 
 /// Places of images of all topics that were taken together: by topic, one a time.
@@ -196,8 +196,8 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
   const Together together = taken_together(found.topics);
   const std::size_t all = found.topics.front()->times.size();
   if (together.times.size() < all)
-    c.notes.push_back(fmt::format("{} of {} left images have no right image within 10 ms and are left out.",
-                                  all - together.times.size(), all));
+    c.notes.push_back(message("{} of {} left images have no right image within 10 ms and are left out.",
+                              all - together.times.size(), all));
   const Paired p = pair_events(bag.joints, together.times, together.times.size(), {}, o, c.notes);
   std::filesystem::create_directories(o.out / "images");
   const std::vector<InstantImages> images = write_images(file, found, together, p.events, o.out / "images", o);
@@ -222,8 +222,8 @@ Rigid pose_of(const Eigen::VectorXd& position) {
 /// No robot is known: /tf says where its flange is, the images or /tf where the target is.
 Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOptions& o, Conversion c) {
   BagContents bag = read_bag_contents(file, Robot{}, [&] { ask_whether_to_go_on(o); });
-  for (const std::string& note : bag.notes)
-    if (note.find("moving joints of the robot") == std::string::npos) c.notes.push_back(note);
+  for (const Message& note : bag.notes)
+    if (note.form().find("moving joints of the robot") == std::string::npos) c.notes.push_back(note);
   keep_camera(bag, o.camera);
   bag.joints = flange_of_bag(bag, o, c.notes);
   if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt) {
@@ -242,7 +242,7 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
   for (const Eigen::VectorXd& position : p.positions) flange.series.poses.push_back(pose_of(position));
   target.series.poses = chosen(frame.series.poses, p.events);
   c.notes.push_back(
-      fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
+      message("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
   c.sensor = frame.parent, c.target = child;
   return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
 }
@@ -271,7 +271,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, cons
   const std::string child = target_frame_of(bag, o.target_frame);
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(
-      fmt::format("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
+      message("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));
   c.sensor = frame.parent, c.target = child;
   return from_poses(*robot, bag.joints, {child, "", frame.series}, o, std::move(c));
 }

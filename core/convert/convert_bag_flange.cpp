@@ -66,7 +66,7 @@ void unwrap(Eigen::VectorXd& position, const Eigen::VectorXd& last) {
 
 }  // namespace
 
-JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& o, std::vector<std::string>& notes) {
+JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& o, std::vector<Message>& notes) {
   const std::string child = flange_frame_of(bag, o);
   const std::vector<const BagFrame*> frames = frames_above(bag, child);
   const BagFrame* fastest = *std::max_element(frames.begin(), frames.end(), [](const BagFrame* a, const BagFrame* b) {
@@ -92,8 +92,8 @@ JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& o, std::
         message("The frame {} of the bag's /tf is told at {} times together with what carries it; "
                 "expected it at many: record /tf while the robot moves.",
                 in_quotes(child), flange.positions.size()));
-  notes.push_back(fmt::format("The flange is the frame {} that /tf gives in {}.", in_quotes(child),
-                              in_quotes(frames.back()->parent)));
+  notes.push_back(
+      message("The flange is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frames.back()->parent)));
   return flange;
 }
 

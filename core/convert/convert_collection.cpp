@@ -154,21 +154,19 @@ void require_one_sensor(const std::vector<Conversion>& made) {
 }
 
 void note_shared(const std::vector<CollectionEntry>& entries, std::string CollectionEntry::*what, const char* is_one,
-                 std::vector<std::string>& notes) {
+                 std::vector<Message>& notes) {
   std::map<std::string, std::string> sessions;
   for (const CollectionEntry& e : entries)
     if (!(e.*what).empty()) sessions[e.*what] += (sessions[e.*what].empty() ? "" : ", ") + e.title;
-  for (const auto& [name, titles] : sessions)
-    notes.push_back(fmt::format("{} have one {} ({}).", titles, is_one, name));
+  for (const auto& [name, titles] : sessions) notes.push_back(message("{} have one {} ({}).", titles, is_one, name));
   if (sessions.empty())
     notes.push_back(
-        fmt::format("No two sessions have one {}; where they have, say so in "
-                    "collection.xml.",
-                    is_one));
+        message("No two sessions have one {}; where they have, say so in "
+                "collection.xml.",
+                is_one));
 }
 
-Collection collection_of(const std::vector<Conversion>& made, const CollectionOptions& o,
-                         std::vector<std::string>& notes) {
+Collection collection_of(const std::vector<Conversion>& made, const CollectionOptions& o, std::vector<Message>& notes) {
   std::vector<std::string> rigs, bodies, mounts, hands;
   for (const Conversion& c : made) {
     rigs.push_back(rig_key(c, o.one_sensor));
@@ -195,16 +193,16 @@ Conversion converted_one(const std::vector<fs::path>& files, ConvertOptions o, c
   try {
     return convert(files, o);
   } catch (const InputError& error) {
-    throw InputError(message("Session {}: {}", in_quotes(o.title), error.what()));
+    throw InputError(message("Session {}: {}", in_quotes(o.title), error.sentence()));
   }
 }
 
 void note_files(const std::vector<ConvertOptions>& sessions, const std::vector<std::vector<fs::path>>& files,
-                std::size_t all, std::vector<std::string>& notes) {
+                std::size_t all, std::vector<Message>& notes) {
   for (std::size_t i = 0; i < sessions.size(); ++i)
     if (files[i].size() < all)
       notes.push_back(
-          fmt::format("{} is made of {} of the {} files, by their names.", sessions[i].title, files[i].size(), all));
+          message("{} is made of {} of the {} files, by their names.", sessions[i].title, files[i].size(), all));
 }
 
 }  // namespace

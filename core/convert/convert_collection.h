@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/message.h"
 #include "convert/conversion.h"
 #include "session/collection.h"
 
@@ -13,7 +14,7 @@ namespace handsight {
 struct ConvertedCollection {
   Collection collection;             // as written; its file is collection.xml of the folder
   std::vector<Conversion> sessions;  // in its order
-  std::vector<std::string> notes;    // what they share, what files are of which
+  std::vector<Message> notes;        // what they share, what files are of which
 };
 
 struct CollectionOptions {

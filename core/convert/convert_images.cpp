@@ -71,20 +71,21 @@ Rig rig_of_brought(const Brought& b) {
   }
   throw InputError(
       b.cameras.empty()
-          ? "There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or make one "
-            "with `handsight-cli cameras`."
+          ? Message("There are images, and no calibration of the cameras; name OpenCV's, Kalibr's or those of ROS, or "
+                    "make one "
+                    "with `handsight-cli cameras`.")
           : "Files of ROS do not say how more than two cameras lie to each other; name Kalibr's camchain, or make a "
             "calibration with `handsight-cli cameras`.");
 }
 
-Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<std::string>& notes) {
+Rig rig_of_files(const std::vector<std::filesystem::path>& files, std::vector<Message>& notes) {
   if (std::none_of(files.begin(), files.end(), is_of_kalibr_ros_or_makers)) return read_rig_calibration(files, &notes);
   const Brought b = bring(files, nullptr, false, {});
   notes.insert(notes.end(), b.notes.begin(), b.notes.end());
   return rig_of_brought(b);
 }
 
-void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes) {
+void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<Message>& notes) {
   for (int c = 0; c < rig.count(); ++c)
     if (const auto size = size_of_images(images, static_cast<std::size_t>(c)))
       fit_to_images(rig.at(c), static_cast<int>(size->width), static_cast<int>(size->height), notes);
@@ -100,8 +101,7 @@ void require_target(const Rig& rig, const ConvertOptions& o) {
 }
 
 /// Cameras and images beside what the parts say of the robot.
-Session with_images(const SessionParts& parts, const Brought& b, const ConvertOptions& o,
-                    std::vector<std::string>& notes) {
+Session with_images(const SessionParts& parts, const Brought& b, const ConvertOptions& o, std::vector<Message>& notes) {
   Rig rig = rig_of_brought(b);
   require_target(rig, o);
   const std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
@@ -145,11 +145,11 @@ Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Convers
   SessionParts parts;
   set_flange(parts, flange.series, !o.eye_on_base, c.notes);
   parts.times = flange.series.times;
-  c.notes.push_back(fmt::format("{}: its poses are taken for base_from_flange; the camera is taken to be {}.",
-                                b.poses.front().file,
-                                o.eye_on_base ? "on a stand and the target on the flange"
-                                              : "on the flange and the target beside the robot (--eye-on-base: the "
-                                                "camera stands, the flange carries the target)"));
+  c.notes.push_back(message("{}: its poses are taken for base_from_flange; the camera is taken to be {}.",
+                            b.poses.front().file,
+                            o.eye_on_base ? "on a stand and the target on the flange"
+                                          : "on the flange and the target beside the robot (--eye-on-base: the "
+                                            "camera stands, the flange carries the target)"));
   name_sensor(b, o, c);
   c.session = write_camera_session(parts, rig, images, o, c.notes);
   if (is_open(flange)) choose_turns_by_images(flange, !o.eye_on_base, c);

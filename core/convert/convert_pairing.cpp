@@ -11,7 +11,7 @@
 namespace handsight {
 
 Paired pair_events(const JointSeries& joints, const std::vector<double>& times, std::size_t count,
-                   const std::vector<double>& speeds, const ConvertOptions& o, std::vector<std::string>& notes) {
+                   const std::vector<double>& speeds, const ConvertOptions& o, std::vector<Message>& notes) {
   Paired p;
   constexpr double same = 0.1;  // s: rows of two tables that were written together
   bool row_by_row = joints.positions.size() == count;
@@ -33,10 +33,10 @@ Paired pair_events(const JointSeries& joints, const std::vector<double>& times, 
     const auto lag = estimated_lag(joints, times, speeds);
     if (lag) options.lag = *lag;
     notes.push_back(
-        lag ? fmt::format("The measurements come {:.3f} s after the joint readings; that was taken out.", *lag)
-            : "The lag between measurements and joint readings cannot be told: both must show the same "
-              "movements. It is taken as " +
-                  fmt::format("{:g} s.", options.lag));
+        lag ? message("The measurements come {:.3f} s after the joint readings; that was taken out.", *lag)
+            : message("The lag between measurements and joint readings cannot be told: both must show the same "
+                      "movements. It is taken as {:g} s.",
+                      options.lag));
   }
   const double median_step =
       (joints.times.back() - joints.times.front()) / std::max<std::size_t>(1, joints.times.size() - 1);
@@ -44,7 +44,7 @@ Paired pair_events(const JointSeries& joints, const std::vector<double>& times, 
   options.widest_gap = std::max(options.widest_gap, 2.5 * median_step);
   const Pairing pairing = paired(joints, times, options);
   const auto told = [&](std::size_t n, const char* why) {
-    if (n > 0) notes.push_back(fmt::format("{} of {} measurements are left out: {}.", n, count, why));
+    if (n > 0) notes.push_back(message("{} of {} measurements are left out: {}.", n, count, why));
   };
   told(pairing.outside, "there are no joint readings at their times");
   told(pairing.gaps, "the joint readings have a gap there");

@@ -2,6 +2,7 @@
 // Which joint readings belong to which measurement. Internal to convert.
 #pragma once
 
+#include "base/message.h"
 #include "convert/conversion.h"
 
 namespace handsight {
@@ -15,7 +16,7 @@ struct Paired {
 /// `times` (s) and `speeds` of the measurements, empty where they have none; InputError where none has joint readings
 /// to it. What is left out is counted in the notes.
 Paired pair_events(const JointSeries& joints, const std::vector<double>& times, std::size_t count,
-                   const std::vector<double>& speeds, const ConvertOptions& options, std::vector<std::string>& notes);
+                   const std::vector<double>& speeds, const ConvertOptions& options, std::vector<Message>& notes);
 
 /// Those at these places.
 template <class T>

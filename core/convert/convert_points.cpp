@@ -32,7 +32,7 @@ std::string called(const NamedPoses& p, const NamedPoses& other) {
   return p.role.empty() || (!says_it && p.file != other.file) ? p.file : p.role;
 }
 
-std::string sensor_note(const ConvertOptions& o) {
+Message sensor_note(const ConvertOptions& o) {
   if (o.sigma && o.sigma_angle) return "The target's pose counts whole, place and turn.";
   return "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is "
          "known say it: --sigma (m), --sigma-angle (rad), or in <pose_sensor>.";
@@ -56,7 +56,7 @@ std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses
               a, b));
 }
 
-void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes) {
+void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<Message>& notes) {
   parts.joints.names = joint_names(poses_robot());
   for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
   parts.tcp = eye_in_hand ? "base" : "flange";
@@ -119,8 +119,7 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
   return c;
 }
 
-void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts& parts,
-                   std::vector<std::string>& notes) {
+void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts& parts, std::vector<Message>& notes) {
   if (o.tcp.empty())
     throw InputError(message("--tcp is missing: the link that is the hand. At the ends of this robot are: {}.",
                              shortened(fmt::format("{}", fmt::join(end_links(robot.robot), " ")), 300)));
@@ -128,8 +127,8 @@ void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts
   parts.tcp = o.tcp;
   parts.mount = o.mount.empty() ? robot.robot.links.front().name : o.mount;
   if (o.mount.empty())
-    notes.push_back(fmt::format("--mount is not given: the sensor is taken to stand beside the robot (link {}).",
-                                in_quotes(parts.mount)));
+    notes.push_back(message("--mount is not given: the sensor is taken to stand beside the robot (link {}).",
+                            in_quotes(parts.mount)));
 }
 
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
@@ -143,7 +142,7 @@ Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const 
   std::size_t unseen = 0;
   for (const auto& row : parts.points)
     for (const auto& point : row) unseen += !point.has_value();
-  if (unseen > 0) c.notes.push_back(fmt::format("{} points were not seen by the device; they are left out.", unseen));
+  if (unseen > 0) c.notes.push_back(message("{} points were not seen by the device; they are left out.", unseen));
   c.session = write_measured_session(parts, o);
   return c;
 }

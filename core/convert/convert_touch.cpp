@@ -45,7 +45,7 @@ const char* kind_by_name(const std::string& id) {
 /// The fixtures as they stand in a session: those that options describe, then those that tables name.
 class Fixtures {
  public:
-  Fixtures(const ConvertOptions& o, std::vector<std::string>& notes) : notes_(notes) {
+  Fixtures(const ConvertOptions& o, std::vector<Message>& notes) : notes_(notes) {
     root_ = document_.NewElement("touch");
     document_.InsertEndChild(root_);
     if (o.sigma) root_->SetAttribute("sigma", fmt::format("{}", *o.sigma).c_str());
@@ -65,9 +65,9 @@ class Fixtures {
           "length in place of plane.",
           file, in_quotes(shortened(id, 60)), shortened(id, 60)));
     notes_.push_back(
-        fmt::format("{}: the fixture {} is taken for a {} by its name; say --fixture \"KIND {}\" where it "
-                    "is something else.",
-                    file, in_quotes(shortened(id, 60)), kind, shortened(id, 60)));
+        message("{}: the fixture {} is taken for a {} by its name; say --fixture \"KIND {}\" where it "
+                "is something else.",
+                file, in_quotes(shortened(id, 60)), kind, shortened(id, 60)));
     add(kind, id);
   }
 
@@ -127,7 +127,7 @@ class Fixtures {
     return *value;
   }
 
-  std::vector<std::string>& notes_;
+  std::vector<Message>& notes_;
   tinyxml2::XMLDocument document_;
   tinyxml2::XMLElement* root_ = nullptr;
   std::vector<std::string> ids_, apart_;
@@ -193,11 +193,11 @@ void settle_times(std::vector<TouchTable>& tables) {
   }
 }
 
-void note_fixtures(const Session& s, std::vector<std::string>& notes) {
+void note_fixtures(const Session& s, std::vector<Message>& notes) {
   for (std::size_t f = 0; f < s.fixtures.size(); ++f) {
     const auto count = std::count_if(s.observations.begin(), s.observations.end(),
                                      [&](const Observation& o) { return o.part == static_cast<int>(f); });
-    notes.push_back(fmt::format("Fixture {}: {} touches.", s.fixtures[f].id, count));
+    notes.push_back(message("Fixture {}: {} touches.", s.fixtures[f].id, count));
   }
   const bool any_untold =
       std::any_of(s.fixtures.begin(), s.fixtures.end(), [](const Fixture& f) { return !f.sigma.has_value(); });
@@ -211,7 +211,7 @@ Session written(Session s, const FieldUrdf& robot, const ConvertOptions& o) {
   ask_whether_to_go_on(o);
   std::error_code error;
   fs::create_directories(o.out, error);
-  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(o.out), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(o.out), system_text(error)));
   replace_file(o.out / "robot.urdf", robot.text);
   replace_file(s.file, session_text(s));
   return read_session(s.file);
@@ -238,13 +238,13 @@ Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector
                         const ConvertOptions& o, Conversion c) {
   if (!robot) throw InputError("There is no robot; name its URDF with --robot.");
   SessionParts links;
-  std::vector<std::string> mount_notes;
+  std::vector<Message> mount_notes;
   require_links(*robot, o, links, mount_notes);
   Fixtures fixtures(o, c.notes);
   std::vector<TouchTable> tables;
   std::vector<std::string> names;
   for (auto& [file, table] : tables_of(files, robot->robot, o)) {
-    c.took.push_back(table.file + ": a table of touches");
+    c.took.push_back(message("{}: a table of touches", table.file));
     names.push_back(table.file);
     const std::string fixture = fixtures.only().empty() || files.size() > 1 ? file.stem().string() : fixtures.only();
     tables.push_back(read_touch_table(std::move(table), robot->robot, fixture, o.degrees, c.notes));

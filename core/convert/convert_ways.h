@@ -2,6 +2,7 @@
 // The ways from what was brought to a session, by the sensor that measured. Internal to convert.
 #pragma once
 
+#include "base/message.h"
 #include "convert/brought.h"
 #include "convert/conversion.h"
 #include "convert/session_parts.h"
@@ -15,7 +16,7 @@ bool says(const std::string& name, std::initializer_list<const char*> words);
 
 /// TCP and mount of the robot into the parts; InputError where the TCP is not named.
 void require_links(const FieldUrdf& robot, const ConvertOptions& options, SessionParts& parts,
-                   std::vector<std::string>& notes);
+                   std::vector<Message>& notes);
 
 /// The way of a flange alone: no robot is known, its pose is.
 Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& options,
@@ -25,7 +26,7 @@ Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, c
 Conversion from_flange_images(const Brought& brought, const ConvertOptions& options, Conversion conversion);
 
 /// The robot of poses in the parts: its flange carries the target or, eye in hand, the camera.
-void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<std::string>& notes);
+void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<Message>& notes);
 
 /// Of a tracker; `speeds` (m/s) of what it saw, where they are known.
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,
@@ -41,7 +42,7 @@ Conversion from_images(const FieldUrdf& robot, const Brought& brought, const Con
 
 /// Where a bag's /tf has the flange, as readings of poses_robot's joints: the frame that --tcp names, or the only one
 /// that sounds like a flange, with all that carries it. InputError where there is none.
-JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& options, std::vector<std::string>& notes);
+JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& options, std::vector<Message>& notes);
 
 /// Are there touches of a probe: options that describe fixtures, or a table with a column `fixture`?
 bool are_touches(const std::vector<std::filesystem::path>& files, const Robot* robot, const ConvertOptions& options);
@@ -56,7 +57,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const
                     const ConvertOptions& options, Conversion conversion);
 
 /// The cameras' sizes as the first of these images of each has them.
-void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<std::string>& notes);
+void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<Message>& notes);
 
 /// InputError where nothing can be found in the images of this rig: without a target markers have no names.
 void require_target(const Rig& rig, const ConvertOptions& options);

@@ -56,7 +56,7 @@ std::vector<std::string> names_of(const Robot* robot) {
 
 /// A storage of poses, not of cameras.
 FileKind storage_kind(const fs::path& path, const std::string& text) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const bool has_poses =
       text.find("amera") == std::string::npos && !poses_of_storage(text, shown_path(path.filename()), notes).empty();
   return has_poses ? FileKind::poses : FileKind::storage;
@@ -79,7 +79,7 @@ bool has_number(const fs::path& path) {
   return stem.find_first_of("0123456789") != std::string::npos;
 }
 
-[[noreturn]] void refuse_kind(const fs::path& path, const std::string& looks_like) {
+[[noreturn]] void refuse_kind(const fs::path& path, const char* looks_like) {
   throw InputError(message(
       "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
       "ROS or Kalibr, samples of easy_handeye, or a bag of ROS.",

@@ -91,32 +91,30 @@ Rows places_of(const PoseSeries& s) {
   return places;
 }
 
-/// `sentence` says by what; where poses are left over it goes on with how many have a partner.
-void say_pairs(std::string sentence, const Pairs& pairs, std::size_t flange, std::size_t other,
-               std::vector<std::string>& notes) {
-  if (pairs.first.size() != std::max(flange, other)) {
-    sentence.pop_back();
-    sentence += fmt::format(": {} of {} and {} have a partner.", pairs.first.size(), flange, other);
-  }
-  notes.push_back(std::move(sentence));
+/// `how` says by what; where poses are left over it goes on with how many have a partner.
+void say_pairs(const Message& how, const Pairs& pairs, std::size_t flange, std::size_t other,
+               std::vector<Message>& notes) {
+  notes.push_back(pairs.first.size() == std::max(flange, other)
+                      ? message("{}.", how)
+                      : message("{}: {} of {} and {} have a partner.", how, pairs.first.size(), flange, other));
 }
 
 Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const ConvertOptions& o,
-               std::vector<std::string>& notes) {
+               std::vector<Message>& notes) {
   const auto told = [&](const char* sentence, Pairs pairs) {
     say_pairs(sentence, pairs, flange.poses.size(), target.poses.size(), notes);
     return pairs;
   };
   if (!flange.names.empty() && !target.names.empty())
     if (Pairs pairs = pair_by(plain_names(flange.names), plain_names(target.names)); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by the names of their images.", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by the names of their images", std::move(pairs));
   if (!flange.numbers.empty() && !target.numbers.empty())
     if (Pairs pairs = pair_by(flange.numbers, target.numbers); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by their numbers.", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by their numbers", std::move(pairs));
   const bool same_count = row_count(flange) == row_count(target);
   if (!flange.times.empty() && !target.times.empty()) {
     if (Pairs pairs = pair_by_time(flange.times, target.times, o.pairing.lag); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by their times.", std::move(pairs));
+      return told("Poses of the flange and of the target are paired by their times", std::move(pairs));
     if (!same_count)
       throw InputError(
           message("No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
@@ -173,7 +171,7 @@ Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vect
 }
 
 Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras,
-                      std::vector<std::string>& notes) {
+                      std::vector<Message>& notes) {
   const auto told = [&](const char* sentence, Pairs pairs) {
     say_pairs(sentence, pairs, flange.poses.size(), images.size(), notes);
     return pairs;
@@ -184,13 +182,13 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
       throw InputError(
           message("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
                   in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
-    return told("Poses of the flange and the images are paired by the images' names.", std::move(pairs));
+    return told("Poses of the flange and the images are paired by the images' names", std::move(pairs));
   }
   const bool same_count = images.size() == row_count(flange);
   if (!flange.numbers.empty()) {
     Pairs pairs = pair_by(flange.numbers, numbers_of(images));
     if (pairs.first.size() == flange.numbers.size() || (!pairs.first.empty() && !same_count))
-      return told("Poses of the flange and the images are paired by their numbers.", std::move(pairs));
+      return told("Poses of the flange and the images are paired by their numbers", std::move(pairs));
   }
   if (!same_count)
     throw InputError(message(
@@ -214,7 +212,7 @@ NamedPoses rows_of(const NamedPoses& p, const Rows& rows) {
   return some;
 }
 
-void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o, std::vector<std::string>& notes) {
+void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o, std::vector<Message>& notes) {
   const Pairs pairs = pairs_of(flange.series, target.series, o, notes);
   if (pairs.first.empty())
     throw InputError("No row has both a pose of the flange and one of the target; expected one of each an instant.");
@@ -222,13 +220,13 @@ void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o,
   target = rows_of(target, pairs.second);
   const Rows own = once(flange.series.poses, target.series.poses);
   if (own.size() == flange.series.poses.size()) return;
-  notes.push_back(fmt::format("{} rows repeat another one in both tables; each counts once.",
-                              flange.series.poses.size() - own.size()));
+  notes.push_back(
+      message("{} rows repeat another one in both tables; each counts once.", flange.series.poses.size() - own.size()));
   flange = rows_of(flange, own);
   target = rows_of(target, own);
 }
 
-void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<std::string>& notes) {
+void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<Message>& notes) {
   const Pairs pairs = pairs_of_images(flange.series, images, cameras, notes);
   flange = rows_of(flange, pairs.first);
   images = some_of(images, pairs.second);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(folder), error.message()));
+  if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(folder), system_text(error)));
 }
 
 std::string title_of(const ConvertOptions& o) { return o.title.empty() ? o.out.filename().string() : o.title; }
@@ -86,7 +86,7 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
 }
 
 Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
-                             const ConvertOptions& o, std::vector<std::string>& notes) {
+                             const ConvertOptions& o, std::vector<Message>& notes) {
   const bool is_flange = parts.urdf_text.empty();
   const Robot robot = is_flange ? poses_robot() : parse_urdf(parts.urdf_text, "robot.urdf", nullptr);
   require_link(robot, parts.tcp, "--tcp");

@@ -2,6 +2,7 @@
 // A converted session on its way into its folder. Internal to convert.cpp.
 #pragma once
 
+#include "base/message.h"
 #include "convert/conversion.h"
 #include "session/new_session.h"
 
@@ -20,6 +21,6 @@ struct SessionParts {
 /// back.
 Session write_measured_session(const SessionParts& parts, const ConvertOptions& options);
 Session write_camera_session(const SessionParts& parts, const Rig& rig, const std::vector<InstantImages>& images,
-                             const ConvertOptions& options, std::vector<std::string>& notes);
+                             const ConvertOptions& options, std::vector<Message>& notes);
 
 }  // namespace handsight

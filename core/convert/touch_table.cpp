@@ -88,7 +88,7 @@ std::optional<Table> parse_touch_table(const std::string& text, const std::strin
 bool names_fixtures(const Table& table) { return table.has_header && find_column(table, fixture_names).has_value(); }
 
 TouchTable read_touch_table(Table table, const Robot& robot, const std::string& fixture, bool degrees,
-                            std::vector<std::string>& notes) {
+                            std::vector<Message>& notes) {
   std::vector<double> times = times_of(table, notes);
   sort_by_time(table, times, notes);
   const JointSeries series = read_joint_table(joints_of(table, robot), robot, degrees, notes);
@@ -115,8 +115,8 @@ TouchTable read_touch_table(Table table, const Robot& robot, const std::string& 
     result.rows.push_back(std::move(row));
   }
   if (repeated > 0)
-    notes.push_back(fmt::format("{}: {} lines are of a touch that the line before is of too; each counts once.",
-                                table.file, repeated));
+    notes.push_back(
+        message("{}: {} lines are of a touch that the line before is of too; each counts once.", table.file, repeated));
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/message.h"
 #include "convert/conversion.h"
 #include "readers/table.h"
 
@@ -32,6 +33,6 @@ bool names_fixtures(const Table& table);
 /// `fixture`: what is touched in a table that has no such column. Lines of the same `pose` in which the robot stood the
 /// same are one touch. InputError where a reading has no unit, or a joint is in degrees and nothing says so.
 TouchTable read_touch_table(Table table, const Robot& robot, const std::string& fixture, bool degrees,
-                            std::vector<std::string>& notes);
+                            std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -27,7 +27,7 @@ CalibratedRobot with_moved_hand(CalibratedRobot robot) {
   robot.of_hand.reset();
   std::swap(robot.tcp, robot.mount);
   robot.notes.push_back(
-      fmt::format("The sensor rides on the hand: what is told is where link {} is.", in_quotes(robot.tcp)));
+      message("The sensor rides on the hand: what is told is where link {} is.", in_quotes(robot.tcp)));
   return robot;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "estimation/report/export.h"
 #include "estimation/report/prediction.h"
 
@@ -23,7 +24,7 @@ struct CalibratedRobot {
   std::string urdf_text, urdf_file;        // the robot as written; the text is empty where it was not kept
   std::filesystem::path robot_folder;      // where its meshes are named from; empty: not known
   std::optional<PredictionModel> of_hand;  // for chain_of_hand, where the sensor rides on the hand (hand_end.h)
-  std::vector<std::string> notes;          // a sentence each
+  std::vector<Message> notes;              // a sentence each
 };
 
 /// The robot with the end that it moves as its hand: exchanged ends where the sensor rides on it, else as it is.

@@ -42,14 +42,14 @@ std::vector<Image> without_target(const Session& session, const std::vector<cons
   return images;
 }
 
-std::string repeated_text(const std::map<int, int>& repeated) {
+Message repeated_text(const std::map<int, int>& repeated) {
   std::vector<std::string> numbers;
   int observations = 0;
   for (const auto& [number, count] : repeated) {
     numbers.push_back(std::to_string(number));
     observations = std::max(observations, count);
   }
-  return fmt::format(
+  return message(
       "Images show the tag {} several times (in {} observation{}); which of them is meant nothing tells, "
       "and it is left out there.",
       fmt::join(numbers, ", "), observations, observations == 1 ? "" : "s");
@@ -73,7 +73,7 @@ TargetFinding TargetFinder::find(const Observation& observation) const {
     try {
       image = read_image(folder_ / file, rig_.at(c).camera, file);
     } catch (const InputError& error) {
-      finding.unreadable.push_back(error.what());
+      finding.unreadable.push_back(error.sentence());
       continue;
     }
     ++finding.images;
@@ -88,11 +88,12 @@ TargetFinding TargetFinder::find(const Observation& observation) const {
       see(sighting, c, point.pixel, sigma_of(point));
     }
     if (seen.points.empty() && finding.reason.empty())
-      finding.reason = rig_.count() == 1 ? seen.reason : fmt::format("{}: {}", rig_.at(c).name, seen.reason);
+      finding.reason = rig_.count() == 1 ? seen.reason : message("{}: {}", rig_.at(c).name, seen.reason);
   }
   for (auto& [number, sighting] : by_number) finding.sightings.push_back(std::move(sighting));
-  if (!finding.sightings.empty()) finding.reason.clear();
-  if (finding.images == 0) finding.reason = finding.unreadable.empty() ? "it has no image" : finding.unreadable.front();
+  if (!finding.sightings.empty()) finding.reason = {};
+  if (finding.images == 0)
+    finding.reason = finding.unreadable.empty() ? Message("it has no image") : finding.unreadable.front();
   return finding;
 }
 
@@ -104,7 +105,7 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
   if (all == 0) return search;
   const TargetFinder finder(session);
   int unreadable = 0, without = 0;
-  std::string first_unreadable, first_without;
+  Message first_unreadable, first_without;
   std::map<int, int> repeated;  // observations by number of the tag
   std::vector<const Observation*> not_found;
   for (Observation& o : session.observations) {
@@ -116,29 +117,28 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
     unreadable += finding.unreadable.empty() ? 0 : 1;
     if (!finding.unreadable.empty() && first_unreadable.empty()) first_unreadable = finding.unreadable.front();
     if (finding.sightings.empty() && finding.unreadable.empty() && without++ == 0)
-      first_without = fmt::format("{}: {}", o.id, finding.reason);
+      first_without = message("{}: {}", o.id, finding.reason);
     for (const int number : finding.repeated) ++repeated[number];
     if (finding.sightings.empty() && finding.unreadable.empty()) not_found.push_back(&o);
     search.found += finding.sightings.empty() ? 0 : 1;
     o.sightings = std::move(finding.sightings);
     if (progress) progress(++done, all);
   }
-  search.notes.push_back(fmt::format("The {} is found in {} of {} observations with images.",
-                                     description_of(*session.target), search.found, search.looked_at));
+  search.notes.push_back(message("The {} is found in {} of {} observations with images.",
+                                 description_of(*session.target), search.found, search.looked_at));
   if (without > 0)
-    search.notes.push_back(fmt::format("It is not found in {} observations, first in {}.", without, first_without));
+    search.notes.push_back(message("It is not found in {} observations, first in {}.", without, first_without));
   if (3 * search.found < search.looked_at && !not_found.empty())
     search.in_its_place =
         guess_target(without_target(session, not_found), *session.target, TargetWording::attributes).text;
   if (!search.in_its_place.empty()) search.notes.push_back(search.in_its_place);
   if (!repeated.empty()) search.notes.push_back(repeated_text(repeated));
   if (search.dropped_points + search.dropped_tags > 0)
-    search.notes.push_back(
-        fmt::format("{} points and {} tags did not agree with the rest of the target and are left out.",
-                    search.dropped_points, search.dropped_tags));
+    search.notes.push_back(message("{} points and {} tags did not agree with the rest of the target and are left out.",
+                                   search.dropped_points, search.dropped_tags));
   if (unreadable > 0)
     search.notes.push_back(
-        fmt::format("Images of {} observations cannot be read, first: {}", unreadable, first_unreadable));
+        message("Images of {} observations cannot be read, first: {}", unreadable, first_unreadable));
   return search;
 }
 

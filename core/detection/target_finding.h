@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/session.h"
 
 namespace handsight {
@@ -19,9 +20,9 @@ struct TargetFinding {
   std::vector<Sighting> sightings;  // in order of number, by="tracker", with the sigmas of the image points
   int images = 0;                   // that could be read
   int dropped_points = 0, dropped_tags = 0;
-  std::vector<int> repeated;            // numbers of single tags that an image shows several times
-  std::string reason;                   // why nothing was found; empty where something was
-  std::vector<std::string> unreadable;  // a sentence for each image that cannot be read
+  std::vector<int> repeated;        // numbers of single tags that an image shows several times
+  Message reason;                   // why nothing was found; empty where something was
+  std::vector<Message> unreadable;  // a sentence for each image that cannot be read
 };
 
 /// Finds the target of one session, of which it keeps what it needs.
@@ -43,8 +44,8 @@ struct TargetSearch {
   int looked_at = 0;  // observations
   int found = 0;      // of them
   int dropped_points = 0, dropped_tags = 0;
-  std::string in_its_place;        // what the images show where hardly one shows the target; empty otherwise
-  std::vector<std::string> notes;  // a sentence each
+  Message in_its_place;        // what the images show where hardly one shows the target; empty otherwise
+  std::vector<Message> notes;  // a sentence each
 };
 
 /// Gives the observations that have images and no sightings what the images show of the target; those that are rejected

@@ -42,7 +42,7 @@ int camera_for(const Effect& effect, const std::string& name, const std::string&
     known += (known.empty() ? "" : ", ") + effect.cameras[c];
   }
   throw InputError(message("Effect \"{}\": {} sits at no camera \"{}\"; it may sit at: {}.", text, effect.id, name,
-                           known.empty() ? "none of this session" : known));
+                           known.empty() ? Message("none of this session") : verbatim(known)));
 }
 
 /// The numbers of the tags, as sentences list them.

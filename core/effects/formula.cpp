@@ -39,8 +39,8 @@ void define_functions(mu::Parser& parser) {
 
 [[noreturn]] void refuse_formula(const std::string& place, const std::string& text, const mu::ParserError& error) {
   const int at = error.GetPos();
-  std::string found = error.GetToken().empty() ? std::string() : " at " + in_quotes(error.GetToken());
-  if (at >= 0 && at < static_cast<int>(text.size())) found += fmt::format(", column {}", at + 1);
+  Message found = error.GetToken().empty() ? Message() : message(" at {}", in_quotes(error.GetToken()));
+  if (at >= 0 && at < static_cast<int>(text.size())) found += message(", column {}", at + 1);
   throw InputError(
       message("{}: the formula {} is not understood{}; expected parameters, variables such as q, tau, velocity, "
               "time or q_NAME, "

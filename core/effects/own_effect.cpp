@@ -130,9 +130,9 @@ struct Compiled {
   bool reads_torque = false, reads_place = false;
 };
 
-std::string where(const EffectDefinition& d, int line) {
-  if (d.file.empty()) return fmt::format("Effect \"{}\"", d.id);
-  return fmt::format("{}, line {}, effect \"{}\"", d.file, line > 0 ? line : d.line, d.id);
+Message where(const EffectDefinition& d, int line) {
+  if (d.file.empty()) return message("Effect \"{}\"", d.id);
+  return message("{}, line {}, effect \"{}\"", d.file, line > 0 ? line : d.line, d.id);
 }
 
 /// The numbers of one observation; parameters are left at 0.
@@ -274,7 +274,7 @@ void check_finite(const Effect& effect, const Session& session, const std::vecto
         throw InputError(message(
             "{}: the formula is not a finite number at observation {}{}; expected one that is finite everywhere.",
             where(*effect.definition, 0), session.observations[i].id,
-            place >= 0 ? " (" + place_name(effect, place, session.robot) + ")" : ""));
+            place >= 0 ? " (" + place_name(effect, place, session.robot) + ")" : std::string()));
     }
 }
 

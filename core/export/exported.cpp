@@ -29,7 +29,8 @@ void set_left(ExportedFile& file, const RigidFit& fit) {
 /// Nothing is left out: the program is the calibration.
 ExportedFile program_file(const CalibratedRobot& robot, bool is_python) {
   const HandProgram program = hand_program(robot);
-  ExportedFile file{is_python ? python_file(program) : cpp_file(program), program.left_out};
+  ExportedFile file{is_python ? python_file(program) : cpp_file(program), {}};
+  for (const std::string& left : program.left_out) file.notes.push_back(looked_up(left));
   file.left = file.largest_left = 0;
   file.nominal = missed_with(robot, {}).rms;
   file.poses = static_cast<int>(robot.positions.size());
@@ -38,14 +39,14 @@ ExportedFile program_file(const CalibratedRobot& robot, bool is_python) {
 
 void note_left(const RigidFit& fit, ExportedFile& file) {
   set_left(file, fit);
-  if (const std::string left = left_sentence(fit); !left.empty()) file.notes.push_back(left);
+  if (const Message left = left_sentence(fit); !left.empty()) file.notes.push_back(left);
 }
 
 ExportedFile urdf(const CalibratedRobot& robot, const ExportOptions&) {
   UrdfFile made = urdf_file(robot);
   ExportedFile file{std::move(made.text), {}};
-  for (const std::string& what : made.not_said)
-    file.notes.push_back("A URDF cannot say " + shortened(what, 400) + "; it is named in the file's comment.");
+  for (const Message& what : made.not_said)
+    file.notes.push_back(message("A URDF cannot say {}; it is named in the file's comment.", at_most(what, 400)));
   note_left(made.fit, file);
   if (made.sensor_link.empty())
     file.notes.emplace_back("The calibration does not say where the sensor sits; the file has no link for it.");
@@ -115,9 +116,9 @@ ExportedFile lerobot(const CalibratedRobot& robot, const ExportOptions& options)
 void note_effects(const CalibratedRobot& robot, ExportedFile& file) {
   if (!robot.model.effects.empty())
     file.notes.push_back(
-        fmt::format("This kind of file holds fixed transforms alone: the {} effects of the model that move the arm are "
-                    "not in it; export as cpp or python for the whole hand pose.",
-                    robot.model.effects.size()));
+        message("This kind of file holds fixed transforms alone: the {} effects of the model that move the arm are "
+                "not in it; export as cpp or python for the whole hand pose.",
+                robot.model.effects.size()));
 }
 
 ExportedFile opencv(const CalibratedRobot& robot, const ExportOptions&) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "correct/calibrated_robot.h"
 
 namespace handsight {
@@ -29,7 +30,7 @@ struct ExportOptions {
 
 struct ExportedFile {
   std::string text;
-  std::vector<std::string> notes;  // what the file does not say, a sentence each
+  std::vector<Message> notes;  // what the file does not say, a sentence each
   /// How far its hand is from where the whole calibration has it, m, over the session's poses: rms and at most; and the
   /// robot's as it was written. Nothing where no joint is known, or the file says where sensor and target sit alone.
   std::optional<double> left, largest_left, nominal;

@@ -37,8 +37,7 @@ class Parser {
  private:
   [[noreturn]] void fail() const {
     throw InputError(message("The formula {} cannot be written in another language: {} is not understood there.",
-                             in_quotes(text_, 200),
-                             at_ < text_.size() ? fmt::format("column {}", at_ + 1) : std::string("its end")));
+                             in_quotes(text_, 200), at_ < text_.size() ? message("column {}", at_ + 1) : "its end"));
   }
   void skip_spaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))

@@ -47,9 +47,9 @@ std::string yaml_motion(const ToldMotion& m) {
                   ".nan");
 }
 
-std::string comments(const std::vector<std::string>& texts) {
+std::string comments(const std::vector<Message>& texts) {
   std::string lines;
-  for (const std::string& text : texts) lines += "# " + text + "\n";
+  for (const Message& text : texts) lines += "# " + text.english() + "\n";
   return lines;
 }
 
@@ -222,7 +222,7 @@ std::string static_tf_file(const CalibratedRobot& r) {
       "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
       "def generate_launch_description():\n    return LaunchDescription([\n",
       r.model.effects.size());
-  for (const std::string& untold : untold_texts(r, left_out_instead)) text += "        # " + untold + "\n";
+  for (const Message& untold : untold_texts(r, left_out_instead)) text += "        # " + untold.english() + "\n";
   if (told_body(r).is_whole()) text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
   if (const auto mount = mount_after(r); mount && told_mount(r, *mount).is_whole())
     text += transform_node(r.mount, "handsight_" + sensor_name(r), *mount);

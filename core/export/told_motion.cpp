@@ -40,13 +40,14 @@ ToldMotion told(const Rigid& motion, const EstimatedMotion& estimated, bool is_c
   return result;
 }
 
-std::string text_of(const char* what, const ToldMotion& m, const std::string& instead) {
-  std::string list;
+Message text_of(const char* what, const ToldMotion& m, const Message& instead) {
+  std::vector<Message> numbers;
   for (int i = 0; i < 3; ++i)
-    if (std::isnan(m.place[i])) list += (list.empty() ? "" : ", ") + std::string(names[static_cast<std::size_t>(i)]);
-  if (!m.is_rotation) list += list.empty() ? "the rotation" : " and the rotation";
-  return fmt::format("The measurements do not determine {} of {}: {}. More poses, turned about other axes, tell it.",
-                     list, what, instead);
+    if (std::isnan(m.place[i])) numbers.push_back(verbatim(std::string(names[static_cast<std::size_t>(i)])));
+  Message list = joined(numbers);
+  if (!m.is_rotation) list = numbers.empty() ? "the rotation" : message("{} and the rotation", list);
+  return message("The measurements do not determine {} of {}: {}. More poses, turned about other axes, tell it.", list,
+                 what, instead);
 }
 
 }  // namespace
@@ -60,8 +61,8 @@ ToldMotion told_mount(const CalibratedRobot& robot, const Rigid& motion) {
   return told(motion, estimated ? *estimated : EstimatedMotion{motion, Matrix6::Zero()}, false);
 }
 
-std::vector<std::string> untold_texts(const CalibratedRobot& robot, const std::string& instead) {
-  std::vector<std::string> texts;
+std::vector<Message> untold_texts(const CalibratedRobot& robot, const Message& instead) {
+  std::vector<Message> texts;
   if (const ToldMotion body = told_body(robot); !body.is_whole())
     texts.push_back(text_of("tcp_from_body", body, instead));
   if (!robot.model.mount_from_sensor) return texts;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "correct/calibrated_robot.h"
 
 namespace handsight {
@@ -31,6 +32,6 @@ inline constexpr const char* nan_instead = "these numbers are nan here, and no s
 inline constexpr const char* left_out_instead = "the transform is left out of the file";
 
 /// Sentences for people about what is NaN; empty where nothing is. `instead`: what stands in the file.
-std::vector<std::string> untold_texts(const CalibratedRobot& robot, const std::string& instead);
+std::vector<Message> untold_texts(const CalibratedRobot& robot, const Message& instead);
 
 }  // namespace handsight

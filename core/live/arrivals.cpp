@@ -88,17 +88,17 @@ Arrivals::Look Arrivals::look() {
       take_points();
     pair_measured(look);
   }
-  for (const std::string& sentence : waiting_)
-    if (!waited_.contains(sentence)) look.remarks.push_back(sentence);
+  for (const Message& sentence : waiting_)
+    if (!waited_.contains(sentence.english())) look.remarks.push_back(sentence);
   for (GrowingTable* table : {&table_, &measured_})
-    for (std::string& sentence : table->newly_set_aside()) look.remarks.push_back(std::move(sentence));
+    for (Message& sentence : table->newly_set_aside()) look.remarks.push_back(std::move(sentence));
   return look;
 }
 
-std::vector<std::string> Arrivals::standing() const {
-  std::vector<std::string> all = waiting_;
+std::vector<Message> Arrivals::standing() const {
+  std::vector<Message> all = waiting_;
   for (const GrowingTable* table : {&table_, &measured_})
-    for (std::string& sentence : table->all_set_aside()) all.push_back(std::move(sentence));
+    for (Message& sentence : table->all_set_aside()) all.push_back(std::move(sentence));
   return all;
 }
 

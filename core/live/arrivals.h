@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "live/growing_table.h"
 #include "live/image_arrival.h"
 #include "live/known_again.h"
@@ -54,12 +55,12 @@ class Arrivals {
 
   struct Look {
     std::vector<Observation> arrived;  // in order of their numbers, without ids
-    std::vector<std::string> remarks;  // what waits or is set aside and why, a sentence each, as it begins to
+    std::vector<Message> remarks;      // what waits or is set aside and why, a sentence each, as it begins to
   };
   /// Never throws for what is wrong in the folders: it is said.
   Look look();
   /// All that waits or is set aside at the last look.
-  std::vector<std::string> standing() const;
+  std::vector<Message> standing() const;
 
   /// The session has changed since: times go on from its last, and line k is compared with what it says now. What has
   /// arrived once and is no longer in it stays away.
@@ -91,8 +92,8 @@ class Arrivals {
   void take_images(Look& look);
   void leave_out_known(std::vector<InstantImages>& instants) const;
   bool look_at(const std::vector<InstantImages>& instants);
-  std::string table_refusal(const std::vector<InstantImages>& instants) const;
-  std::string counting_refusal(const std::vector<InstantImages>& instants) const;
+  Message table_refusal(const std::vector<InstantImages>& instants) const;
+  Message counting_refusal(const std::vector<InstantImages>& instants) const;
   const Pose* pose_of(const InstantImages& instant, std::size_t rank) const;
   bool has_every_image(const InstantImages& instant);
   bool are_whole(const InstantImages& instant);
@@ -120,7 +121,7 @@ class Arrivals {
   std::vector<Eigen::VectorXd> postures_;
   Ascending known_lines_;               // of tables that tell the time
   Ascending known_measured_, arrived_;  // of sessions without images: what was measured; with numbers what has arrived
-  std::vector<std::string> waiting_;    // what images wait for
+  std::vector<Message> waiting_;        // what images wait for
   std::set<std::string> waited_;        // what they did at the look before
   double next_time_ = 0;
 };

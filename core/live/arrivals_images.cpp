@@ -68,15 +68,15 @@ bool Arrivals::look_at(const std::vector<InstantImages>& instants) {
 }
 
 /// Without numbers, lines are counted: those of instants that are in the session must say what it says.
-std::string Arrivals::counting_refusal(const std::vector<InstantImages>& instants) const {
+Message Arrivals::counting_refusal(const std::vector<InstantImages>& instants) const {
   const std::string table = table_.name();
   if (lines_.size() != instants.size())
     return cameras_.size() == 2
-               ? fmt::format(
+               ? message(
                      "{} has {} lines for {} image pairs: it waits until they are as many. With a column "
                      "\"number\" each pair finds its own line.",
                      table, lines_.size(), instants.size())
-               : fmt::format(
+               : message(
                      "{} has {} lines for {} images: it waits until they are as many. With a column "
                      "\"number\" each image finds its own line.",
                      table, lines_.size(), instants.size());
@@ -85,7 +85,7 @@ std::string Arrivals::counting_refusal(const std::vector<InstantImages>& instant
     const std::size_t place = place_of_posture(instants[rank]);
     if (place == no_posture) continue;
     if ((postures_[place] - lines_[rank]->position).cwiseAbs().maxCoeff() > same_posture)
-      return fmt::format(
+      return message(
           "Line {} of {} is not the posture that the session has for {}. Name the images' numbers in a "
           "column \"number\".",
           rank + 1, table, name_of(instants[rank].files[first_camera(instants[rank])]));
@@ -94,13 +94,13 @@ std::string Arrivals::counting_refusal(const std::vector<InstantImages>& instant
 }
 
 /// Why no instant can have its joint angles; empty: some may.
-std::string Arrivals::table_refusal(const std::vector<InstantImages>& instants) const {
+Message Arrivals::table_refusal(const std::vector<InstantImages>& instants) const {
   if (!table_.is_there())
     return cameras_.size() == 2
-               ? fmt::format("{} is not there yet: the joint angles of the new images, a line for each pair.",
-                             table_.name())
-               : fmt::format("{} is not there yet: the joint angles, a line for each new image.", table_.name());
-  return table_.has("number") ? std::string() : counting_refusal(instants);
+               ? message("{} is not there yet: the joint angles of the new images, a line for each pair.",
+                         table_.name())
+               : message("{} is not there yet: the joint angles, a line for each new image.", table_.name());
+  return table_.has("number") ? Message() : counting_refusal(instants);
 }
 
 const Arrivals::Pose* Arrivals::pose_of(const InstantImages& instant, std::size_t rank) const {
@@ -115,8 +115,8 @@ bool Arrivals::has_every_image(const InstantImages& instant) {
   for (std::size_t c = 0; c < instant.files.size(); ++c) {
     if (!instant.files[c].empty()) continue;
     if (files_.is_overdue(there))
-      waiting_.push_back(fmt::format("{} waits for its {} image, with the number {} in its name.", name_of(there),
-                                     names_[c], instant.number));
+      waiting_.push_back(message("{} waits for its {} image, with the number {} in its name.", name_of(there),
+                                 names_[c], instant.number));
     return false;
   }
   return std::all_of(instant.files.begin(), instant.files.end(),
@@ -126,7 +126,7 @@ bool Arrivals::has_every_image(const InstantImages& instant) {
 /// Says what is wrong with an image that stays as it is.
 bool Arrivals::are_whole(const InstantImages& instant) {
   for (std::size_t c = 0; c < instant.files.size(); ++c) {
-    const std::string& fault = files_.fault(instant.files[c], cameras_[c]);
+    const Message& fault = files_.fault(instant.files[c], cameras_[c]);
     if (fault.empty()) continue;
     if (files_.is_overdue(instant.files[c])) waiting_.push_back(fault);
     return false;
@@ -147,10 +147,10 @@ void Arrivals::take(const InstantImages& instant, std::size_t rank, Look& look) 
   const Pose* pose = pose_of(instant, rank);
   if (!pose) {
     if (files_.is_overdue(instant.files[0]))
-      waiting_.push_back(table_.has("number") ? fmt::format("{} waits for its joint angles in {} (number {}).",
-                                                            name_of(instant.files[0]), table_.name(), instant.number)
-                                              : fmt::format("{} waits for its joint angles in {} (line {}).",
-                                                            name_of(instant.files[0]), table_.name(), rank + 1));
+      waiting_.push_back(table_.has("number") ? message("{} waits for its joint angles in {} (number {}).",
+                                                        name_of(instant.files[0]), table_.name(), instant.number)
+                                              : message("{} waits for its joint angles in {} (line {}).",
+                                                        name_of(instant.files[0]), table_.name(), rank + 1));
     return;
   }
   if (!are_whole(instant)) return;
@@ -181,13 +181,13 @@ void Arrivals::take_images(Look& look) {
   std::vector<InstantImages> instants = find_images_of(names_, sources_.folders, is_old, waiting_);
   leave_out_known(instants);
   const bool is_any_overdue = look_at(instants);
-  if (table_.is_set_aside(table_.name())) return;
+  if (table_.is_set_aside(verbatim(table_.name()))) return;
   if (!poses_.empty())
     for (const InstantImages& instant : instants)
       if (is_known(instant)) poses_.erase(instant.number);
   const auto is_new = [this](const InstantImages& instant) { return !is_known(instant); };
   if (std::none_of(instants.begin(), instants.end(), is_new)) return;
-  const std::string refusal = table_refusal(instants);
+  const Message refusal = table_refusal(instants);
   if (!refusal.empty()) {
     if (is_any_overdue) waiting_.push_back(refusal);
     return;

@@ -48,13 +48,14 @@ std::optional<Rigid> rigid_in(const GrowingTable& table, const Cells& cells) {
   return Rigid{turn.normalized().toRotationMatrix(), numbers->head<3>()};
 }
 
-std::string line_of(const GrowingTable& table, std::int64_t number) {
-  return fmt::format("The line of number {} of {}", number, table.name());
+Message line_of(const GrowingTable& table, std::int64_t number) {
+  return message("The line of number {} of {}", number, table.name());
 }
 
 /// By numbers points and poses are paired.
 void require_numbers(GrowingTable& table) {
-  table.set_aside(table.name(), "its first line names no column `number`, by which poses and measurements are paired");
+  table.set_aside(verbatim(table.name()),
+                  "its first line names no column `number`, by which poses and measurements are paired");
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ bool Arrivals::has_all_columns() {
   const bool is_flange = is_of_flange_ && table_.has("qx");
   for (const std::string& column : is_flange ? pose_columns() : joints_)
     if (!table_.has(column)) {
-      table_.set_aside(table_.name(), fmt::format("its first line names no column {}", in_quotes(column)));
+      table_.set_aside(verbatim(table_.name()), message("its first line names no column {}", in_quotes(column)));
       return false;
     }
   return true;
@@ -108,13 +109,13 @@ void Arrivals::take_poses() {
     if (!table_.has("number")) {
       lines_.push_back(std::move(pose));
       if (!lines_.back() && !cells.empty())
-        table_.set_aside(fmt::format("Line {} of {}", lines_.size(), table_.name()), why);
+        table_.set_aside(message("Line {} of {}", lines_.size(), table_.name()), why);
       continue;
     }
     if (cells.empty()) continue;
     const std::string& text = table_.cell(cells, "number");
-    const std::string part =
-        fmt::format("A line of {} (number {})", table_.name(), text.empty() ? "missing" : shortened(text));
+    const Message part = message("A line of {} (number {})", table_.name(),
+                                 text.empty() ? Message("missing") : verbatim(shortened(text)));
     const auto number = number_in(table_, cells);
     if (!number || !pose) {
       table_.set_aside(part, why);
@@ -140,7 +141,7 @@ void Arrivals::take_points() {
                      bounds::length);
       if (point) seen.push_back({.marker = m, .point = Vector3(*point)});
     }
-    const std::string part = line_of(measured_, *number);
+    const Message part = line_of(measured_, *number);
     if (seen.empty()) {
       measured_.set_aside(part, "it has no whole point");
       continue;
@@ -157,7 +158,7 @@ void Arrivals::take_target_poses() {
   for (const Cells& cells : news.lines) {
     const auto number = number_in(measured_, cells);
     if (!number) continue;
-    const std::string part = line_of(measured_, *number);
+    const Message part = line_of(measured_, *number);
     if (const auto pose = rigid_in(measured_, cells)) {
       measured_.mend(part);
       target_poses_[*number] = *pose;

@@ -45,27 +45,27 @@ const std::string& GrowingTable::cell(const Cells& cells, const std::string& col
   return found == columns_.end() || cells.empty() ? none : cells[static_cast<std::size_t>(found - columns_.begin())];
 }
 
-void GrowingTable::set_aside(const std::string& part, const std::string& why) {
-  std::string sentence = fmt::format("{} is set aside: {}.", part, why);
-  const auto known = set_aside_.find(part);
+void GrowingTable::set_aside(const Message& part, const Message& why) {
+  Message sentence = message("{} is set aside: {}.", part, why);
+  const auto known = set_aside_.find(part.english());
   if (known != set_aside_.end() && known->second.sentence == sentence) return;
   newly_.push_back(sentence);
-  set_aside_[part] = {asides_++, std::move(sentence)};
+  set_aside_[part.english()] = {asides_++, std::move(sentence)};
 }
 
-std::vector<std::string> GrowingTable::all_set_aside() const {
+std::vector<Message> GrowingTable::all_set_aside() const {
   std::vector<const Aside*> in_order;
   for (const auto& [part, aside] : set_aside_) in_order.push_back(&aside);
   std::sort(in_order.begin(), in_order.end(), [](const Aside* a, const Aside* b) { return a->order < b->order; });
-  std::vector<std::string> sentences;
+  std::vector<Message> sentences;
   for (const Aside* aside : in_order) sentences.push_back(aside->sentence);
   return sentences;
 }
 
-std::vector<std::string> GrowingTable::newly_set_aside() { return std::exchange(newly_, {}); }
+std::vector<Message> GrowingTable::newly_set_aside() { return std::exchange(newly_, {}); }
 
 /// The part that is all of it.
-std::string GrowingTable::whole() const { return fmt::format("The file {}", name()); }
+Message GrowingTable::whole() const { return message("The file {}", name()); }
 
 void GrowingTable::begin_again() {
   read_ = size_ = 0;
@@ -110,8 +110,8 @@ void GrowingTable::take_line(const std::string& line, News& news) {
   const bool is_whole = cells.size() == columns_.size();
   news.lines.push_back(is_whole ? texts_of(cells) : Cells{});
   if (!is_whole)
-    set_aside(fmt::format("The line {} of {}", in_quotes(line, 80), name()),
-              fmt::format("it has {} columns, expected {}", cells.size(), columns_.size()));
+    set_aside(message("The line {} of {}", in_quotes(line, 80), name()),
+              message("it has {} columns, expected {}", cells.size(), columns_.size()));
 }
 
 GrowingTable::News GrowingTable::read() {

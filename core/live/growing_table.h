@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// Looks at the file again and again. Only lines that have come to their end are read, each once; where the writer has
@@ -34,19 +36,19 @@ class GrowingTable {
   const std::string& cell(const Cells& cells, const std::string& column) const;
 
   /// A part of the table is not taken, until it is mended or the writer begins again.
-  void set_aside(const std::string& part, const std::string& why);
-  void mend(const std::string& part) { set_aside_.erase(part); }
-  bool is_set_aside(const std::string& part) const { return set_aside_.contains(part); }
+  void set_aside(const Message& part, const Message& why);
+  void mend(const Message& part) { set_aside_.erase(part.english()); }
+  bool is_set_aside(const Message& part) const { return set_aside_.contains(part.english()); }
   /// What is not taken and why, a sentence each, as it came; and what came since this was asked last.
-  std::vector<std::string> all_set_aside() const;
-  std::vector<std::string> newly_set_aside();
+  std::vector<Message> all_set_aside() const;
+  std::vector<Message> newly_set_aside();
 
  private:
   struct Aside {
     std::size_t order;
-    std::string sentence;
+    Message sentence;
   };
-  std::string whole() const;
+  Message whole() const;
   void begin_again();
   bool has_changed();
   bool goes_on(std::ifstream& in) const;
@@ -59,9 +61,9 @@ class GrowingTable {
   std::uintmax_t size_ = 0;                     // at the look before
   std::filesystem::file_time_type written_;
   bool is_anew_ = false;
-  std::map<std::string, Aside> set_aside_;  // by part
+  std::map<std::string, Aside> set_aside_;  // by part, in English
   std::size_t asides_ = 0;
-  std::vector<std::string> newly_;
+  std::vector<Message> newly_;
 };
 
 }  // namespace handsight

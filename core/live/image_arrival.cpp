@@ -17,20 +17,20 @@ namespace {
 constexpr std::chrono::milliseconds patience{2000};
 
 /// Header and length are looked at first: they cost next to nothing, and nearly all that is half written fails there.
-std::string fault_of(const fs::path& file, const Camera& camera) {
-  const auto set_aside = [&](const std::string& why) {
-    return fmt::format("{} is set aside until it is written again: {}.", file.filename().string(), why);
+Message fault_of(const fs::path& file, const Camera& camera) {
+  const auto set_aside = [&](const Message& why) {
+    return message("{} is set aside until it is written again: {}.", file.filename().string(), why);
   };
   try {
     const std::string bytes = read_file(file);
-    if (is_cut_off(bytes)) return set_aside(fmt::format("it is cut off after {} bytes", bytes.size()));
+    if (is_cut_off(bytes)) return set_aside(message("it is cut off after {} bytes", bytes.size()));
     const auto size = image_size(bytes);
     if (size && (size->width != camera.width || size->height != camera.height))
-      return set_aside(fmt::format("it is {} x {}, the camera says {} x {}", size->width, size->height, camera.width,
-                                   camera.height));
+      return set_aside(
+          message("it is {} x {}, the camera says {} x {}", size->width, size->height, camera.width, camera.height));
     read_image(file);
   } catch (const InputError& error) {
-    return error.what();
+    return error.sentence();
   }
   return {};
 }
@@ -64,7 +64,7 @@ bool ImageArrival::is_overdue(const fs::path& file) const {
   return stamp.is_as_before && age(stamp) >= settles_in_.value_or(patience);
 }
 
-const std::string& ImageArrival::fault(const fs::path& file, const Camera& camera) {
+const Message& ImageArrival::fault(const fs::path& file, const Camera& camera) {
   Stamp& stamp = stamps_.at(file.string());
   if (!stamp.is_last_word) {
     stamp.fault = fault_of(file, camera);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/message.h"
 #include "camera/camera.h"
 
 namespace handsight {
@@ -27,7 +28,7 @@ class ImageArrival {
   /// seconds.
   bool is_overdue(const std::filesystem::path& file) const;
   /// Why it is no whole image of the camera, a sentence; empty: it is one.
-  const std::string& fault(const std::filesystem::path& file, const Camera& camera);
+  const Message& fault(const std::filesystem::path& file, const Camera& camera);
 
  private:
   struct Stamp {
@@ -35,7 +36,7 @@ class ImageArrival {
     std::filesystem::file_time_type written;
     std::chrono::steady_clock::time_point since;  // it is as it is
     bool is_as_before = false;                    // at the last look
-    std::optional<std::string> fault;
+    std::optional<Message> fault;
     bool is_last_word = false;  // nothing more is expected of it until it is written again
   };
   std::chrono::milliseconds age(const Stamp& stamp) const;

@@ -26,6 +26,6 @@ std::vector<TargetPoint> circle_points(const Target& target);
 void check_circles(const Target& target, std::string_view where);
 
 /// "asymmetric grid of 4 x 11 circles of 15 mm, unit 20 mm".
-std::string circles_description(const Target& target);
+Message circles_description(const Target& target);
 
 }  // namespace handsight

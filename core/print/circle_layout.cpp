@@ -33,9 +33,9 @@ void check_circles(const Target& target, std::string_view where) {
         where, target.tag, step));
 }
 
-std::string circles_description(const Target& target) {
-  return fmt::format("{} grid of {} x {} circles of {:g} mm, {} {:g} mm", target.dictionary, target.columns,
-                     target.rows, 1e3 * target.tag, is_asymmetric(target) ? "unit" : "steps of", 1e3 * target.square);
+Message circles_description(const Target& target) {
+  return message("{} grid of {} x {} circles of {:g} mm, {} {:g} mm", target.dictionary, target.columns, target.rows,
+                 1e3 * target.tag, is_asymmetric(target) ? "unit" : "steps of", 1e3 * target.square);
 }
 
 }  // namespace handsight

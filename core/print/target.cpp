@@ -55,28 +55,27 @@ std::vector<PlacedTag> grid_tags(const Target& target) {
   return tags;
 }
 
-void require(bool holds, std::string_view where, const std::string& sentence) {
-  if (!holds) throw InputError(message("{}: {}", where, sentence));
+void require(bool holds, std::string_view where, const Message& sentence) {
+  if (!holds) throw InputError(message("{}: {}", looked_up(std::string(where)), sentence));
 }
 
 void check_size(double size, const char* name, std::string_view where) {
-  require(
-      sizes.hold(size), where,
-      fmt::format("{} is {:g}; expected a length in m from {:g} to {:g}.", name, size, sizes.lowest, sizes.highest));
+  require(sizes.hold(size), where,
+          message("{} is {:g}; expected a length in m from {:g} to {:g}.", name, size, sizes.lowest, sizes.highest));
 }
 
 void check_ids(const Target& target, std::string_view where) {
   const Dictionary* dictionary = find_dictionary(target.dictionary);
   require(dictionary != nullptr, where,
-          fmt::format("the dictionary \"{}\" is not known; expected one of OpenCV's, such as DICT_5X5_100 or "
-                      "DICT_APRILTAG_36h11, or AprilTag's tag36h11.",
-                      target.dictionary.substr(0, 60)));
+          message("the dictionary \"{}\" is not known; expected one of OpenCV's, such as DICT_5X5_100 or "
+                  "DICT_APRILTAG_36h11, or AprilTag's tag36h11.",
+                  target.dictionary.substr(0, 60)));
   const int count = static_cast<int>(dictionary->codes.size());
   std::set<int> seen;
   for (const PlacedTag& tag : placed_tags(target)) {
     require(tag.id >= 0 && tag.id < count, where,
-            fmt::format("the tag {} is not in {}, which has 0 to {}.", tag.id, dictionary->name, count - 1));
-    require(seen.insert(tag.id).second, where, fmt::format("the tag {} is named twice; every id once.", tag.id));
+            message("the tag {} is not in {}, which has 0 to {}.", tag.id, dictionary->name, count - 1));
+    require(seen.insert(tag.id).second, where, message("the tag {} is named twice; every id once.", tag.id));
   }
 }
 
@@ -85,8 +84,8 @@ void check_counts(const Target& target, std::string_view where) {
   require(
       target.columns >= least && target.columns <= most_points && target.rows >= least && target.rows <= most_points,
       where,
-      fmt::format("it has {} columns and {} rows; expected {} to {} of each.", target.columns, target.rows, least,
-                  most_points));
+      message("it has {} columns and {} rows; expected {} to {} of each.", target.columns, target.rows, least,
+              most_points));
   require(target.kind != TargetKind::chessboard || target.columns * target.rows >= 6, where,
           is_circle_grid(target)
               ? "a grid of circles needs at least 6 of them, for example columns=\"4\" rows=\"11\"."
@@ -98,8 +97,8 @@ void check_counts(const Target& target, std::string_view where) {
 void check_grid(const Target& target, std::string_view where) {
   require(target.columns >= 1 && target.rows >= 1 && target.columns <= most_points / 4 / std::max(target.rows, 1),
           where,
-          fmt::format("it has {} columns and {} rows; expected 1 or more of each, and at most {} tags.", target.columns,
-                      target.rows, most_points / 4));
+          message("it has {} columns and {} rows; expected 1 or more of each, and at most {} tags.", target.columns,
+                  target.rows, most_points / 4));
   check_size(target.tag, "marker", where);
   check_size(target.separation, "separation", where);
 }
@@ -108,25 +107,24 @@ namespace {
 
 void check_places(const Target& target, std::string_view where) {
   if (target.places.empty()) return;
-  require(
-      target.places.size() == target.ids.size(), where,
-      fmt::format("it has {} tags and {} places; expected one place a tag.", target.ids.size(), target.places.size()));
+  require(target.places.size() == target.ids.size(), where,
+          message("it has {} tags and {} places; expected one place a tag.", target.ids.size(), target.places.size()));
   for (std::size_t k = 0; k < target.places.size(); ++k) {
     const TagPlace& place = target.places[k];
     check_size(place.size, "size of a tag", where);
     for (std::size_t other = 0; other < k; ++other)
       require(place.xyz != target.places[other].xyz || place.rpy != target.places[other].rpy, where,
-              fmt::format("the tags {} and {} lie at the same place; every tag has its own xyz or rpy.",
-                          target.ids[other], target.ids[k]));
+              message("the tags {} and {} lie at the same place; every tag has its own xyz or rpy.", target.ids[other],
+                      target.ids[k]));
   }
 }
 
-std::string tags_text(const Target& target) {
+Message tags_text(const Target& target) {
   std::string list;
   for (std::size_t i = 0; i < target.ids.size() && i < 12; ++i)
     list += fmt::format("{}{}", i ? " " : "", target.ids[i]);
-  if (target.ids.size() > 12) list += fmt::format(" ... ({} tags)", target.ids.size());
-  return list;
+  if (target.ids.size() > 12) return message("{} ... ({} tags)", list, target.ids.size());
+  return verbatim(list);
 }
 
 }  // namespace
@@ -191,12 +189,12 @@ void check_target(const Target& target, std::string_view where) {
           "tags need the numbers that are used, for example ids=\"3 7 9\".");
   check_places(target, where);
   require(point_count(target) <= most_points, where,
-          fmt::format("it has {} points; expected at most {}.", point_count(target), most_points));
+          message("it has {} points; expected at most {}.", point_count(target), most_points));
   const bool has_squares = target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
   if (has_squares) check_size(target.square, "square", where);
   if (target.sigma)
     require(*target.sigma >= 0 && *target.sigma <= 1, where,
-            fmt::format("sigma is {:g}; expected 0 to 1 m, or \"free\".", *target.sigma));
+            message("sigma is {:g}; expected 0 to 1 m, or \"free\".", *target.sigma));
   if (is_circle_grid(target)) check_circles(target, where);
   if (target.kind == TargetKind::chessboard) return;
   check_size(target.tag,
@@ -205,42 +203,41 @@ void check_target(const Target& target, std::string_view where) {
                                                 : "tag",
              where);
   require(target.kind != TargetKind::charuco || target.tag < target.square, where,
-          fmt::format("its markers of {:g} m do not fit into its squares of {:g} m.", target.tag, target.square));
-  require(
-      target.kind != TargetKind::aprilgrid || (target.spacing >= 0.02 && target.spacing <= 10), where,
-      fmt::format("spacing is {:g}; expected the gap between two tags over a tag's side, 0.02 to 10.", target.spacing));
+          message("its markers of {:g} m do not fit into its squares of {:g} m.", target.tag, target.square));
+  require(target.kind != TargetKind::aprilgrid || (target.spacing >= 0.02 && target.spacing <= 10), where,
+          message("spacing is {:g}; expected the gap between two tags over a tag's side, 0.02 to 10.", target.spacing));
   require(target.border >= 1 && target.border <= 4, where,
-          fmt::format("border is {}; expected 1 to 4 modules.", target.border));
+          message("border is {}; expected 1 to 4 modules.", target.border));
   check_ids(target, where);
 }
 
-static std::string mm(double metres) { return fmt::format("{:g} mm", 1e3 * metres); }
+static Message mm(double metres) { return message("{:g} mm", 1e3 * metres); }
 
-static std::string sizes_text(const Target& t) {
+static Message sizes_text(const Target& t) {
   double least = t.tag, most = t.tag;
   for (const TagPlace& place : t.places) least = std::min(least, place.size), most = std::max(most, place.size);
-  return least == most ? mm(most) : fmt::format("{:g} to {}", 1e3 * least, mm(most));
+  return least == most ? mm(most) : message("{:g} to {}", 1e3 * least, mm(most));
 }
 
-std::string description_of(const Target& t) {
+Message description_of(const Target& t) {
   if (is_circle_grid(t)) return circles_description(t);
   switch (t.kind) {
     case TargetKind::chessboard:
-      return fmt::format("chessboard of {} x {} inner corners, squares of {}", t.columns, t.rows, mm(t.square));
+      return message("chessboard of {} x {} inner corners, squares of {}", t.columns, t.rows, mm(t.square));
     case TargetKind::charuco:
-      return fmt::format("ChArUco board of {} x {} squares of {}, tags of {} from {}{}", t.columns, t.rows,
-                         mm(t.square), mm(t.tag), t.dictionary, t.old_layout ? ", old layout" : "");
+      return message("ChArUco board of {} x {} squares of {}, tags of {} from {}{}", t.columns, t.rows, mm(t.square),
+                     mm(t.tag), t.dictionary, t.old_layout ? ", old layout" : "");
     case TargetKind::aprilgrid:
-      return fmt::format("grid of {} x {} tags of {} from {}, gaps of {}", t.columns, t.rows, mm(t.tag), t.dictionary,
-                         mm(t.tag * t.spacing));
+      return message("grid of {} x {} tags of {} from {}, gaps of {}", t.columns, t.rows, mm(t.tag), t.dictionary,
+                     mm(t.tag * t.spacing));
     case TargetKind::tags:
       break;
   }
   if (is_tag_grid(t))
-    return fmt::format("ArUco grid board of {} x {} tags of {}, {} apart, from {}", t.columns, t.rows, mm(t.tag),
-                       mm(t.separation), t.dictionary);
-  if (t.places.empty()) return fmt::format("tags {} of {} from {}", tags_text(t), mm(t.tag), t.dictionary);
-  return fmt::format("body of the tags {} of {} from {}", tags_text(t), sizes_text(t), t.dictionary);
+    return message("ArUco grid board of {} x {} tags of {}, {} apart, from {}", t.columns, t.rows, mm(t.tag),
+                   mm(t.separation), t.dictionary);
+  if (t.places.empty()) return message("tags {} of {} from {}", tags_text(t), mm(t.tag), t.dictionary);
+  return message("body of the tags {} of {} from {}", tags_text(t), sizes_text(t), t.dictionary);
 }
 
 }  // namespace handsight

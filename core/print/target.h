@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "geometry/rigid.h"
 
 namespace handsight {
@@ -111,6 +112,6 @@ bool looks_the_same_turned(const Target& target);
 void check_target(const Target& target, std::string_view where);
 
 /// "ChArUco board of 8 x 11 squares of 15 mm, tags of 11 mm from DICT_5X5_100": for people.
-std::string description_of(const Target& target);
+Message description_of(const Target& target);
 
 }  // namespace handsight

@@ -45,8 +45,9 @@ const std::string* find(const Words& words, std::string_view name) {
 }
 
 [[noreturn]] void refuse_word(std::string_view where, std::string_view name, const std::string& text,
-                              std::string_view expected) {
-  throw InputError(message("{}: {} is {}; expected {}.", where, name, in_quotes(text), expected));
+                              const Message& expected) {
+  throw InputError(
+      message("{}: {} is {}; expected {}.", looked_up(std::string(where)), name, in_quotes(text), expected));
 }
 
 void take_integer(const Words& words, std::string_view where, std::string_view name, int& into) {
@@ -102,9 +103,9 @@ void take_layout(const Words& words, std::string_view where, Target& target) {
 }
 
 TargetKind kind_from(const Words& words, std::string_view where) {
-  constexpr std::string_view kinds = "chessboard, charuco, circles, aprilgrid, grid or tags";
+  constexpr const char* kinds = "chessboard, charuco, circles, aprilgrid, grid or tags";
   const std::string* text = find(words, "kind");
-  if (!text) throw InputError(message("{}: it has no kind; expected {}.", where, kinds));
+  if (!text) throw InputError(message("{}: it has no kind; expected {}.", looked_up(std::string(where)), kinds));
   if (*text == grid) return TargetKind::tags;
   if (*text == circles_kind) return TargetKind::chessboard;
   const auto kind = target_kind(*text);
@@ -116,7 +117,8 @@ void require_words(const Words& words, TargetKind kind, std::string_view where) 
   const auto& needed = needed_words(kind, words);
   for (const std::string_view name : needed)
     if (!find(words, name))
-      throw InputError(message("{}: a target of kind {} needs {}, which is missing; expected {}.", where,
+      throw InputError(message("{}: a target of kind {} needs {}, which is missing; expected {}.",
+                               looked_up(std::string(where)),
                                is_grid(words)      ? grid
                                : is_circles(words) ? circles_kind
                                                    : name_of(kind),
@@ -165,12 +167,13 @@ Target told_by(const Words& words, std::string_view where) {
 
 Target read_tags(const XmlNode& node, const Words& words, std::string_view where) {
   if (find(words, "ids"))
-    throw InputError(message("{}: it has ids and <tag> elements; expected one of the two.", where));
+    throw InputError(
+        message("{}: it has ids and <tag> elements; expected one of the two.", looked_up(std::string(where))));
   if (!find(words, "dictionary"))
     throw InputError(
         message("{}: a target of kind tags needs dictionary, which is missing; expected dictionary and a <tag> "
                 "element for every tag.",
-                where));
+                looked_up(std::string(where))));
   Target target = told_by(words, where);
   read_tag_places(node, target);
   check_target(target, where);

@@ -19,7 +19,7 @@ double stamp_of(const ros::Header& header, std::int64_t nanoseconds) {
 /// The topic's messages, and those of them that are damaged.
 struct TopicCount {
   std::size_t all = 0, damaged = 0;
-  std::string first_fault;
+  Message first_fault;
 };
 
 /// What a bag's messages tell, as they come in.
@@ -41,11 +41,11 @@ class ContentsTaker {
 
   void take(const BagTopic& topic, std::int64_t nanoseconds, std::string_view bytes) {
     TopicCount& count = counts_[topic.name];
-    const std::string what = fmt::format("{}, topic {}", bag_.name, topic.name);
+    const std::string what = message("{}, topic {}", bag_.name, topic.name);
     try {
       take_message(topic, {bytes, topic.encoding == "ros1", what}, nanoseconds, count.all);
     } catch (const InputError& error) {
-      if (count.damaged++ == 0) count.first_fault = error.what();
+      if (count.damaged++ == 0) count.first_fault = error.sentence();
     }
     ++count.all;
   }
@@ -54,17 +54,17 @@ class ContentsTaker {
     for (const auto& [topic, count] : counts_) {
       if (count.damaged == 0) continue;
       if (count.damaged == count.all) throw InputError(count.first_fault);
-      contents_.notes.push_back(fmt::format("{}, topic {}: {} of {} messages are damaged and are left out.", bag_.name,
-                                            topic, count.damaged, count.all));
+      contents_.notes.push_back(message("{}, topic {}: {} of {} messages are damaged and are left out.", bag_.name,
+                                        topic, count.damaged, count.all));
     }
     contents_.joints = joints_.series();
     for (auto& [topic, images] : images_) contents_.images.push_back(in_order(std::move(images)));
     for (auto& [child, frame] : contents_.frames) put_in_order(frame.series);
     if (joints_.unknown() > 0)
       contents_.notes.push_back(
-          fmt::format("{}: {} joints that were published are no moving joints of the robot and are "
-                      "left out.",
-                      bag_.name, joints_.unknown()));
+          message("{}: {} joints that were published are no moving joints of the robot and are "
+                  "left out.",
+                  bag_.name, joints_.unknown()));
   }
 
  private:
@@ -143,12 +143,12 @@ bool is_description(const BagTopic& topic) {
   return topic.type == "std_msgs/String" && topic.name.ends_with("robot_description");
 }
 
-void note_left_out(const Bag& bag, std::vector<std::string>& notes) {
+void note_left_out(const Bag& bag, std::vector<Message>& notes) {
   for (const BagTopic& t : bag.topics)
     if (!ContentsTaker::wants(t) && !is_description(t))
-      notes.push_back(fmt::format("{}: topic {} ({}{}, {} messages) is left out.", bag.name, t.name,
-                                  t.type.empty() ? "of a type that is not told" : t.type,
-                                  t.encoding == "cdr" || t.encoding == "ros1" ? "" : " as " + t.encoding, t.messages));
+      notes.push_back(message("{}: topic {} ({}{}, {} messages) is left out.", bag.name, t.name,
+                              t.type.empty() ? "of a type that is not told" : t.type,
+                              t.encoding == "cdr" || t.encoding == "ros1" ? "" : " as " + t.encoding, t.messages));
 }
 
 }  // namespace

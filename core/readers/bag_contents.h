@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/bags/bag.h"
 #include "readers/camera_files.h"
 #include "readers/series.h"
@@ -34,7 +35,7 @@ struct BagContents {
   std::vector<BagImages> images;
   std::map<std::string, RosCamera> cameras;  // by topic
   std::map<std::string, BagFrame> frames;    // by child of /tf, or by topic
-  std::vector<std::string> notes;            // what was taken, and what not
+  std::vector<Message> notes;                // what was taken, and what not
 };
 
 /// The robot's URDF as published, empty where it was not.

@@ -52,7 +52,7 @@ std::string pnm_of(const ros::Image& image, const std::string& what) {
                 "(image_proc makes them of Bayer patterns).",
                 what, in_quotes(image.encoding)));
   if (image.step < image.width * kind.channels * kind.bytes)
-    throw InputError(what + ": its rows are shorter than its width.");
+    throw InputError(message("{}: its rows are shorter than its width.", what));
   std::string out = fmt::format("P{}\n{} {}\n{}\n", kind.channels == 1 ? 5 : 6, image.width, image.height,
                                 kind.bytes == 2 ? 65535 : 255);
   for (std::size_t y = 0; y < image.height; ++y) add_row(out, image.data.data() + y * image.step, image, kind);
@@ -93,7 +93,7 @@ std::vector<std::string> write_bag_images(const Bag& bag, const BagImages& image
   std::map<std::size_t, std::size_t> number_of;  // by the place in the bag
   for (std::size_t i = 0; i < wanted.size(); ++i) number_of[images.places[wanted[i]]] = i;
   std::size_t place = 0;
-  const std::string what = fmt::format("{}, topic {}", bag.name, images.topic);
+  const Message what = message("{}, topic {}", bag.name, images.topic);
   const auto write = [&](const BagTopic& topic, std::int64_t, std::string_view bytes) {
     if (at_each) at_each();
     const auto found = number_of.find(place++);

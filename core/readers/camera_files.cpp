@@ -64,9 +64,10 @@ Camera kalibr_camera(const YAML::Node& yaml, const std::string& file) {
 
 void check_camera(const Camera& c, const std::string& file) {
   if (c.fx == 0)
-    throw InputError(file +
-                     ": the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or "
-                     "name a file that has one.");
+    throw InputError(
+        message("{}: the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or name a "
+                "file that has one.",
+                file));
   for (const double f : {c.fx, c.fy})
     if (!bounds::focal_length.hold(f))
       throw InputError(message("{}: has a focal length of {:g} px; expected one from {:g} to {:g}.", file, f,
@@ -76,7 +77,8 @@ void check_camera(const Camera& c, const std::string& file) {
   for (const double d : {c.k1, c.k2, c.p1, c.p2, c.k3, c.k4, c.k5, c.k6})
     if (!bounds::distortion.hold(d)) throw InputError(message("{}: holds {:g}, no lens bends so.", file, d));
   if (c.width <= 0 || c.height <= 0 || c.width > 100000 || c.height > 100000)
-    throw InputError(file + ": does not say how large the images are; expected image_width and image_height.");
+    throw InputError(
+        message("{}: does not say how large the images are; expected image_width and image_height.", file));
 }
 
 void set_distortion(Camera& c, const std::vector<double>& d, const std::string& model, const std::string& file) {
@@ -163,17 +165,17 @@ Rigid motion_from_before(const YAML::Node& camera, const std::string& file) {
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) rotation(i, k) = t[static_cast<std::size_t>(4 * i + k)];
   if (!((rotation * rotation.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-2))
-    throw InputError(file + ": T_cn_cnm1 holds no rotation; expected the motion from the camera before.");
+    throw InputError(message("{}: T_cn_cnm1 holds no rotation; expected the motion from the camera before.", file));
   return {nearest_rotation(rotation), Vector3(t[3], t[7], t[11])};
 }
 
 }  // namespace
 
-Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes) {
+Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes) {
   Rig rig;
   for (int k = 0; yaml[fmt::format("cam{}", k)]; ++k) {
     if (k == max_cameras) {
-      notes.push_back(fmt::format("{}: of its cameras the first {} are taken, the others are left out.", file, k));
+      notes.push_back(message("{}: of its cameras the first {} are taken, the others are left out.", file, k));
       break;
     }
     const std::string name = fmt::format("cam{}", k);
@@ -193,7 +195,7 @@ Rig rig_of(const RosCamera& camera) {
   return {{{name.empty() || name.size() > 60 ? "camera" : name, camera.camera, {}}}};
 }
 
-void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::string>& notes) {
+void fit_to_images(RigCamera& camera, int width, int height, std::vector<Message>& notes) {
   Camera& c = camera.camera;
   if (c.width == width && c.height == height) return;
   if (c.width <= 0) {
@@ -216,9 +218,9 @@ void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::st
                 width, height, camera.name, c.width, c.height, c.cx, c.cy));
   std::swap(c.width, c.height);
   notes.push_back(
-      fmt::format("The calibration of the {} camera has width and height swapped; {} x {} px of the images "
-                  "is taken.",
-                  camera.name, width, height));
+      message("The calibration of the {} camera has width and height swapped; {} x {} px of the images "
+              "is taken.",
+              camera.name, width, height));
 }
 
 }  // namespace handsight

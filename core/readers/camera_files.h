@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera/rig.h"
 #include "readers/bags/messages.h"
 #include "readers/yaml_text.h"
@@ -41,13 +42,13 @@ RosCamera camera_from_message(const ros::CameraInfo& message, const std::string&
 StereoRig rig_of(const RosCamera& left, const RosCamera& right);
 
 /// cam0, cam1, ... of Kalibr's camchain (T_cn_cnm1), as many as a rig holds; two are called left and right.
-Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
+Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
 
 /// A rig of this one camera.
 Rig rig_of(const RosCamera& camera);
 
 /// InputError, or turned into what it must be with a sentence in `notes`, where images of this size cannot be of this
 /// camera: width and height swapped.
-void fit_to_images(RigCamera& camera, int width, int height, std::vector<std::string>& notes);
+void fit_to_images(RigCamera& camera, int width, int height, std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -48,7 +48,7 @@ std::optional<std::size_t> find_column(const std::vector<std::string>& names, co
 }
 
 Columns read_header(const Cells& cells, const std::string& file, int line, const std::vector<std::string>& joints,
-                    bool with_motion, std::vector<std::string>* notes) {
+                    bool with_motion, std::vector<Message>* notes) {
   Columns columns{{}, {}, {}, cells.size()};
   std::vector<std::string> names;
   for (const std::string_view cell : cells) names.emplace_back(unquoted(cell));
@@ -67,8 +67,8 @@ Columns read_header(const Cells& cells, const std::string& file, int line, const
   if (with_motion) columns.of_time = find_column(names, "time", file, line);
   known += columns.of_time ? 1 : 0;
   if (notes && names.size() > known)
-    notes->push_back(fmt::format("{}: {} columns are no joints of the session and are ignored.", shortened(file, 80),
-                                 names.size() - known));
+    notes->push_back(message("{}: {} columns are no joints of the session and are ignored.", shortened(file, 80),
+                             names.size() - known));
   return columns;
 }
 
@@ -102,7 +102,7 @@ void read_line(const Cells& cells, const std::string& file, int line, const Colu
 }
 
 PoseTable parse_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
-                      bool with_motion, std::vector<std::string>* notes) {
+                      bool with_motion, std::vector<Message>* notes) {
   std::string_view rest = text;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // the byte order mark of spreadsheet programs
   std::optional<Columns> columns;
@@ -152,22 +152,22 @@ bool names_columns(const std::vector<std::string_view>& cells) {
 }
 
 PoseTable parse_pose_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
-                           std::vector<std::string>* notes) {
+                           std::vector<Message>* notes) {
   return parse_table(text, file, joints, true, notes);
 }
 
 PoseTable read_pose_table(const std::filesystem::path& path, const std::vector<std::string>& joints,
-                          std::vector<std::string>* notes) {
+                          std::vector<Message>* notes) {
   return parse_pose_table(read_file(path), path.filename().string(), joints, notes);
 }
 
 std::vector<Eigen::VectorXd> parse_poses(const std::string& text, const std::string& file,
-                                         const std::vector<std::string>& joints, std::vector<std::string>* notes) {
+                                         const std::vector<std::string>& joints, std::vector<Message>* notes) {
   return parse_table(text, file, joints, false, notes).positions;
 }
 
 std::vector<Eigen::VectorXd> read_poses(const std::filesystem::path& path, const std::vector<std::string>& joints,
-                                        std::vector<std::string>* notes) {
+                                        std::vector<Message>* notes) {
   return parse_poses(read_file(path), path.filename().string(), joints, notes);
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// What stands in a line of a table between commas, semicolons or white space (one kind a line), without what follows a
@@ -28,9 +30,9 @@ struct PoseTable {
 
 /// As parse_poses; columns named "time" and "velocity_JOINT" are read too where a header has them.
 PoseTable parse_pose_table(const std::string& text, const std::string& file, const std::vector<std::string>& joints,
-                           std::vector<std::string>* notes = nullptr);
+                           std::vector<Message>* notes = nullptr);
 PoseTable read_pose_table(const std::filesystem::path& path, const std::vector<std::string>& joints,
-                          std::vector<std::string>* notes = nullptr);
+                          std::vector<Message>* notes = nullptr);
 
 /// Positions, each in the order of `joints` (rad or m), from lines of numbers separated by commas, semicolons
 /// or white space (one kind a line); what follows a '#' and empty lines are left out. A first line that is
@@ -38,9 +40,8 @@ PoseTable read_pose_table(const std::filesystem::path& path, const std::vector<s
 /// sentence in `notes`. Without a header the columns are `joints`. InputError with the line's number where a
 /// line is wrong, or where there is no pose.
 std::vector<Eigen::VectorXd> parse_poses(const std::string& text, const std::string& file,
-                                         const std::vector<std::string>& joints,
-                                         std::vector<std::string>* notes = nullptr);
+                                         const std::vector<std::string>& joints, std::vector<Message>* notes = nullptr);
 std::vector<Eigen::VectorXd> read_poses(const std::filesystem::path& path, const std::vector<std::string>& joints,
-                                        std::vector<std::string>* notes = nullptr);
+                                        std::vector<Message>* notes = nullptr);
 
 }  // namespace handsight

@@ -11,11 +11,11 @@
 namespace handsight {
 namespace {
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < 8; ++i) text += (i ? ", " : "") + names[i];
-  if (names.size() > 8) text += fmt::format(" and {} more", names.size() - 8);
-  return text;
+Message listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  const std::string first =
+      fmt::format("{}", fmt::join(std::vector(names.begin(), names.begin() + std::min(names.size(), most)), ", "));
+  return names.size() > most ? message("{} and {} more", first, names.size() - most) : verbatim(first);
 }
 
 /// Types that have several coordinates are set to fixed; their names.
@@ -30,7 +30,7 @@ std::vector<std::string> set_floating_fixed(tinyxml2::XMLElement& root) {
   return names;
 }
 
-void note_what_is_missing(const Robot& robot, const std::string& file, std::vector<std::string>& notes) {
+void note_what_is_missing(const Robot& robot, const std::string& file, std::vector<Message>& notes) {
   std::vector<std::string> no_limits, no_mass;
   for (const Joint& j : robot.joints)
     if ((j.kind == JointKind::revolute || j.kind == JointKind::prismatic) && j.lower < -1e29)
@@ -40,21 +40,21 @@ void note_what_is_missing(const Robot& robot, const std::string& file, std::vect
       no_mass.push_back(robot.links[static_cast<std::size_t>(j.child_link)].name);
   if (!no_limits.empty())
     notes.push_back(
-        fmt::format("{}: no limits are given for {}: they are taken to turn and slide without end, and "
-                    "corrections will not stop at them.",
-                    file, listed(no_limits)));
+        message("{}: no limits are given for {}: they are taken to turn and slide without end, and "
+                "corrections will not stop at them.",
+                file, listed(no_limits)));
   const bool any_mass = std::any_of(robot.links.begin(), robot.links.end(), [](const Link& l) { return l.mass > 0; });
   if (!any_mass)
     notes.push_back(
-        fmt::format("{}: no link has a mass: springs cannot show, and gravity bends nothing. Put the masses "
-                    "of the maker's data sheet into <inertial>.",
-                    file));
+        message("{}: no link has a mass: springs cannot show, and gravity bends nothing. Put the masses "
+                "of the maker's data sheet into <inertial>.",
+                file));
   else if (!no_mass.empty())
-    notes.push_back(fmt::format("{}: {} moving links have no mass: {}. What gravity does through them is missing.",
-                                file, no_mass.size(), listed(no_mass)));
+    notes.push_back(message("{}: {} moving links have no mass: {}. What gravity does through them is missing.", file,
+                            no_mass.size(), listed(no_mass)));
 }
 
-void note_meshes(const Robot& robot, const std::string& file, std::vector<std::string>& notes) {
+void note_meshes(const Robot& robot, const std::string& file, std::vector<Message>& notes) {
   std::size_t meshes = 0, packages = 0;
   for (const Link& link : robot.links)
     for (const Shape& shape : link.shapes) {
@@ -63,9 +63,9 @@ void note_meshes(const Robot& robot, const std::string& file, std::vector<std::s
     }
   if (meshes > 0)
     notes.push_back(
-        fmt::format("{}: its {} meshes{} are not copied: they are drawn where they are found beside the "
-                    "robot, else plain limbs are. Nothing that is measured depends on them.",
-                    file, meshes, packages ? fmt::format(" ({} by package://)", packages) : std::string()));
+        message("{}: its {} meshes{} are not copied: they are drawn where they are found beside the "
+                "robot, else plain limbs are. Nothing that is measured depends on them.",
+                file, meshes, packages ? message(" ({} by package://)", packages) : Message()));
 }
 
 }  // namespace
@@ -81,9 +81,9 @@ FieldUrdf field_urdf(const std::string& text, const std::string& file) {
   field.robot = parse_urdf(field.text, file, &field.notes);
   if (!still.empty())
     field.notes.push_back(
-        fmt::format("{}: {} stand still in the session's copy: a session has one number a joint. Where "
-                    "the robot drove between observations, each place is a session of its own.",
-                    file, listed(still)));
+        message("{}: {} stand still in the session's copy: a session has one number a joint. Where "
+                "the robot drove between observations, each place is a session of its own.",
+                file, listed(still)));
   note_what_is_missing(field.robot, file, field.notes);
   note_meshes(field.robot, file, field.notes);
   return field;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "robot/robot.h"
 
 namespace handsight {
@@ -12,7 +13,7 @@ namespace handsight {
 struct FieldUrdf {
   std::string text;  // as it goes into the session
   Robot robot;
-  std::vector<std::string> notes;  // what was changed, what is missing and what that means; a sentence each
+  std::vector<Message> notes;  // what was changed, what is missing and what that means; a sentence each
 };
 
 /// Floating and planar joints stand still in the session's copy. InputError where the file is no URDF, xacro among

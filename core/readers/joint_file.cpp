@@ -44,7 +44,7 @@ struct Placed {
   bool is_degrees;
 };
 
-std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vector<std::string>& notes) {
+std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vector<Message>& notes) {
   std::vector<Placed> all;
   const std::vector<std::string> names = joint_names(robot);
   if (!t.has_header) {
@@ -56,8 +56,8 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
                   t.file, t.width(), names.size(), shortened(fmt::format("{}", fmt::join(names, " ")), 250)));
     if (first) t.columns[0].name = "time";
     for (std::size_t i = 0; i < names.size(); ++i) all.push_back({first + i, find_joint(robot, names[i]), degrees});
-    notes.push_back(fmt::format("{}: has no header; its columns are taken for {}{}.", t.file, first ? "time " : "",
-                                shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
+    notes.push_back(message("{}: has no header; its columns are taken for {}{}.", t.file, first ? "time " : "",
+                            shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
     return all;
   }
   int ignored = 0;
@@ -79,7 +79,7 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
                              shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
   const int others = ignored - static_cast<int>(find_column(t, {"time", "timestamp", "t", "stamp"}).has_value());
   if (others > 0)
-    notes.push_back(fmt::format("{}: {} columns are no joints of the robot and are left out.", t.file, others));
+    notes.push_back(message("{}: {} columns are no joints of the robot and are left out.", t.file, others));
   return all;
 }
 
@@ -92,7 +92,7 @@ double beyond(const std::vector<Eigen::VectorXd>& positions, Eigen::Index column
 
 /// Columns that break limits, where another order of the same columns would break none.
 void doubt_order(const JointSeries& s, const std::vector<Placed>& columns, const Robot& robot, const std::string& file,
-                 std::vector<std::string>& notes) {
+                 std::vector<Message>& notes) {
   constexpr double slack = 0.05;  // rad (m)
   const auto joint = [&](std::size_t i) -> const Joint& {
     return robot.joints[static_cast<std::size_t>(columns[i].joint)];
@@ -105,20 +105,20 @@ void doubt_order(const JointSeries& s, const std::vector<Placed>& columns, const
       worst = joint(i).name;
     }
   if (worst.empty()) return;
-  std::string hint;
+  Message hint;
   for (std::size_t i = 0; i < columns.size() && hint.empty(); ++i)
     for (std::size_t k = i + 1; k < columns.size() && hint.empty(); ++k) {
       double left = 0;
       for (std::size_t c = 0; c < columns.size(); ++c)
         left = std::max(left, beyond(s.positions, static_cast<Eigen::Index>(c), joint(c == i ? k : c == k ? i : c)));
       if (left <= slack)
-        hint = fmt::format(" With {} and {} exchanged all would be within them.", joint(i).name, joint(k).name);
+        hint = message(" With {} and {} exchanged all would be within them.", joint(i).name, joint(k).name);
     }
   double reversed = 0;
   for (std::size_t c = 0; c < columns.size(); ++c)
     reversed = std::max(reversed, beyond(s.positions, static_cast<Eigen::Index>(c), joint(columns.size() - 1 - c)));
   if (hint.empty() && reversed <= slack) hint = " In the reverse order all would be within them.";
-  notes.push_back(fmt::format(
+  notes.push_back(message(
       "{}: joint {} goes {:.2f} {} beyond its limits: are the columns in another order than the "
       "robot's joints, or of another unit?{}",
       file, worst, most,
@@ -150,7 +150,7 @@ int joint_columns(const Table& table, const Robot& robot) {
   return count;
 }
 
-JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<std::string>& notes) {
+JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<Message>& notes) {
   const std::vector<Placed> columns = placed(table, robot, degrees, notes);
   JointSeries s;
   s.times = times_of(table, notes);
@@ -176,7 +176,7 @@ JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std:
     s.positions.push_back(std::move(q));
   }
   if (std::any_of(columns.begin(), columns.end(), [](const Placed& p) { return p.is_degrees; }))
-    notes.push_back(fmt::format("{}: angles are read as degrees.", table.file));
+    notes.push_back(message("{}: angles are read as degrees.", table.file));
   refuse_degrees(s, columns, robot, table.file);
   doubt_order(s, columns, robot, table.file, notes);
   return s;

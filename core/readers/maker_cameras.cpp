@@ -31,20 +31,20 @@ bool is_echoed_camera_info(const YAML::Node& yaml) {
 }
 
 RosCamera read_echoed_camera_info(const YAML::Node& yaml, const std::string& file) {
-  ros::CameraInfo message;
+  ros::CameraInfo info;
   const auto k = yaml_numbers(either(yaml, "k", "K")), r = yaml_numbers(either(yaml, "r", "R")),
              p = yaml_numbers(either(yaml, "p", "P")), d = yaml_numbers(either(yaml, "d", "D"));
   if (!k || k->size() != 9)
-    throw InputError(file +
-                     ": k does not hold 9 finite numbers; expected the whole text of `ros2 topic echo --full-length`.");
-  std::copy(k->begin(), k->end(), message.k);
-  if (r && r->size() == 9) std::copy(r->begin(), r->end(), message.r);
-  if (p && p->size() == 12) std::copy(p->begin(), p->end(), message.p);
-  message.d = d.value_or(std::vector<double>());
-  message.model = yaml_word(yaml, "distortion_model");
-  message.width = static_cast<std::uint32_t>(std::clamp(yaml_number(yaml, "width").value_or(0), 0.0, 1e6));
-  message.height = static_cast<std::uint32_t>(std::clamp(yaml_number(yaml, "height").value_or(0), 0.0, 1e6));
-  RosCamera camera = camera_from_message(message, file);
+    throw InputError(message(
+        "{}: k does not hold 9 finite numbers; expected the whole text of `ros2 topic echo --full-length`.", file));
+  std::copy(k->begin(), k->end(), info.k);
+  if (r && r->size() == 9) std::copy(r->begin(), r->end(), info.r);
+  if (p && p->size() == 12) std::copy(p->begin(), p->end(), info.p);
+  info.d = d.value_or(std::vector<double>());
+  info.model = yaml_word(yaml, "distortion_model");
+  info.width = static_cast<std::uint32_t>(std::clamp(yaml_number(yaml, "width").value_or(0), 0.0, 1e6));
+  info.height = static_cast<std::uint32_t>(std::clamp(yaml_number(yaml, "height").value_or(0), 0.0, 1e6));
+  RosCamera camera = camera_from_message(info, file);
   camera.name.clear();
   return camera;
 }
@@ -72,7 +72,7 @@ RosCamera read_camodocal(const std::string& text, const std::string& file) {
   const YAML::Node projection = yaml["projection_parameters"],
                    bend = is_fisheye ? projection : yaml["distortion_parameters"];
   if (!projection.IsMap())
-    throw InputError(file + ": has no projection_parameters; expected a calibration that is whole.");
+    throw InputError(message("{}: has no projection_parameters; expected a calibration that is whole.", file));
   c.camera.fx = required_number(projection, is_fisheye ? "mu" : "fx", file);
   c.camera.fy = required_number(projection, is_fisheye ? "mv" : "fy", file);
   c.camera.cx = required_number(projection, is_fisheye ? "u0" : "cx", file);

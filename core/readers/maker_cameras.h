@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/camera_files.h"
 
 namespace handsight {
@@ -24,8 +25,8 @@ std::vector<RosCamera> read_ost(const std::string& text, const std::string& file
 /// projects with them; `notes` says so where they are not 0.
 bool is_realsense(const YAML::Node& yaml);
 bool is_realsense_listing(const std::string& text);
-RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
-RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<std::string>& notes);
+RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
+RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<Message>& notes);
 
 /// camodocal's YAML: PINHOLE (k1 k2 p1 p2) and KANNALA_BRANDT (a fisheye's k2 k3 k4 k5).
 bool is_camodocal(const std::string& text);

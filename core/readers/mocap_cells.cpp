@@ -56,7 +56,8 @@ Table table_of(const std::vector<Cells>& lines, std::size_t first, std::size_t l
                         : std::numeric_limits<double>::quiet_NaN());
     table.lines.push_back(static_cast<int>(l) + 1);
   }
-  if (table.rows.empty()) throw InputError(file + ": has no frames below its header; expected a line a frame.");
+  if (table.rows.empty())
+    throw InputError(message("{}: has no frames below its header; expected a line a frame.", file));
   return table;
 }
 

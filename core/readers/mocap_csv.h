@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/table.h"
 
 namespace handsight {
@@ -18,7 +19,7 @@ struct MocapBody {
 struct MocapTables {
   std::vector<MocapBody> bodies;
   Table markers;  // time and the columns of points, as `read_point_table` has them; no columns: there are none
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 bool is_motive_csv(const std::string& text);

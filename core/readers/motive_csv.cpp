@@ -97,7 +97,7 @@ MocapTables read_motive_csv(const std::string& text, const std::string& file) {
   if (order.empty()) all.markers = table_of(lines, h.axes + 1, last, 1, 1, markers, file);
   left_out += order.empty() ? 0 : markers.size() / 3;
   if (left_out > 0)
-    all.notes.push_back(fmt::format("{}: {} markers beside the rigid bodies are left out.", file, left_out));
+    all.notes.push_back(message("{}: {} markers beside the rigid bodies are left out.", file, left_out));
   return all;
 }
 

@@ -20,10 +20,10 @@ using Entries = std::map<std::string, StorageEntry>;
 constexpr std::size_t largest_text = std::size_t{16} << 20;  // bytes
 constexpr std::size_t most_side = 64;                        // rows or columns of a camera's matrix
 
-[[noreturn]] void refuse_text(const std::string& file, std::string_view reason) {
+[[noreturn]] void refuse_text(const std::string& file, const Message& reason) {
   throw InputError(
       message("{}: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): {}; name the stereo calibration.",
-              file, shortened(reason, 200)));
+              file, at_most(reason, 200)));
 }
 
 bool is_nested_deeply(std::string_view text) {
@@ -42,7 +42,7 @@ bool is_nested_deeply(std::string_view text) {
   return false;
 }
 
-StorageEntry faulty(std::string reason) { return {0, 0, {}, std::move(reason)}; }
+StorageEntry faulty(Message reason) { return {0, 0, {}, std::move(reason)}; }
 
 /// A matrix that is told with its rows and columns.
 StorageEntry entry_of(std::optional<std::int64_t> rows, std::optional<std::int64_t> cols, std::vector<double> numbers) {
@@ -51,9 +51,9 @@ StorageEntry entry_of(std::optional<std::int64_t> rows, std::optional<std::int64
   };
   if (!is_side(rows) || !is_side(cols)) return faulty("its rows or cols are none of a camera's matrix");
   if (static_cast<std::size_t>(*rows * *cols) != numbers.size())
-    return faulty(fmt::format("it says {} x {} and has {} numbers", *rows, *cols, numbers.size()));
+    return faulty(message("it says {} x {} and has {} numbers", *rows, *cols, numbers.size()));
   for (const double number : numbers)
-    if (!bounds::distortion.hold(number)) return faulty(fmt::format("it holds {:g}", number));
+    if (!bounds::distortion.hold(number)) return faulty(message("it holds {:g}", number));
   return {static_cast<int>(*rows), static_cast<int>(*cols), std::move(numbers), {}};
 }
 
@@ -62,12 +62,12 @@ StorageEntry list_of(std::vector<double> numbers, std::size_t rows = 0) {
   const std::size_t count = numbers.size();
   if (rows == 0 || count % rows != 0) rows = count;
   if (rows == 0) return faulty("it is empty");
-  if (rows > most_side) return faulty(fmt::format("it is a list of {} numbers", count));
+  if (rows > most_side) return faulty(message("it is a list of {} numbers", count));
   return entry_of(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(count / rows), std::move(numbers));
 }
 
 StorageEntry not_a_number(const std::string& word) {
-  return faulty(fmt::format("{} is no finite number", in_quotes(word)));
+  return faulty(message("{} is no finite number", in_quotes(word)));
 }
 
 // ---- YAML
@@ -229,7 +229,7 @@ Entries parse_xml_storage(const std::string& text, const std::string& file) {
 }  // namespace
 
 Entries parse_opencv_storage(const std::string& text, const std::string& file) {
-  if (text.size() > largest_text) refuse_text(file, fmt::format("it has {} MB", text.size() >> 20));
+  if (text.size() > largest_text) refuse_text(file, message("it has {} MB", text.size() >> 20));
   if (text.find('\0') != std::string::npos) refuse_text(file, "it holds a zero byte");
   if (is_nested_deeply(text)) refuse_text(file, "its elements are nested too deeply");
   const std::size_t first = text.find_first_not_of(" \t\r\n");

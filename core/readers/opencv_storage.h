@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// The numbers of one entry: a matrix row by row, a list (one column, or a row for each inner list), one number.
 struct StorageEntry {
   int rows = 0, cols = 0;
   std::vector<double> numbers;  // rows * cols of them
-  std::string fault;            // why the entry is no matrix of numbers; empty: it is one
+  Message fault;                // why the entry is no matrix of numbers; empty: it is one
 };
 
 /// The outermost entries by name; those that hold texts or whole structures have a fault. InputError where the text is

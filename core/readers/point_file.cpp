@@ -63,9 +63,10 @@ PointSeries long_table(const Table& table, const std::vector<double>& times, con
   PointSeries series;
   const auto instant = find_column(table, {"observation", "frame", "sample", "pose", "instant"});
   if (!instant && times.empty())
-    throw InputError(table.file +
-                     ": has a line for each marker, and no column that says which lines are of one instant; expected "
-                     "`observation` or `time`.");
+    throw InputError(
+        message("{}: has a line for each marker, and no column that says which lines are of one instant; expected "
+                "`observation` or `time`.",
+                table.file));
   std::map<double, std::size_t> places;
   std::map<double, int> markers;  // numbers in the file to those of the session, ascending
   for (const auto& row : table.rows) markers[row[marker]] = 0;
@@ -91,14 +92,14 @@ bool is_point_table(const Table& table) {
   return table.width() % 3 == 0 || table.width() % 3 == 1;
 }
 
-PointSeries read_point_table(Table table, std::vector<std::string>& notes) {
+PointSeries read_point_table(Table table, std::vector<Message>& notes) {
   if (!table.has_header) {
     const bool has_time = table.width() % 3 == 1;
     if (has_time) table.columns[0].name = "time";
     for (std::size_t c = has_time ? 1 : 0; c < table.width(); ++c)
       table.columns[c].name = fmt::format("m{}_{}", (c - has_time) / 3, "xyz"[(c - has_time) % 3]);
-    notes.push_back(fmt::format("{}: has no header; its columns are taken for {}x y z of {} points.", table.file,
-                                has_time ? "time and " : "", table.width() / 3));
+    notes.push_back(message("{}: has no header; its columns are taken for {}x y z of {} points.", table.file,
+                            has_time ? "time and " : "", table.width() / 3));
   }
   const std::vector<Triple> triples = triples_of(table);
   check(!triples.empty(), "{} is no table of points", table.file);
@@ -115,7 +116,7 @@ PointSeries read_point_table(Table table, std::vector<std::string>& notes) {
   const double unit = says_mm || largest > longest_m ? 1e-3 : 1;
   if (!says_mm && unit != 1)
     notes.push_back(
-        fmt::format("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", table.file, largest));
+        message("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", table.file, largest));
   const auto marker = find_column(table, {"marker", "index", "point", "id", "marker_id"});
   if (marker && triples.size() == 1) return long_table(table, times, triples[0], *marker, unit);
   PointSeries series;

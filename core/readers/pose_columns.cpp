@@ -157,7 +157,7 @@ std::optional<PoseColumns> named_pose(const Table& t, const Group& group) {
     p.kinds = way.kinds;
     p.first_is_usual = way.first_is_usual;
     p.usually_degrees = way.usually_degrees;
-    p.text = text_of(t, p.turn);
+    p.text = verbatim(text_of(t, p.turn));
     return p;
   }
   return std::nullopt;

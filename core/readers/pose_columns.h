@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "geometry/angle_kinds.h"
 #include "readers/table.h"
 
@@ -16,7 +17,7 @@ struct PoseColumns {
   std::vector<std::size_t> xyz, turn;  // of a matrix its nine numbers row by row
   std::vector<AngleKind> kinds;        // likeliest first
   bool first_is_usual = false, usually_degrees = false;
-  std::string text;  // "rx ry rz"
+  Message text;  // "rx ry rz"
 };
 
 /// None, one or two (the flange's first where nothing names them).

@@ -11,7 +11,7 @@ bool is_hand_eye_samples(const YAML::Node& yaml) {
          (samples[0]["tracking"] || samples[0]["optical"]);
 }
 
-HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes) {
+HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes) {
   HandEyeSamples s;
   const std::string kind = yaml_word(yaml["parameters"], "calibration_type"),
                     on_hand = yaml_word(yaml["parameters"], "eye_on_hand");
@@ -27,9 +27,8 @@ HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& 
     ++number;
   }
   if (!s.kind_is_known)
-    notes.push_back(file +
-                    ": does not say where the camera is; it is taken to be on the hand (--eye-on-base: on a "
-                    "stand).");
+    notes.push_back(message(
+        "{}: does not say where the camera is; it is taken to be on the hand (--eye-on-base: on a stand).", file));
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/pose_list.h"
 #include "readers/pose_table.h"
 #include "readers/series.h"
@@ -22,11 +23,11 @@ struct HandEyeSamples {
   bool kind_is_known = true;  // false: the file does not say where the camera is
 };
 bool is_hand_eye_samples(const YAML::Node& yaml);
-HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
+HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
 
 /// Triples of columns x y z (m1_x m1_y m1_z ...), or a line a point: x y z with marker and time or observation.
 bool is_point_table(const Table& table);
-PointSeries read_point_table(Table table, std::vector<std::string>& notes);
+PointSeries read_point_table(Table table, std::vector<Message>& notes);
 
 /// How many of the columns name a joint of the robot that moves by itself ("a1", "a1_position", "position_a1").
 int joint_columns(const Table& table, const Robot& robot);
@@ -35,6 +36,6 @@ int joint_columns(const Table& table, const Robot& robot);
 /// before them where there is one more. Degrees where the header says so or `degrees`; InputError where numbers can
 /// only be degrees and nobody said so. Sentences in `notes`: what was taken for what, columns that would fit the limits
 /// of other joints better.
-JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<std::string>& notes);
+JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -172,19 +172,17 @@ Rigid required_pose(const YAML::Node& node, const std::string& file, std::size_t
   return *pose;
 }
 
-void bring_to_metres(PoseSeries& series, const std::string& file, std::vector<std::string>& notes) {
+void bring_to_metres(PoseSeries& series, const std::string& file, std::vector<Message>& notes) {
   double largest = 0;
   for (const Rigid& pose : series.poses) largest = std::max(largest, pose.translation.cwiseAbs().maxCoeff());
   if (largest <= longest_m) return;
   for (Rigid& pose : series.poses) pose.translation *= 1e-3;
-  notes.push_back(
-      fmt::format("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", file, largest));
+  notes.push_back(message("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", file, largest));
 }
 
 bool is_pose_list(const YAML::Node& yaml) { return begins_with_a_pose(list_of(yaml)) || is_map_of_lists(yaml); }
 
-std::vector<ReadPoses> read_pose_list(const YAML::Node& yaml, const std::string& file,
-                                      std::vector<std::string>& notes) {
+std::vector<ReadPoses> read_pose_list(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes) {
   const YAML::Node list = list_of(yaml);
   const bool is_list = begins_with_a_pose(list);
   NamedLists lists = is_list ? lists_in(list, file) : lists_of_map(yaml, file);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/pose_table.h"
 #include "readers/yaml_text.h"
 
@@ -22,7 +23,7 @@ Rigid required_pose(const YAML::Node& node, const std::string& file, std::size_t
 std::optional<Rigid> rigid_of_numbers(const std::vector<double>& numbers);
 
 /// Millimetres where lengths can be nothing else, with a sentence.
-void bring_to_metres(PoseSeries& series, const std::string& file, std::vector<std::string>& notes);
+void bring_to_metres(PoseSeries& series, const std::string& file, std::vector<Message>& notes);
 
 /// Lists of poses as ROS, MoveIt and people write them in YAML or JSON: of {position, orientation} (also translation,
 /// rotation; xyz, quaternion), of matrices (16 numbers, or four lists of four), or of pairs of them, each of its own
@@ -31,6 +32,6 @@ void bring_to_metres(PoseSeries& series, const std::string& file, std::vector<st
 bool is_pose_list(const YAML::Node& yaml);
 
 /// One series, or two: the flange's first where nothing names them. InputError where a pose is not whole.
-std::vector<ReadPoses> read_pose_list(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes);
+std::vector<ReadPoses> read_pose_list(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
 
 }  // namespace handsight

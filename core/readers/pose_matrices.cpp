@@ -76,7 +76,7 @@ std::optional<Rigid> pose_of_entries(const std::map<std::string, StorageEntry>& 
 /// By number, of each name.
 using Groups = std::map<std::string, std::map<std::int64_t, Rigid>>;
 
-std::vector<ReadPoses> series_of(const Groups& groups, const std::string& what, std::vector<std::string>& notes) {
+std::vector<ReadPoses> series_of(const Groups& groups, const std::string& what, std::vector<Message>& notes) {
   std::vector<ReadPoses> all;
   for (const auto& [name, poses] : groups) {
     ReadPoses& read = all.emplace_back();
@@ -134,7 +134,7 @@ std::vector<fs::path> pose_files_in(const fs::path& folder) {
 }
 
 std::vector<ReadPoses> read_pose_files(const std::vector<fs::path>& files, const std::string& what,
-                                       std::vector<std::string>& notes) {
+                                       std::vector<Message>& notes) {
   Groups groups;
   for (const fs::path& file : files) {
     const auto at = numbered(file.stem().string());
@@ -149,8 +149,7 @@ std::vector<ReadPoses> read_pose_files(const std::vector<fs::path>& files, const
   return series_of(groups, what, notes);
 }
 
-std::vector<ReadPoses> poses_of_storage(const std::string& text, const std::string& file,
-                                        std::vector<std::string>& notes) {
+std::vector<ReadPoses> poses_of_storage(const std::string& text, const std::string& file, std::vector<Message>& notes) {
   Groups groups;
   const auto entries = parse_opencv_storage(text, file);
   for (const auto& [name, entry] : entries) {

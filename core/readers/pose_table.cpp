@@ -67,7 +67,7 @@ Table without_names_of(Table t, const std::vector<PoseColumns>& poses) {
   return t;
 }
 
-Keys keys_of(Table& t, std::vector<std::string>& notes) {
+Keys keys_of(Table& t, std::vector<Message>& notes) {
   Keys k;
   k.times = times_of(t, notes);
   sort_by_time(t, k.times, notes);
@@ -90,14 +90,13 @@ double largest_place(const Table& t, const PoseColumns& p) {
   return largest;
 }
 
-double unit_of_places(const Table& t, const PoseColumns& p, const std::string& what, std::vector<std::string>& notes) {
+double unit_of_places(const Table& t, const PoseColumns& p, const std::string& what, std::vector<Message>& notes) {
   const std::string& unit = t.columns[p.xyz[0]].unit;
   if (unit == "mm") return 1e-3;
   if (unit == "cm") return 1e-2;
   const double largest = largest_place(t, p);
   if (unit == "m" || largest <= longest_m) return 1;
-  notes.push_back(
-      fmt::format("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", what, largest));
+  notes.push_back(message("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", what, largest));
   return 1e-3;
 }
 
@@ -117,7 +116,7 @@ bool has_unit_quaternions(const ReadPoses& read) {
 
 /// What the columns, and who brings them, say of the turns.
 void say_readings(const Table& t, const PoseColumns& p, const PoseTableOptions& o, const std::string& what,
-                  ReadPoses& read, std::vector<std::string>& notes) {
+                  ReadPoses& read, std::vector<Message>& notes) {
   std::vector<AngleKind> kinds = p.kinds;
   bool usually_degrees = p.usually_degrees;
   read.turns.columns = p.text;
@@ -135,7 +134,7 @@ void say_readings(const Table& t, const PoseColumns& p, const PoseTableOptions& 
   const double largest = largest_turn(t, p);
   read.turns.readings = readings_of(kinds, unit, o.degrees, usually_degrees, largest);
   if (p.turn.size() == 3 && unit != "deg" && unit != "rad" && !o.degrees && largest > most_radians)
-    notes.push_back(fmt::format("{}: angles of up to {:.0f} can only be degrees; they are read so.", what, largest));
+    notes.push_back(message("{}: angles of up to {:.0f} can only be degrees; they are read so.", what, largest));
 }
 
 void refuse_impossible(const ReadPoses& read, const std::string& what) {
@@ -151,7 +150,7 @@ void refuse_impossible(const ReadPoses& read, const std::string& what) {
 }
 
 ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, const PoseTableOptions& o,
-                       const std::string& what, std::vector<std::string>& notes) {
+                       const std::string& what, std::vector<Message>& notes) {
   ReadPoses read;
   read.role = p.role;
   PoseSeries& s = read.series;
@@ -169,8 +168,8 @@ ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, c
     keep(keys.places, r, s.places);
   }
   if (s.poses.size() < t.rows.size() && !s.poses.empty())
-    notes.push_back(fmt::format("{}: {} of {} rows hold no whole pose (nan or empty); there nothing was measured.",
-                                what, t.rows.size() - s.poses.size(), t.rows.size()));
+    notes.push_back(message("{}: {} of {} rows hold no whole pose (nan or empty); there nothing was measured.", what,
+                            t.rows.size() - s.poses.size(), t.rows.size()));
   say_readings(t, p, o, what, read, notes);
   refuse_impossible(read, what);
   read_turns(read.turns, read.turns.readings.front(), s);
@@ -201,9 +200,9 @@ void read_turns(const Turns& turns, const TurnReading& reading, PoseSeries& seri
   }
 }
 
-std::string reading_text(const TurnReading& reading) {
+Message reading_text(const TurnReading& reading) {
   if (angle_count(reading.kind) != 3) return angle_kind_text(reading.kind);
-  return std::string(angle_kind_text(reading.kind)) + (reading.degrees ? " in degrees" : " in rad");
+  return message("{}{}", angle_kind_text(reading.kind), reading.degrees ? " in degrees" : " in rad");
 }
 
 bool is_pose_table(const Table& table, bool has_robot) {
@@ -211,7 +210,7 @@ bool is_pose_table(const Table& table, bool has_robot) {
 }
 
 std::vector<ReadPoses> read_pose_table(const Table& given, bool has_robot, const PoseTableOptions& options,
-                                       std::vector<std::string>& notes) {
+                                       std::vector<Message>& notes) {
   Table table = with_matrices_in_rows(given);
   const std::vector<PoseColumns> poses = pose_columns(table, has_robot);
   check(!poses.empty(), "{} is no table of poses", table.file);
@@ -223,8 +222,8 @@ std::vector<ReadPoses> read_pose_table(const Table& given, bool has_robot, const
   for (const PoseColumns& p : poses) {
     const std::string what = p.role.empty() ? table.file : fmt::format("{} ({})", table.file, shortened(p.role, 30));
     if (!table.has_header && p.turn.size() == 4)
-      notes.push_back(fmt::format("{}: has no header; its columns are taken for {}x y z qx qy qz qw.", what,
-                                  table.columns[0].name == "time" ? "time " : ""));
+      notes.push_back(message("{}: has no header; its columns are taken for {}x y z qx qy qz qw.", what,
+                              table.columns[0].name == "time" ? "time " : ""));
     all.push_back(read_columns(table, p, keys, options, what, notes));
   }
   return all;

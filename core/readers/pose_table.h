@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "geometry/angle_kinds.h"
 #include "readers/series.h"
 #include "readers/table.h"
@@ -18,7 +19,7 @@ struct TurnReading {
 
 /// The numbers by which a table tells its turns.
 struct Turns {
-  std::string columns;                       // "rx ry rz", as sentences call them
+  Message columns;                           // "rx ry rz", as sentences call them
   std::vector<std::vector<double>> numbers;  // one list a pose, as written
   std::vector<TurnReading> readings;         // what they may be, the likeliest first; one: the table says it
   bool first_is_usual = false;               // the first is to be taken wherever it serves
@@ -46,13 +47,13 @@ bool is_pose_table(const Table& table, bool has_robot);
 /// Of one thing or of two. Rows in which a number is missing are left out. Sentences in `notes`. InputError where a
 /// pose cannot be one, or `angles` does not suit the columns.
 std::vector<ReadPoses> read_pose_table(const Table& table, bool has_robot, const PoseTableOptions& options,
-                                       std::vector<std::string>& notes);
+                                       std::vector<Message>& notes);
 
 /// Turns the series' poses as this reading has it.
 void read_turns(const Turns& turns, const TurnReading& reading, PoseSeries& series);
 
 /// "rotation vectors (axis times angle) in degrees".
-std::string reading_text(const TurnReading& reading);
+Message reading_text(const TurnReading& reading);
 
 /// What columns without names may be: three numbers any kind of angles, four a quaternion.
 std::vector<TurnReading> readings_of(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,

@@ -25,7 +25,7 @@ std::string plain_model(std::string model) {
   return model;
 }
 
-RosCamera camera_of(const Intrinsics& i, const std::string& file, std::vector<std::string>& notes) {
+RosCamera camera_of(const Intrinsics& i, const std::string& file, std::vector<Message>& notes) {
   RosCamera c;
   c.file = file;
   c.camera.width = static_cast<int>(std::clamp(i.width, 0.0, 1e6));
@@ -49,7 +49,7 @@ RosCamera camera_of(const Intrinsics& i, const std::string& file, std::vector<st
                 file, in_quotes(i.model)));
   }
   if (bends && model == "inverse_brown_conrady")
-    notes.push_back(fmt::format(
+    notes.push_back(message(
         "{}: its coefficients are of the model inverse Brown-Conrady; they are taken as Brown's, as librealsense "
         "projects with them.",
         file));
@@ -101,7 +101,7 @@ bool is_realsense_listing(const std::string& text) {
   return text.find("Intrinsic of ") != std::string::npos && text.find("PPX:") != std::string::npos;
 }
 
-RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::vector<std::string>& notes) {
+RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes) {
   Intrinsics i;
   const std::pair<const char*, double*> numbers[] = {{"width", &i.width}, {"height", &i.height}, {"fx", &i.fx},
                                                      {"fy", &i.fy},       {"ppx", &i.ppx},       {"ppy", &i.ppy}};
@@ -115,7 +115,7 @@ RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::v
   return camera_of(i, file, notes);
 }
 
-RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<std::string>& notes) {
+RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<Message>& notes) {
   const std::vector<Intrinsics> all = listed_intrinsics(text);
   if (all.size() != 1) {
     std::string streams;

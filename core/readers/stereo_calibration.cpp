@@ -118,7 +118,7 @@ Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& disto
   return camera;
 }
 
-Rigid right_from_left_of(const Found& found, const std::string& files, std::vector<std::string>* notes) {
+Rigid right_from_left_of(const Found& found, const std::string& files, std::vector<Message>* notes) {
   const StorageEntry &r = *found.rotation, &t = *found.translation;
   Rigid motion;
   if (r.numbers.size() == 3) {  // a rotation vector
@@ -138,8 +138,8 @@ Rigid right_from_left_of(const Found& found, const std::string& files, std::vect
   if (motion.translation.norm() <= 5) return motion;
   motion.translation *= 1e-3;
   if (notes)
-    notes->push_back(fmt::format("{}: T is {:.1f} long and is taken for millimetres: the cameras are {:.0f} mm apart.",
-                                 files, 1e3 * motion.translation.norm(), 1e3 * motion.translation.norm()));
+    notes->push_back(message("{}: T is {:.1f} long and is taken for millimetres: the cameras are {:.0f} mm apart.",
+                             files, 1e3 * motion.translation.norm(), 1e3 * motion.translation.norm()));
   return motion;
 }
 
@@ -195,7 +195,7 @@ Camera numbered_camera(const Storage& all, int k, const std::string& model, cons
   return camera;
 }
 
-Rigid motion_of_camera(const Storage& all, int k, const std::string& files, std::vector<std::string>* notes) {
+Rigid motion_of_camera(const Storage& all, int k, const std::string& files, std::vector<Message>* notes) {
   const std::string ending = k == 2 ? "" : "_" + std::to_string(k);
   Found found;
   found.rotation = find_matrix(all, files, {("R" + ending).c_str()});
@@ -208,13 +208,13 @@ Rigid motion_of_camera(const Storage& all, int k, const std::string& files, std:
 
 }  // namespace
 
-Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes) {
+Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<Message>* notes) {
   std::vector<StereoCalibrationText> texts;
   for (const auto& path : files) texts.push_back({read_file(path), shown_path(path.filename())});
   return parse_rig_calibration(texts, notes);
 }
 
-Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes) {
+Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<Message>* notes) {
   Storage all;
   std::string files;
   for (const StereoCalibrationText& one : texts) {
@@ -242,13 +242,13 @@ Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::
   return rig;
 }
 
-StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes) {
+StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& files, std::vector<Message>* notes) {
   std::vector<StereoCalibrationText> texts;
   for (const auto& path : files) texts.push_back({read_file(path), shown_path(path.filename())});
   return parse_stereo_calibration(texts, notes);
 }
 
-StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes) {
+StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<Message>* notes) {
   Found found;
   std::string names;
   for (const StereoCalibrationText& one : texts) {
@@ -258,7 +258,7 @@ StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& tex
   const auto require = [&](bool there, const char* what) {
     if (!there)
       throw InputError(message("{}: has no {}; name the file of OpenCV's stereoCalibrate that has it too.",
-                               names.empty() ? "No file" : names, what));
+                               names.empty() ? Message("No file") : verbatim(names), what));
   };
   require(found.camera[0].has_value(), "left camera matrix (M1, K1 or cameraMatrix1)");
   require(found.camera[1].has_value(), "right camera matrix (M2, K2 or cameraMatrix2)");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera/rig.h"
 
 namespace handsight {
@@ -20,16 +21,16 @@ struct StereoCalibrationText {
 /// image size where it is written (0 where it is not). A T longer than 5 is taken for millimetres, with a sentence in
 /// `notes`. InputError where something is missing or no camera of this model.
 StereoRig read_stereo_calibration(const std::vector<std::filesystem::path>& files,
-                                  std::vector<std::string>* notes = nullptr);
+                                  std::vector<Message>* notes = nullptr);
 StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& texts,
-                                   std::vector<std::string>* notes = nullptr);
+                                   std::vector<Message>* notes = nullptr);
 
 /// The rig of one to eight cameras from what `rig_yaml` and OpenCV write: M1 D1 image_width image_height (of one camera
 /// also camera_matrix, cameraMatrix, K or mtx, and distortion_coefficients, distCoeffs, D or dist), M2 D2 R T, and for
 /// more R_3 T_3 ..., of X_k = R X_1 + T. D holds 4 or 5 of Brown's numbers, 8 with the rational terms, or the 4 of a
 /// fisheye where `lens_model_k` says so. Names are those of camera_name_k; of two cameras left and right. Pairs of
 /// other names as `read_stereo_calibration` has it.
-Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<std::string>* notes = nullptr);
-Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<std::string>* notes = nullptr);
+Rig read_rig_calibration(const std::vector<std::filesystem::path>& files, std::vector<Message>* notes = nullptr);
+Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::vector<Message>* notes = nullptr);
 
 }  // namespace handsight

@@ -205,7 +205,7 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
       if (!number)
         refuse(file, lines[i].number,
                message("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]), c + 1,
-                       table.columns[c].name.empty() ? "" : " (" + shortened(table.columns[c].name) + ")"));
+                       table.columns[c].name.empty() ? std::string() : " (" + shortened(table.columns[c].name) + ")"));
       if (std::isfinite(*number) && !bounds::any.hold(*number))
         refuse(file, lines[i].number,
                message("{} stands in column {}, expected a number of at most {:g}.", in_quotes(cells[c]), c + 1,
@@ -217,7 +217,7 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
   if (table.rows.empty()) return std::nullopt;
   for (TableColumn& column : table.columns)
     if (!column.words.empty()) column.words.resize(table.rows.size());
-  if (decimal_commas) table.notes.push_back(file + ": commas are read as decimal points.");
+  if (decimal_commas) table.notes.push_back(message("{}: commas are read as decimal points.", file));
   return table;
 }
 
@@ -237,7 +237,7 @@ std::optional<std::size_t> find_column(const Table& table, std::initializer_list
   return std::nullopt;
 }
 
-std::vector<double> times_of(const Table& table, std::vector<std::string>& notes) {
+std::vector<double> times_of(const Table& table, std::vector<Message>& notes) {
   const auto column =
       find_column(table, {"time", "timestamp", "t", "stamp", "seconds", "sec", "time_s", "header.stamp"});
   if (!column) return {};
@@ -257,15 +257,15 @@ std::vector<double> times_of(const Table& table, std::vector<std::string>& notes
   else if (named.empty() && largest > 1e11)
     unit = 1e-3;
   if (named.empty() && unit != 1)
-    notes.push_back(fmt::format("{}: the times are taken for {}.", table.file,
-                                unit == 1e-9   ? "nanoseconds"
-                                : unit == 1e-6 ? "microseconds"
-                                               : "milliseconds"));
+    notes.push_back(message("{}: the times are taken for {}.", table.file,
+                            unit == 1e-9   ? "nanoseconds"
+                            : unit == 1e-6 ? "microseconds"
+                                           : "milliseconds"));
   for (double& t : times) t *= unit;
   return times;
 }
 
-void sort_by_time(Table& table, std::vector<double>& times, std::vector<std::string>& notes) {
+void sort_by_time(Table& table, std::vector<double>& times, std::vector<Message>& notes) {
   if (times.empty() || std::is_sorted(times.begin(), times.end())) return;
   std::vector<std::size_t> order(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -285,7 +285,7 @@ void sort_by_time(Table& table, std::vector<double>& times, std::vector<std::str
   }
   table = std::move(sorted);
   times = std::move(sorted_times);
-  notes.push_back(table.file + ": the lines do not stand in order of time; they were sorted.");
+  notes.push_back(message("{}: the lines do not stand in order of time; they were sorted.", table.file));
 }
 
 void require_full(const Table& table, const std::vector<std::size_t>& columns) {

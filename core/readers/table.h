@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 struct TableColumn {
@@ -21,7 +23,7 @@ struct Table {
   std::vector<std::vector<double>> rows;  // NaN: an empty cell, or "nan", or a word
   std::vector<int> lines;                 // of the rows
   bool has_header = false;
-  std::vector<std::string> notes;  // decimal commas, what else was understood; a sentence each
+  std::vector<Message> notes;  // decimal commas, what else was understood; a sentence each
 
   std::size_t width() const { return columns.size(); }
 };
@@ -40,10 +42,10 @@ std::optional<std::size_t> find_column(const Table& table, std::initializer_list
 
 /// The column's times in s, by its unit or size (ms, us, ns), begin at their own zero where they are epochs; empty
 /// where the table has none. A sentence in `notes` where the unit was guessed.
-std::vector<double> times_of(const Table& table, std::vector<std::string>& notes);
+std::vector<double> times_of(const Table& table, std::vector<Message>& notes);
 
 /// Sorts rows by time where they are not; says so. Rows of the same time are refused with a sentence.
-void sort_by_time(Table& table, std::vector<double>& times, std::vector<std::string>& notes);
+void sort_by_time(Table& table, std::vector<double>& times, std::vector<Message>& notes);
 
 /// InputError where a cell of these columns is empty.
 void require_full(const Table& table, const std::vector<std::size_t>& columns);

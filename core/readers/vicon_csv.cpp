@@ -97,15 +97,16 @@ MocapTables read_vicon_csv(const std::string& text, const std::string& file) {
         for (const Column& c : own) columns.push_back({c.at, name + "_" + c.name, c.unit});
       all.markers = table_of(lines, s.first, s.last, 0, frame, columns, file);
     } else {
-      all.notes.push_back(fmt::format("{}: the section {} is left out.", file, in_quotes(s.name)));
+      all.notes.push_back(message("{}: the section {} is left out.", file, in_quotes(s.name)));
     }
   }
   if (!all.bodies.empty() && !all.markers.columns.empty()) {
-    all.notes.push_back(fmt::format("{}: its markers are left out, its rigid bodies count.", file));
+    all.notes.push_back(message("{}: its markers are left out, its rigid bodies count.", file));
     all.markers = {};
   }
   if (all.bodies.empty() && all.markers.columns.empty())
-    throw InputError(file + ": has neither Objects nor Segments nor Trajectories; export it again with one of them.");
+    throw InputError(
+        message("{}: has neither Objects nor Segments nor Trajectories; export it again with one of them.", file));
   return all;
 }
 

@@ -40,8 +40,8 @@ bool add_numbers(const YAML::Node& node, std::vector<double>& all, int depth) {
 }  // namespace
 
 YAML::Node parse_yaml(const std::string& text, const std::string& file) {
-  if (text.size() > largest_text) throw InputError(file + ": is longer than 16 MB, which no calibration is.");
-  if (is_nested_deeply(text)) throw InputError(file + ": is nested more deeply than any calibration is.");
+  if (text.size() > largest_text) throw InputError(message("{}: is longer than 16 MB, which no calibration is.", file));
+  if (is_nested_deeply(text)) throw InputError(message("{}: is nested more deeply than any calibration is.", file));
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {

@@ -39,9 +39,10 @@ Eigen::Vector3f point_of(const std::vector<std::string_view>& words, const std::
   for (std::size_t i = 0; i < 3; ++i) {
     const auto number = words.size() > i + 1 ? parse_number(words[i + 1]) : std::nullopt;
     if (!number || !is_coordinate(*number))
-      refuse(file, line,
-             message("the point has {}, expected three finite numbers.",
-                     words.size() > i + 1 ? in_quotes(words[i + 1]) : fmt::format("{} numbers", words.size() - 1)));
+      refuse(
+          file, line,
+          message("the point has {}, expected three finite numbers.",
+                  words.size() > i + 1 ? verbatim(in_quotes(words[i + 1])) : message("{} numbers", words.size() - 1)));
     point[static_cast<Eigen::Index>(i)] = static_cast<float>(*number);
   }
   return point;

@@ -10,8 +10,8 @@
 
 namespace handsight {
 
-void urdf::add_note(Notes& notes, const XmlNode& node, std::string_view sentence) {
-  notes.push_back(fmt::format("{}, line {}: {}", shortened(node.file, 80), node.line(), shortened(sentence, 480)));
+void urdf::add_note(Notes& notes, const XmlNode& node, const Message& sentence) {
+  notes.push_back(message("{}, line {}: {}", shortened(node.file, 80), node.line(), at_most(sentence, 480)));
 }
 
 namespace {
@@ -38,11 +38,12 @@ void refuse_xacro(const XmlNode& root) {
 
 }  // namespace
 
-Robot parse_urdf(const std::string& text, const std::string& file_name, std::vector<std::string>* notes) {
+Robot parse_urdf(const std::string& text, const std::string& file_name, std::vector<Message>* notes) {
   urdf::Notes said;
   const bool is_good = is_utf8(text);
   if (!is_good)
-    said.push_back(shortened(file_name, 80) + ": the file is not UTF-8; its other bytes are read as Latin-1.");
+    said.push_back(
+        message("{}: the file is not UTF-8; its other bytes are read as Latin-1.", shortened(file_name, 80)));
   const auto document = parse_xml(is_good ? text : utf8_or_latin1(text), file_name);
   const XmlNode root = root_of(*document, file_name, "robot");
   refuse_xacro(root);
@@ -56,7 +57,7 @@ Robot parse_urdf(const std::string& text, const std::string& file_name, std::vec
   return robot;
 }
 
-Robot read_urdf(const std::filesystem::path& path, std::vector<std::string>* notes) {
+Robot read_urdf(const std::filesystem::path& path, std::vector<Message>* notes) {
   return parse_urdf(read_file(path), path.filename().string(), notes);
 }
 

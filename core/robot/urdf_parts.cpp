@@ -26,10 +26,10 @@ void read_inertial(const XmlNode& node, Link& link, Notes& notes) {
   link.center_of_mass = find_origin(node).translation;
   if (link.center_of_mass.cwiseAbs().maxCoeff() > farthest_center)
     add_note(notes, node,
-             fmt::format("the centre of mass of link {} lies {:.4g} m from the link's frame, farther than {} "
-                         "m; its gravity "
-                         "moments will be as large as that says.",
-                         in_quotes(link.name), link.center_of_mass.stableNorm(), farthest_center));
+             message("the centre of mass of link {} lies {:.4g} m from the link's frame, farther than {} "
+                     "m; its gravity "
+                     "moments will be as large as that says.",
+                     in_quotes(link.name), link.center_of_mass.stableNorm(), farthest_center));
 }
 
 JointKind read_kind(const XmlNode& node) {
@@ -69,7 +69,7 @@ void read_placement(const XmlNode& node, Joint& joint, Notes& notes) {
     read_dh(*dh, joint);
     if (find_child(node, "origin") || find_child(node, "axis"))
       add_note(notes, node,
-               fmt::format("joint {} has <dh>, so that its <origin> and <axis> are ignored.", in_quotes(joint.name)));
+               message("joint {} has <dh>, so that its <origin> and <axis> are ignored.", in_quotes(joint.name)));
     return;
   }
   joint.parent_from_joint = find_origin(node);
@@ -96,7 +96,7 @@ void read_stiffness(const XmlNode& node, Joint& joint, Notes& notes) {
     joint.stiffness = value;
   else
     add_note(notes, *stiffness,
-             fmt::format("joint {} is fixed, so that its <stiffness> is ignored.", in_quotes(joint.name)));
+             message("joint {} is fixed, so that its <stiffness> is ignored.", in_quotes(joint.name)));
 }
 
 std::vector<MimicPart> read_mimics(const XmlNode& node, const Joint& joint, Notes& notes) {
@@ -108,7 +108,7 @@ std::vector<MimicPart> read_mimics(const XmlNode& node, const Joint& joint, Note
     if (joint.moves())
       mimics.push_back(std::move(part));
     else
-      add_note(notes, mimic, fmt::format("joint {} is fixed, so that its <mimic> is ignored.", in_quotes(joint.name)));
+      add_note(notes, mimic, message("joint {} is fixed, so that its <mimic> is ignored.", in_quotes(joint.name)));
   }
   return mimics;
 }

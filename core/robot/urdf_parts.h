@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/xml.h"
 #include "robot/robot.h"
 
 namespace handsight::urdf {
 
 using Colors = std::map<std::string, Eigen::Vector4d>;
-using Notes = std::vector<std::string>;
+using Notes = std::vector<Message>;
 
 struct MimicPart {
   XmlNode node;
@@ -32,7 +33,7 @@ struct LinkPart {
   Link link;
 };
 
-void add_note(Notes& notes, const XmlNode& node, std::string_view sentence);
+void add_note(Notes& notes, const XmlNode& node, const Message& sentence);
 
 /// Named materials of the whole robot.
 Colors read_colors(const XmlNode& robot);

@@ -11,7 +11,8 @@ namespace {
 
 double read_length(const XmlNode& node, const char* attribute) {
   const double length = required_number(node, attribute, bounds::length);
-  if (length < 0) refuse(node, message("has {}=\"{}\", expected a length of at least 0 m.", attribute, length));
+  if (length < 0)
+    refuse(node, message("has {}=\"{}\", expected a length of at least 0 m.", verbatim(attribute), length));
   return length;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "geometry/rigid.h"
 #include "session/effect_definition.h"
 
@@ -82,7 +83,7 @@ struct Calibration {
   /// what stands beside is then that of the first.
   std::vector<Calibration> sessions;
 
-  std::vector<std::string> notes;  // what the reader ignored, a sentence each; not written
+  std::vector<Message> notes;  // what the reader ignored, a sentence each; not written
 };
 
 /// That of one session of a collection. InputError lists the titles where there is none of this one; of a calibration

@@ -110,7 +110,7 @@ EstimatedMotion read_motion(const XmlNode& node, Ignored& ignored) {
 
 std::optional<double> find_unsigned(const XmlNode& node, const char* attribute) {
   const std::optional<double> number = find_number(node, attribute);
-  if (number && *number < 0) refuse(node, message("has {}=\"{}\", expected at least 0.", attribute, *number));
+  if (number && *number < 0) refuse(node, message("has {}=\"{}\", expected at least 0.", verbatim(attribute), *number));
   return number;
 }
 

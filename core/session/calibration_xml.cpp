@@ -141,7 +141,7 @@ bool is_finite(const EstimatedMotion& estimated) {
 
 void require_finite(const Calibration& c) {
   for (const Calibration& one : c.sessions) require_finite(one);
-  const auto require = [](bool holds, std::string_view what) {
+  const auto require = [](bool holds, const Message& what) {
     if (!holds)
       throw InputError(
           message("The calibration cannot be written: {} is not finite; the observations do not "
@@ -158,7 +158,7 @@ void require_finite(const Calibration& c) {
   for (const Vector3& marker : c.markers) require(marker.allFinite(), "a marker");
   for (const CalibrationEffect& effect : c.effects)
     for (const CalibrationParameter& p : effect.parameters)
-      require(std::isfinite(p.value) && std::isfinite(p.sigma.value_or(0)), fmt::format("{} of {}", p.name, effect.id));
+      require(std::isfinite(p.value) && std::isfinite(p.sigma.value_or(0)), message("{} of {}", p.name, effect.id));
   for (const auto& number : {c.fit.rms_pixel, c.fit.held_out_rms_pixel, c.fit.noise_pixel, c.fit.rms_m,
                              c.fit.held_out_rms_m, c.fit.noise_m, c.fit.chi2_per_dof})
     require(std::isfinite(number.value_or(0)), "an error of the fit");
@@ -204,10 +204,9 @@ const Calibration& session_of(const Calibration& calibration, const std::string&
     if (one.session == title) return one;
     known += (known.empty() ? "" : ", ") + one.session;
   }
-  throw InputError(
-      known.empty()
-          ? fmt::format("--session {}: this calibration is of one session alone; leave the option out.", title)
-          : fmt::format("--session {}: the calibration has no such session; it has {}.", title, known));
+  throw InputError(known.empty()
+                       ? message("--session {}: this calibration is of one session alone; leave the option out.", title)
+                       : message("--session {}: the calibration has no such session; it has {}.", title, known));
 }
 
 std::string readable_text(const Calibration& calibration) {

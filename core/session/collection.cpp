@@ -42,10 +42,9 @@ bool is_near(const fs::path& file, const fs::path& folder) {
 
 void require_near(const XmlNode& node, const fs::path& file, const std::string& folder) {
   if (fs::path(folder).is_absolute() || !is_near(file, folder))
-    refuse(node,
-           "has folder=\"" + folder +
-               "\", expected a session's folder inside the collection's folder or beside it, its path relative to "
-               "the collection.");
+    refuse(node, message("has folder=\"{}\", expected a session's folder inside the collection's folder or beside it, "
+                         "its path relative to the collection.",
+                         folder));
 }
 
 /// Of a path, be there a slash at its end or not.
@@ -97,7 +96,7 @@ Collection parse_collection(const std::string& text, const fs::path& file) {
     const std::string& title = collection.entries.back().title;
     for (std::size_t i = 0; i + 1 < collection.entries.size(); ++i)
       if (collection.entries[i].title == title)
-        refuse(node, "is a second session called \"" + title + "\", expected another title=\"\" for one of them.");
+        refuse(node, message("is a second session called \"{}\", expected another title=\"\" for one of them.", title));
   }
   if (collection.entries.empty()) refuse(root, "has no <session>, expected one at least.");
   collection.notes = ignored_sentences(ignored, name);
@@ -112,8 +111,10 @@ std::string folder_in_collection(const fs::path& session_folder, const fs::path&
   std::error_code error;
   const fs::path there = fs::weakly_canonical(session_folder, error);
   if (!is_near(file, there))
-    throw InputError(shown_path(there) + ": lies neither inside the folder of " + shown_path(file) +
-                     " nor beside it; write the collection into the folder that holds the sessions.");
+    throw InputError(
+        message("{}: lies neither inside the folder of {} nor beside it; write the collection into the folder that "
+                "holds the sessions.",
+                shown_path(there), shown_path(file)));
   return there.lexically_relative(home_of(file)).generic_string();
 }
 

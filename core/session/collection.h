@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/joined.h"
 
 namespace handsight {
@@ -22,7 +23,7 @@ struct Collection {
   std::filesystem::path file;
   std::string title;
   std::vector<CollectionEntry> entries;
-  std::vector<std::string> notes;  // what the reader ignored, a sentence each
+  std::vector<Message> notes;  // what the reader ignored, a sentence each
 };
 
 /// Is the path a collection: a file of that kind, or a folder that holds a collection.xml and no session.xml?

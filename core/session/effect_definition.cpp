@@ -23,8 +23,8 @@ bool is_name(std::string_view text) {
 std::string required_identifier(const XmlNode& node, const char* attribute) {
   std::string name = required_name(node, attribute);
   if (!is_name(name))
-    refuse(node, message("has {}={}, expected a letter and then letters, digits and _, 64 at most.", attribute,
-                         in_quotes(name)));
+    refuse(node, message("has {}={}, expected a letter and then letters, digits and _, 64 at most.",
+                         verbatim(attribute), in_quotes(name)));
   return name;
 }
 
@@ -87,7 +87,7 @@ EffectDefinition read_effect_definition(const XmlNode& node, Ignored& ignored) {
 }
 
 std::vector<EffectDefinition> parse_effect_definitions(const std::string& text, const std::string& file,
-                                                       std::vector<std::string>* notes) {
+                                                       std::vector<Message>* notes) {
   const auto document = parse_xml(text, file);
   const XmlNode root = root_of(*document, file, "handsight_effects");
   require_version_1(root);
@@ -120,7 +120,7 @@ std::vector<std::filesystem::path> xml_files(const std::filesystem::path& folder
 
 std::vector<EffectDefinition> find_effect_definitions(const std::filesystem::path& session_folder,
                                                       const std::filesystem::path& user_folder,
-                                                      std::vector<std::string>& notes) {
+                                                      std::vector<Message>& notes) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   if (std::filesystem::exists(session_folder / "effects.xml", error)) files.push_back(session_folder / "effects.xml");
@@ -134,8 +134,8 @@ std::vector<EffectDefinition> find_effect_definitions(const std::filesystem::pat
       if (before == all.end()) {
         all.push_back(std::move(d));
       } else {
-        notes.push_back(fmt::format("{}, line {}: the effect \"{}\" is defined in {} already; that one counts.", d.file,
-                                    d.line, d.id, before->file));
+        notes.push_back(message("{}, line {}: the effect \"{}\" is defined in {} already; that one counts.", d.file,
+                                d.line, d.id, before->file));
       }
     }
   return all;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/xml.h"
 
 namespace handsight {
@@ -41,13 +42,13 @@ EffectDefinition read_effect_definition(const XmlNode& node, Ignored& ignored);
 
 /// A text <handsight_effects version="1">; `file` is what sentences call it. `notes`: what was ignored.
 std::vector<EffectDefinition> parse_effect_definitions(const std::string& text, const std::string& file,
-                                                       std::vector<std::string>* notes = nullptr);
+                                                       std::vector<Message>* notes = nullptr);
 
 /// effects.xml in `session_folder`, then every *.xml of `user_folder` in the order of names, where they exist; of one
 /// id the session's counts, then the first; the others are named in `notes`.
 std::vector<EffectDefinition> find_effect_definitions(const std::filesystem::path& session_folder,
                                                       const std::filesystem::path& user_folder,
-                                                      std::vector<std::string>& notes);
+                                                      std::vector<Message>& notes);
 
 /// $XDG_DATA_HOME/handsight/effects, else ~/.local/share/handsight/effects; empty where neither is set.
 std::filesystem::path user_effects_folder();

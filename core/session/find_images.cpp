@@ -87,11 +87,11 @@ using Naming = std::function<std::optional<std::string>(const std::string& stem)
 /// Who looks again and again: knows some of the files, and wants to be told.
 struct Listener {
   std::function<bool(const fs::path& file)> is_old;
-  std::vector<std::string>& refusals;
+  std::vector<Message>& refusals;
 };
 
 /// Where somebody listens it is told, else thrown.
-void refuse_images(const std::string& sentence, const Listener* listener) {
+void refuse_images(const Message& sentence, const Listener* listener) {
   if (!listener) throw InputError(sentence);
   auto& told = listener->refusals;
   if (std::find(told.begin(), told.end(), sentence) == told.end()) told.push_back(sentence);
@@ -111,18 +111,18 @@ Images images_by_number(const Listing& listing, const Naming& naming, const std:
     if (listener && listener->is_old(place->second))
       place->second = image.file;
     else if (twice.insert(*number).second)
-      refuse_images(fmt::format("{}: {} and {} have the same number; one image an instant and side is wanted.",
-                                shown_path(listing.folder), in_quotes(place->second.filename().string()),
-                                in_quotes(image.file.filename().string())),
+      refuse_images(message("{}: {} and {} have the same number; one image an instant and side is wanted.",
+                            shown_path(listing.folder), in_quotes(place->second.filename().string()),
+                            in_quotes(image.file.filename().string())),
                     listener);
   }
   if (listing.error)
     refuse_images(
-        fmt::format("{}: the folder cannot be read ({}).", shown_path(listing.folder), listing.error.message()),
+        message("{}: the folder cannot be read ({}).", shown_path(listing.folder), system_text(listing.error)),
         listener);
   else if (found.empty())
-    refuse_images(fmt::format("{}: has no {}images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).",
-                              shown_path(listing.folder), whose),
+    refuse_images(message("{}: has no {}images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).",
+                          shown_path(listing.folder), whose),
                   listener);
   for (const std::int64_t number : twice) found.erase(number);
   return found;
@@ -220,7 +220,7 @@ std::vector<InstantImages> find_images(const std::vector<fs::path>& folders) {
 }
 
 std::vector<InstantImages> find_images_of(const std::vector<std::string>& cameras, const std::vector<fs::path>& folders,
-                                          const IsOldImage& is_old, std::vector<std::string>& refusals) {
+                                          const IsOldImage& is_old, std::vector<Message>& refusals) {
   std::vector<std::string> names;
   for (const std::string& camera : cameras) names.push_back(lower(camera));
   std::map<std::size_t, Listing> listings;  // by the first camera whose folder it is

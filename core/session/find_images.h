@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// The two images of one instant; one may be missing (empty).
@@ -42,6 +44,6 @@ std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>&
 using IsOldImage = std::function<bool(std::size_t camera, const std::filesystem::path& file)>;
 std::vector<InstantImages> find_images_of(const std::vector<std::string>& cameras,
                                           const std::vector<std::filesystem::path>& folders, const IsOldImage& is_old,
-                                          std::vector<std::string>& refusals);
+                                          std::vector<Message>& refusals);
 
 }  // namespace handsight

@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-std::string called(const JoinedMember& m) { return "session \"" + m.title + "\""; }
+Message called(const JoinedMember& m) { return message("session \"{}\"", m.title); }
 
 /// The place of a name among those that came before; a new one, or none, is added.
 int number_of(const std::string& name, std::vector<std::string>& known) {

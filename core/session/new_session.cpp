@@ -54,8 +54,8 @@ void check_parts(const NewSession& parts, const Robot& robot) {
     if (find_link(robot, link) < 0)
       throw InputError(
           parts.urdf.empty()
-              ? fmt::format("There is no link {}: a robot of poses has \"base\" and \"flange\".", in_quotes(link))
-              : fmt::format("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
+              ? message("There is no link {}: a robot of poses has \"base\" and \"flange\".", in_quotes(link))
+              : message("{}: has no link {}.", shown_path(parts.urdf), in_quotes(link)));
   check_cameras(parts);
 }
 
@@ -74,14 +74,14 @@ std::vector<fs::path> folders_of_images(const NewSession& parts) {
 
 /// The images of one instant into the session. A pair of anonymous markers is whole or not at all.
 void bring_images(const NewSession& parts, const InstantImages& instant, const std::vector<fs::path>& into,
-                  Observation& o, std::vector<std::string>* notes) {
+                  Observation& o, std::vector<Message>* notes) {
   const auto is_missing = [](const fs::path& file) { return file.empty(); };
   const bool is_whole = std::none_of(instant.files.begin(), instant.files.end(), is_missing);
   if (!is_whole && !parts.target && parts.rig.count() == 2) {
     const auto there = std::find_if_not(instant.files.begin(), instant.files.end(), is_missing);
     if (notes && there != instant.files.end())
-      notes->push_back(fmt::format("{} has no partner and is left out; observation {} has no images.",
-                                   there->filename().string(), o.id));
+      notes->push_back(message("{} has no partner and is left out; observation {} has no images.",
+                               there->filename().string(), o.id));
     return;
   }
   for (std::size_t c = 0; c < instant.files.size(); ++c)
@@ -89,17 +89,17 @@ void bring_images(const NewSession& parts, const InstantImages& instant, const s
 }
 
 /// Cameras' names stand as attributes, which begin with no digit.
-Rig with_names_for_xml(Rig rig, std::vector<std::string>* notes) {
+Rig with_names_for_xml(Rig rig, std::vector<Message>* notes) {
   for (RigCamera& camera : rig.cameras) {
     if (camera.name.empty() || std::isdigit(static_cast<unsigned char>(camera.name[0])) == 0) continue;
     const std::string name = "camera_" + camera.name;
-    if (notes) notes->push_back(fmt::format("The camera {} is called {} in the session.", camera.name, name));
+    if (notes) notes->push_back(message("The camera {} is called {} in the session.", camera.name, name));
     camera.name = name;
   }
   return rig;
 }
 
-Session observed_session(const NewSession& parts, const Robot& robot, std::vector<std::string>* notes) {
+Session observed_session(const NewSession& parts, const Robot& robot, std::vector<Message>* notes) {
   Session s;
   s.file = parts.folder / "session.xml";
   s.title = parts.title;
@@ -167,13 +167,13 @@ void set_flange_poses(NewSession& parts, const std::vector<Rigid>& flange_poses)
   for (const Rigid& pose : flange_poses) parts.positions.emplace_back(position_of(pose));
 }
 
-Session make_session(const NewSession& parts, std::vector<std::string>* notes) {
+Session make_session(const NewSession& parts, std::vector<Message>* notes) {
   const Robot robot = parts.urdf.empty() ? poses_robot() : read_urdf(parts.urdf, notes);
   check_parts(parts, robot);
   std::error_code error;
   fs::create_directories(parts.folder, error);
   if (error)
-    throw InputError(message("{}: the folder cannot be made ({}).", shown_path(parts.folder), error.message()));
+    throw InputError(message("{}: the folder cannot be made ({}).", shown_path(parts.folder), system_text(error)));
   const Session s = observed_session(parts, robot, notes);
   replace_file(s.file, session_text(s));
   try {

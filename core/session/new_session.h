@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/find_images.h"
 #include "session/session.h"
 
@@ -36,7 +37,7 @@ void set_flange_poses(NewSession& parts, const std::vector<Rigid>& flange_poses)
 /// pair is not whole has no images and is named in the notes; with a target, and with more than two cameras, the images
 /// that are there count. InputError where something does not fit together, named before anything is written; the
 /// session that is returned is the one that was read back.
-Session make_session(const NewSession& parts, std::vector<std::string>* notes = nullptr);
+Session make_session(const NewSession& parts, std::vector<Message>* notes = nullptr);
 
 /// The path by which a session names a file: relative to its folder. Copied into `into` (in that folder) where it lies
 /// elsewhere. InputError where it cannot be copied.

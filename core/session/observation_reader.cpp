@@ -38,8 +38,8 @@ std::string find_image(const XmlNode& node, const char* attribute) {
   const std::filesystem::path path = *text;
   const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || path.is_absolute() || climbs)
-    refuse(node, message("has {}={}, expected a path relative to the session's folder and inside it.", attribute,
-                         in_quotes(*text, 100)));
+    refuse(node, message("has {}={}, expected a path relative to the session's folder and inside it.",
+                         verbatim(attribute), in_quotes(*text, 100)));
   return *text;
 }
 
@@ -63,18 +63,16 @@ std::optional<PixelSigma> find_pixel_sigma(const XmlNode& node, const char* attr
   const bool is_covariance =
       bounds::sigma_pixel.hold(sigma.u) && bounds::sigma_pixel.hold(sigma.v) && std::abs(sigma.uv) < sigma.u * sigma.v;
   if (!is_covariance || !is_seen)
-    refuse(node, message("has {}={}, expected {}.", attribute, in_quotes(*find_text(node, attribute), 100),
+    refuse(node, message("has {}={}, expected {}.", verbatim(attribute), in_quotes(*find_text(node, attribute), 100),
                          is_seen ? "\"su sv suv\": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 "
                                    "that is smaller than their product"
                                  : "none, as that camera did not see the marker"));
   return sigma;
 }
 
-std::string neither_of(const Rig& rig) {
-  if (rig.count() == 1) return "has no " + rig.at(0).name;
-  std::string list = "has neither " + rig.at(0).name;
-  for (int c = 1; c < rig.count(); ++c) list += " nor " + rig.at(c).name;
-  return list;
+Message neither_of(const Rig& rig) {
+  if (rig.count() == 1) return message("has no {}", rig.at(0).name);
+  return message("has neither {}", joined(verbatim(camera_names(rig)), " nor "));
 }
 
 void read_camera_points(const XmlNode& node, const Rig& rig, Sighting& sighting, Ignored& ignored) {
@@ -88,8 +86,8 @@ void read_camera_points(const XmlNode& node, const Rig& rig, Sighting& sighting,
     if (pixel) see(sighting, c, *pixel, sigma);
   }
   if (sighting.in_cameras.empty())
-    refuse(node, neither_of(rig) + (rig.count() == 1 ? "; a" : ", expected at least one; a") +
-                     " marker that is not seen has no element.");
+    refuse(node, message("{}{} marker that is not seen has no element.", neither_of(rig),
+                         rig.count() == 1 ? "; a" : ", expected at least one; a"));
 }
 
 Sighting read_sighting(const XmlNode& node, const Session& session, Ignored& ignored) {

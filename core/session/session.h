@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "camera/rig.h"
 #include "print/target.h"
 #include "robot/robot.h"
@@ -187,7 +188,7 @@ struct Session {
   std::vector<KnownDistance> distances;   // between them
   std::vector<Observation> observations;  // in order of time
   std::vector<EffectDefinition> effect_definitions;  // of effects.xml and the user's own folder
-  std::vector<std::string> notes;                    // what the reader ignored, and warnings, a sentence each
+  std::vector<Message> notes;                        // what the reader ignored, and warnings, a sentence each
   std::shared_ptr<const std::string> source;  // the XML text as read, so that saving keeps what is not understood
 
   bool is_tracker() const { return !rig.has_value(); }

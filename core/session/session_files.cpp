@@ -20,7 +20,7 @@ std::string file_name(const Session& session) {
 }
 
 [[noreturn]] void refuse_joint(const Session& session, const SessionLines& lines, const std::string& name,
-                               std::string_view why) {
+                               const char* why) {
   refuse(file_name(session), lines.joints,
          message("<joints> names {}, {}, expected joints of the robot that move by themselves.", in_quotes(name), why));
 }
@@ -37,17 +37,18 @@ fs::path file_of(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) {
     if (!fs::exists(path, error))
-      throw InputError(shown_path(path) +
-                       ": there is no such file or folder, expected a session's folder or its session.xml.");
+      throw InputError(message("{}: there is no such file or folder, expected a session's folder or its session.xml.",
+                               shown_path(path)));
     return path;
   }
   fs::path file = path / "session.xml";
   if (!fs::exists(file, error) && fs::exists(path / "collection.xml", error))
-    throw InputError(shown_path(path) +
-                     ": the folder holds a collection of several sessions, expected one session's folder; open one of "
-                     "them here, or give the collection to handsight-cli fit or improve.");
+    throw InputError(
+        message("{}: the folder holds a collection of several sessions, expected one session's folder; open one of "
+                "them here, or give the collection to handsight-cli fit or improve.",
+                shown_path(path)));
   if (!fs::exists(file, error))
-    throw InputError(shown_path(path) + ": the folder holds no session.xml, expected a session's folder.");
+    throw InputError(message("{}: the folder holds no session.xml, expected a session's folder.", shown_path(path)));
   return file;
 }
 

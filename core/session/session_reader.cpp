@@ -190,8 +190,8 @@ void read_noise(const XmlNode& node, Session& session) {
   session.sigma_pixel = find_positive(node, "sigma_pixel", bounds::sigma_pixel);
   if (!session.sigma_pixel || !session.is_tracker()) return;
   session.sigma_pixel.reset();
-  session.notes.push_back(fmt::format("{}, line {}: sigma_pixel has no meaning in a tracker session and is ignored.",
-                                      shortened(node.file, 80), node.line()));
+  session.notes.push_back(message("{}, line {}: sigma_pixel has no meaning in a tracker session and is ignored.",
+                                  shortened(node.file, 80), node.line()));
 }
 
 void read_markers_element(const XmlNode& node, Session& session, Ignored& ignored) {
@@ -226,7 +226,7 @@ void read_target_element(const XmlNode& node, Session& session, Ignored& ignored
   set_target(session, target);
   read_noise(node, session);
   if (looks_the_same_turned(target))
-    session.notes.push_back(fmt::format(
+    session.notes.push_back(message(
         "{}, line {}: this chessboard looks the same after half a turn; the robot's motion tells how it lies from one "
         "observation to the next, but not which end is the first. One of an even and an odd number of corners cannot "
         "be "
@@ -289,7 +289,7 @@ void note_outside(Session& session, std::string_view file) {
         outside += is_outside(session.rig->at(seen.camera).camera, seen.pixel);
   if (outside > 0)
     session.notes.push_back(
-        fmt::format("{}: markers lie outside their camera's image ({} positions).", shortened(file, 80), outside));
+        message("{}: markers lie outside their camera's image ({} positions).", shortened(file, 80), outside));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ std::optional<Vector3> find_place(const XmlNode& node, const char* attribute) {
 std::optional<Vector3> find_direction(const XmlNode& node, const char* attribute) {
   auto direction = find_place(node, attribute);
   if (direction && direction->norm() < 1e-6)
-    refuse(node, message("has {}=\"0 0 0\", expected a direction.", attribute));
+    refuse(node, message("has {}=\"0 0 0\", expected a direction.", verbatim(attribute)));
   return direction;
 }
 
@@ -69,7 +69,7 @@ void read_fixture(const XmlNode& node, FixtureKind kind, Session& session, Ignor
                   find_positive(node, "place_sigma", bounds::sigma_point)};
   for (const Fixture& other : session.fixtures)
     if (other.id == fixture.id)
-      refuse(node, "has id=\"" + fixture.id + "\" a second time, expected each fixture once.");
+      refuse(node, message("has id=\"{}\" a second time, expected each fixture once.", fixture.id));
   Mount mount;
   mount.link = find_name(node, "mount").value_or("");
   mount.estimate = find_choice(node, "estimate", {"no", "yes"}).value_or(0) == 1;
@@ -105,7 +105,7 @@ int fixture_named(const XmlNode& node, const char* attribute, const Session& ses
     if (session.fixtures[f].id == id) return static_cast<int>(f);
     known += (known.empty() ? "" : ", ") + session.fixtures[f].id;
   }
-  refuse(node, message("has {}=\"{}\", expected one of the fixtures: {}.", attribute, id, known));
+  refuse(node, message("has {}=\"{}\", expected one of the fixtures: {}.", verbatim(attribute), id, known));
 }
 
 void read_apart(const XmlNode& node, Session& session, Ignored& ignored) {

@@ -140,7 +140,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   const fs::path part = make_temporary_folder((target.has_filename() ? target : target.parent_path()).parent_path());
   const Unfinished unfinished{part};
   if (images.observations > 0) fs::create_directory(part / "images", error);
-  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), error.message()));
+  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), system_text(error)));
 
   WrittenSession written;
   const auto chosen = chosen_observations(simulated, options, images.observations);
@@ -167,7 +167,7 @@ WrittenSession write_simulated(SimulatedSession simulated, const SimulationOptio
   write_truth(simulated, options, part / "truth.xml");
   fs::remove(out, error);  // an empty folder of that name
   fs::rename(part, out, error);
-  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), error.message()));
+  if (error) throw InputError(message("{} cannot be made: {}.", shown_path(out), system_text(error)));
   return written;
 }
 

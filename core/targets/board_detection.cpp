@@ -215,7 +215,7 @@ void fit_plain_tags(Search& search, const Placed& placed) {
 }
 
 /// Tags that stand where they should, and no corner between them that looks like one.
-std::string why_no_corner(const Search& search, const Placed& placed) {
+Message why_no_corner(const Search& search, const Placed& placed) {
   constexpr double enough_to_see = 5;  // px around a corner
   std::vector<double> reaches;
   for (int number = 0; number < static_cast<int>(search.target.points.size()); ++number) {
@@ -228,7 +228,7 @@ std::string why_no_corner(const Search& search, const Placed& placed) {
   std::sort(reaches.begin(), reaches.end());
   const std::size_t tags = placed.agreement.members.size();
   if (reaches.size() >= 6 && tags >= 4 && reaches[reaches.size() / 2] > enough_to_see)
-    return fmt::format(
+    return message(
         "{} of its tags were read where they should be, but none of the {} corners between them looks like one: "
         "something is drawn or lies over them (an earlier detection drawn into the image?), or it is out of focus",
         tags, reaches.size());

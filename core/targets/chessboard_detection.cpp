@@ -170,8 +170,8 @@ TargetSighting detect_chessboard(const Image& image, const PreparedTarget& targe
     sighting.points = *points;
     return sighting;
   }
-  sighting.reason = fmt::format("of {} X-corners none form the whole board of {} x {}", corners.size(),
-                                target.target.columns, target.target.rows);
+  sighting.reason = message("of {} X-corners none form the whole board of {} x {}", corners.size(),
+                            target.target.columns, target.target.rows);
   return sighting;
 }
 

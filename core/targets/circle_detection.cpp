@@ -187,7 +187,7 @@ std::vector<TargetPixel> middles(const Image& image, const PreparedTarget& targe
 TargetSighting detect_circles(const Image& image, const PreparedTarget& target) {
   const Target& t = target.target;
   TargetSighting sighting;
-  sighting.reason = fmt::format("its {} x {} circles do not show as a whole grid", t.columns, t.rows);
+  sighting.reason = message("its {} x {} circles do not show as a whole grid", t.columns, t.rows);
   const std::vector<Vector2> centres = found_by_opencv(image, t);
   if (centres.empty()) return sighting;
   const std::vector<Vector2> pixels = numbered(centres, target);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "print/target.h"
 #include "targets/tag_reading.h"
 
@@ -24,7 +25,7 @@ struct TargetSighting {
   std::vector<TargetPixel> points;  // by number, ascending
   int dropped_points = 0;           // far from where the plane of the others has them, or not of their shape
   int dropped_tags = 0;             // read, but not where the other tags of the board have them, or twice
-  std::string reason;               // why there are no points; empty where there are
+  Message reason;                   // why there are no points; empty where there are
   std::vector<int> repeated;        // numbers of single tags that are there several times, which are left out
 };
 

@@ -23,12 +23,12 @@ void prepare_border(PreparedTarget& prepared, const Dictionary& dictionary, int 
   prepared.readers.emplace(border, TagReader(candidates));
 }
 
-std::string why_no_tag(const PreparedTarget& target, const std::map<int, int>& times) {
+Message why_no_tag(const PreparedTarget& target, const std::map<int, int>& times) {
   if (times.empty()) return "none of its tags was found";
   const auto most =
       std::max_element(times.begin(), times.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most->second < 2) return "tags were read, but none clearly enough";
-  return fmt::format(
+  return message(
       "the tag with the number {} is there {} times, and nothing tells which of them is meant: give every tag its own "
       "number",
       target.tags[static_cast<std::size_t>(most->first)].id,

@@ -48,7 +48,7 @@ std::string word_text(const std::string& name, const std::string& value, TargetW
 /// What has to be written otherwise; of another kind everything.
 std::string changes(const Target& described, const Target& right, TargetWording wording) {
   const auto before = target_words(described), after = target_words(right);
-  std::vector<std::string> texts;
+  std::vector<Message> texts;
   const auto value_in = [](const auto& words, const std::string& name) {
     const auto at = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.first == name; });
     return at == words.end() ? std::string() : at->second;
@@ -67,22 +67,21 @@ std::string in_code(const std::string& text, TargetWording wording) {
   return wording == TargetWording::options ? "`" + text + "`" : text;
 }
 
-std::string numbers_text(const std::set<int>& ids) {
+Message numbers_text(const std::set<int>& ids) {
   std::vector<std::string> runs;
   for (auto at = ids.begin(); at != ids.end();) {
     int last = *at;
     auto next = std::next(at);
     while (next != ids.end() && *next == last + 1) last = *next++;
-    runs.push_back(last == *at ? fmt::format("{}", last) : fmt::format("{} to {}", *at, last));
+    runs.push_back(last == *at ? fmt::format("{}", last) : message("{} to {}", *at, last));
     at = next;
   }
   if (runs.size() > 8) runs.resize(8), runs.emplace_back("...");
   return fmt::format("{}", fmt::join(runs, ", "));
 }
 
-std::string none_of(const std::vector<Image>& images, const Target& described) {
-  return fmt::format("None of the {} images that were looked at shows the {}", images.size(),
-                     description_of(described));
+Message none_of(const std::vector<Image>& images, const Target& described) {
+  return message("None of the {} images that were looked at shows the {}", images.size(), description_of(described));
 }
 
 // ---- chessboards
@@ -108,9 +107,9 @@ std::optional<Target> other_chessboard(const std::vector<Image>& images, const T
 TargetGuess guessed_chessboard(const std::vector<Image>& images, const Target& described, TargetWording wording) {
   const auto other = other_chessboard(images, described);
   if (!other || (other->columns == described.columns && other->rows == described.rows)) return {};
-  return {other, fmt::format("{}; what they show fits {} (a chessboard is counted by its inner corners, not by its "
-                             "squares).",
-                             none_of(images, described), in_code(changes(described, *other, wording), wording))};
+  return {other, message("{}; what they show fits {} (a chessboard is counted by its inner corners, not by its "
+                         "squares).",
+                         none_of(images, described), in_code(changes(described, *other, wording), wording))};
 }
 
 // ---- tags
@@ -222,12 +221,12 @@ TargetGuess guessed_tags(const std::vector<Image>& images, const Surveyed& all, 
                          TargetWording wording) {
   const auto board = board_of(images, all, described);
   const bool is_odd = all.way.is_inverted || all.way.is_mirrored;
-  const std::string numbers = fmt::format("{} {} of {}", all.ids.size() == 1 ? "tag" : "tags", numbers_text(all.ids),
-                                          smallest_dictionary(all.way.dictionary, *all.ids.rbegin()));
+  const Message numbers = message("{} {} of {}", all.ids.size() == 1 ? "tag" : "tags", numbers_text(all.ids),
+                                  smallest_dictionary(all.way.dictionary, *all.ids.rbegin()));
   if (!board) {
     const std::string odd = is_odd ? fmt::format(" ({})", all.way.is_mirrored ? "in a mirror" : "white for black") : "";
     return {std::nullopt,
-            fmt::format("{}; what can be read in them are the {}{}.", none_of(images, described), numbers, odd)};
+            message("{}; what can be read in them are the {}{}.", none_of(images, described), numbers, odd)};
   }
   const std::string change = changes(described, *board, wording);
   if (is_odd)
@@ -235,8 +234,8 @@ TargetGuess guessed_tags(const std::vector<Image>& images, const Surveyed& all, 
             fmt::format("{}: {}{}.", none_of(images, described), seen_otherwise(all.way),
                         change.empty() ? "" : "; besides, what is there fits " + in_code(change, wording))};
   if (change.empty()) return {board, ""};
-  return {board, fmt::format("{}; what they show ({}) fits {}.", none_of(images, described), numbers,
-                             in_code(change, wording))};
+  return {board,
+          message("{}; what they show ({}) fits {}.", none_of(images, described), numbers, in_code(change, wording))};
 }
 
 }  // namespace

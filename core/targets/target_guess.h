@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "print/target.h"
 #include "vision/image/image.h"
 
@@ -14,7 +15,7 @@ namespace handsight {
 
 struct TargetGuess {
   std::optional<Target> target;  // that is found in most of the images; nothing where none is
-  std::string text;              // one sentence or two for people; empty where nothing can be said
+  Message text;                  // one sentence or two for people; empty where nothing can be said
 };
 
 /// Looks at all of the images for tags of every dictionary, and at the corners of chessboards. What fits is tried: only

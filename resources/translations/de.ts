@@ -6421,14 +6421,6 @@
         <translation>Die Schwerkraft ist %1 m/s^2; auf der Erde ist sie 9.78 bis 9.83.</translation>
     </message>
     <message>
-        <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4: are width and height of the cameras swapped?</source>
-        <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4: sind Breite und Höhe der Kameras vertauscht?</translation>
-    </message>
-    <message>
-        <source>%1 image points lie outside the image of %2 x %3 px, first in observation %4; look whether they are px of these cameras, and relabel or exclude them.</source>
-        <translation>%1 Bildpunkte liegen außerhalb des Bildes von %2 x %3 px, zuerst in Beobachtung %4; sieh nach, ob es px dieser Kameras sind, und markiere sie neu oder schließe sie aus.</translation>
-    </message>
-    <message>
         <source>%1 px further %2</source>
         <translation>%1 px weiter %2</translation>
     </message>
@@ -6493,16 +6485,8 @@
         <translation>Außerhalb: %1. Es ist eine andere Ursache, oder nicht diese allein.</translation>
     </message>
     <message>
-        <source>The %1 differs by</source>
-        <translation>%1 weicht ab um</translation>
-    </message>
-    <message>
         <source>The %1 images do not fit together (%2 px across the epipolar lines): not taken at the same instant, or several wrong corners.</source>
         <translation>Die Bilder passen nicht zusammen (%2 px quer zu den Epipolarlinien): nicht im selben Augenblick aufgenommen, oder mehrere falsche Ecken.</translation>
-    </message>
-    <message>
-        <source>The %1 of %2 differs by</source>
-        <translation>%1 von %2 weicht ab um</translation>
     </message>
     <message>
         <source>The hand is</source>
@@ -6545,10 +6529,6 @@
         <translation>neben der Stelle des Modells</translation>
     </message>
     <message>
-        <source>camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
         <source>direction in which %1 last moved</source>
         <translation>letzte Bewegungsrichtung von %1</translation>
     </message>
@@ -6569,16 +6549,8 @@
         <translation>Fehler von %1</translation>
     </message>
     <message>
-        <source>by the user</source>
-        <translation>vom Benutzer</translation>
-    </message>
-    <message>
         <source>excluded by the user</source>
         <translation>vom Benutzer ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>excluded by the user%1</source>
-        <translation>vom Benutzer ausgeschlossen%1</translation>
     </message>
     <message>
         <source>excluded: %1</source>
@@ -6657,10 +6629,6 @@
         <translation>Gelenke seit Beobachtung %2 um %1 Grad bewegt; neu ist eine Stellung ab %3 Grad</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
         <source>left open until the cameras' mount is known: %1 labelled and %2 open observations do not agree on one yet</source>
         <translation>offen, bis der Sitz der Kameras bekannt ist: %1 markierte und %2 offene Beobachtungen einigen sich noch auf keinen</translation>
     </message>
@@ -6671,10 +6639,6 @@
     <message>
         <source>link behind it</source>
         <translation>Glied dahinter</translation>
-    </message>
-    <message>
-        <source>marker %1</source>
-        <translation>Marker %1</translation>
     </message>
     <message>
         <source>marker %1 is %2 mm from where it must be on the body (limit %3)</source>
@@ -6741,20 +6705,12 @@
         <translation>abgelehnt: %1</translation>
     </message>
     <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
         <source>shift along %1 of marker %2</source>
         <translation>Schub längs %1 von Marker %2</translation>
     </message>
     <message>
         <source>shift along %1 of the %2</source>
         <translation>Schub längs %1, %2</translation>
-    </message>
-    <message>
-        <source>shift along %1 of the %2 at %3</source>
-        <translation>Schub längs %1, %2 an %3</translation>
     </message>
     <message>
         <source>the first observation needs %1 labelled markers seen as points, and has %2</source>
@@ -6781,16 +6737,8 @@
         <translation>zu viele Ecken sehen gleich aus, um die Marker darunter zu erkennen (%1 Epipolarpaare in den Bildern): unter den nächsten zur Vorhersage fand sich keine Zuordnung</translation>
     </message>
     <message>
-        <source>tracker</source>
-        <translation>Tracker</translation>
-    </message>
-    <message>
         <source>turn about %1 of the %2</source>
         <translation>Drehung um %1, %2</translation>
-    </message>
-    <message>
-        <source>turn about %1 of the %2 at %3</source>
-        <translation>Drehung um %1, %2 an %3</translation>
     </message>
     <message>
         <source>two assignments of corners to markers fit equally well, and nothing tells which is right</source>
@@ -6803,26 +6751,6 @@
     <message>
         <source>velocity of %1</source>
         <translation>Geschwindigkeit von %1</translation>
-    </message>
-    <message>
-        <source>All %1 %2; of the other %3 %4.</source>
-        <translation>Alle %1 %2; von den %3 anderen %4.</translation>
-    </message>
-    <message>
-        <source>%1 of these %2 %3; of the other %4 %5.</source>
-        <translation>%1 von diesen %2 %3; von den %4 anderen %5.</translation>
-    </message>
-    <message>
-        <source>have the %1 above %2</source>
-        <translation>haben %1 über %2</translation>
-    </message>
-    <message>
-        <source>have the %1 below %2</source>
-        <translation>haben %1 unter %2</translation>
-    </message>
-    <message>
-        <source>have the %1 between %2 and %3</source>
-        <translation>haben %1 zwischen %2 und %3</translation>
     </message>
     <message>
         <source>share the %1 (%2)</source>
@@ -6853,14 +6781,6 @@
         <translation>Schachbrett mit %1 × %2 inneren Ecken, Felder von %3</translation>
     </message>
     <message>
-        <source>ChArUco board of %1 x %2 squares of %3, tags of %4 from %5, old layout</source>
-        <translation>ChArUco-Brett mit %1 × %2 Feldern von %3, Tags von %4 aus %5, alte Anordnung</translation>
-    </message>
-    <message>
-        <source>ChArUco board of %1 x %2 squares of %3, tags of %4 from %5</source>
-        <translation>ChArUco-Brett mit %1 × %2 Feldern von %3, Tags von %4 aus %5</translation>
-    </message>
-    <message>
         <source>grid of %1 x %2 tags of %3 from %4, gaps of %5</source>
         <translation>Gitter aus %1 × %2 Tags von %3 aus %4, Lücken von %5</translation>
     </message>
@@ -6871,18 +6791,6 @@
     <message>
         <source>tags %1 of %2 from %3</source>
         <translation>Tags %1 von %2 aus %3</translation>
-    </message>
-    <message>
-        <source>%1he angle of %2 moves with the %3, %4: it has no name in the catalogue.</source>
-        <translation>Der Winkel von %2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
-    </message>
-    <message>
-        <source>%1he hand%2 moves with the %3, %4: it has no name in the catalogue.</source>
-        <translation>Die Hand%2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
-    </message>
-    <message>
-        <source>%1he sensor's mount%2 moves with the %3, %4: it has no name in the catalogue.</source>
-        <translation>Der Sitz des Sensors%2 folgt der Größe „%3“ (%4): im Katalog hat das keinen Namen.</translation>
     </message>
     <message>
         <source>sine and cosine of %1 times it</source>
@@ -6911,10 +6819,6 @@
     <message>
         <source>dying away within %1 % of the session</source>
         <translation>klingt innerhalb von %1 % der Sitzung ab</translation>
-    </message>
-    <message>
-        <source>a step at %1</source>
-        <translation>eine Stufe bei %1</translation>
     </message>
     <message>
         <source>its cube</source>
@@ -6991,10 +6895,6 @@
     <message>
         <source>the transform is left out of the file</source>
         <translation>die Transformation fehlt in der Datei</translation>
-    </message>
-    <message>
-        <source>%1; the sensor's mount and the body can move together</source>
-        <translation>%1; Sitz des Sensors und Körper können sich miteinander bewegen</translation>
     </message>
     <message>
         <source>the hand stands in one and the same pose in all observations</source>
@@ -7079,10 +6979,6 @@
     <message>
         <source>The noise is neither declared nor to be estimated: %1 %2 is assumed.</source>
         <translation>Das Rauschen ist weder angegeben noch zu schätzen: angenommen sind %1 %2.</translation>
-    </message>
-    <message>
-        <source>The declared noise, %1 %2, and the noise seen in the measurements, %3 +- %4 %5, differ by more than 3 sigma; check the declaration, or look for wrong %6.</source>
-        <translation>Das angegebene Rauschen, %1 %2, und das in den Messungen gesehene, %3 ± %4 %5, unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen %6.</translation>
     </message>
     <message>
         <source>points of the tracker</source>
@@ -7229,14 +7125,6 @@
         <translation>Kameras und Marker sind, wie sie waren</translation>
     </message>
     <message>
-        <source>and more than one thing has changed: %1 too, or something that is not in the list</source>
-        <translation>und mehr als eines hat sich geändert: auch %1, oder etwas, das nicht in der Liste steht</translation>
-    </message>
-    <message>
-        <source>or it is %1, which these poses do not tell apart</source>
-        <translation>oder es ist %1, was sich mit diesen Stellungen nicht unterscheiden lässt</translation>
-    </message>
-    <message>
         <source>The %1 turned by %2 and moved by %3 on its mount</source>
         <translation>%1: auf der Halterung um %2 gedreht und um %3 verschoben</translation>
     </message>
@@ -7251,18 +7139,6 @@
     <message>
         <source>Of the markers %1 alone slipped, by %2</source>
         <translation>Von den Markern ist nur %1 verrutscht, um %2</translation>
-    </message>
-    <message>
-        <source>Joint %1 lost its zero: it stands %2 further than it reads</source>
-        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
-    </message>
-    <message>
-        <source>The hand carries %1 kg more than it did</source>
-        <translation>Die Hand trägt %1 kg mehr als vorher</translation>
-    </message>
-    <message>
-        <source>Joint %1 gives way by %2 more than it did</source>
-        <translation>Gelenk %1 gibt um %2 mehr nach als vorher</translation>
     </message>
     <message>
         <source>The cameras' lenses are not what they were (%1)</source>
@@ -7524,6 +7400,1566 @@
         <source>%1 degrees and %2 mm</source>
         <translation>%1 Grad und %2 mm</translation>
     </message>
+    <message>
+        <source> (These measurements are explained as well by %1.)</source>
+        <translation> (Ebenso gut erklärt diese Messungen %1.)</translation>
+    </message>
+    <message>
+        <source> with </source>
+        <translation> mit </translation>
+    </message>
+    <message>
+        <source>%1: %2 names no two joints; expected %3:FIRST,SECOND.</source>
+        <translation>%1: %2 nennt keine zwei Gelenke; erwartet wird %3:ERSTES,ZWEITES.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no number.</source>
+        <translation>%1: %2 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1: the session has no joint %2; it has: %3.</source>
+        <translation>%1: die Sitzung hat kein Gelenk %2; sie hat: %3.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is not reckoned against the link before it: the angle of %2 has to be %3 it (some makers reckon a joint against the horizontal).</source>
+        <translation>Gelenk %1 zählt nicht gegen das Glied davor: der Winkel von %2 ist %3 (manche Hersteller zählen ein Gelenk gegen die Waagerechte).</translation>
+    </message>
+    <message>
+        <source>added to</source>
+        <translation>dazuzuzählen</translation>
+    </message>
+    <message>
+        <source>taken from</source>
+        <translation>davon abzuziehen</translation>
+    </message>
+    <message>
+        <source>all joints</source>
+        <translation>allen Gelenken</translation>
+    </message>
+    <message>
+        <source>All joints are in degrees, where radians are expected.</source>
+        <translation>Alle Gelenke sind in Grad, wo Radiant erwartet werden.</translation>
+    </message>
+    <message>
+        <source>marker_order: there is no camera %1 beside the first one that sees a board.</source>
+        <translation>marker_order: neben der ersten gibt es keine Kamera %1, die ein Brett sieht.</translation>
+    </message>
+    <message>
+        <source>Count the points of %1 in %2 from the other end: point m becomes %3 - m.</source>
+        <translation>Die Punkte von %1 in %2 vom anderen Ende zählen: aus Punkt m wird %3 - m.</translation>
+    </message>
+    <message>
+        <source>length_unit: %1 is no length of this session; expected one of: %2.</source>
+        <translation>length_unit: %1 ist keine Länge dieser Sitzung; erwartet wird eine von: %2.</translation>
+    </message>
+    <message>
+        <source>image_mirrored: %1 is not known; expected nothing (left and right exchanged) or vertical (top and bottom).</source>
+        <translation>image_mirrored: %1 ist nicht bekannt; erwartet wird nichts (links und rechts vertauscht) oder vertical (oben und unten).</translation>
+    </message>
+    <message>
+        <source>image_turned: %1 is not known; expected 90, 180 or 270 (degrees to the right).</source>
+        <translation>image_turned: %1 ist nicht bekannt; erwartet wird 90, 180 oder 270 (Grad nach rechts).</translation>
+    </message>
+    <message>
+        <source>%1: the session has no camera %2.</source>
+        <translation>%1: die Sitzung hat keine Kamera %2.</translation>
+    </message>
+    <message>
+        <source>%1: the session has no poses of %2; it has those of: %3.</source>
+        <translation>%1: die Sitzung hat keine Posen von %2; sie hat die von: %3.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>The flange's poses are inverted: they say where the base is in the flange's frame%1.</source>
+        <translation>Die Posen des Flansches sind invertiert: sie sagen, wo die Basis im System des Flansches ist%1.</translation>
+    </message>
+    <message>
+        <source>, or the sensor stands beside the robot and the flange carries the target</source>
+        <translation>, oder der Sensor steht neben dem Roboter und der Flansch trägt das Ziel</translation>
+    </message>
+    <message>
+        <source>, or the flange carries the sensor and the target stands beside the robot</source>
+        <translation>, oder der Flansch trägt den Sensor und das Ziel steht neben dem Roboter</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>mit</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>quaternion_order: %1 is no order; expected wxyz or xyzw.</source>
+        <translation>quaternion_order: %1 ist keine Reihenfolge; erwartet wird wxyz oder xyzw.</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>zuletzt</translation>
+    </message>
+    <message>
+        <source>euler_convention: %1 is not known; expected one of: %2.</source>
+        <translation>euler_convention: %1 ist nicht bekannt; erwartet wird eine von: %2.</translation>
+    </message>
+    <message>
+        <source>The target's poses are inverted: they say where the sensor is in the target's frame, where the target in the sensor's is expected.</source>
+        <translation>Die Posen des Ziels sind invertiert: sie sagen, wo der Sensor im System des Ziels ist, wo das Ziel in dem des Sensors erwartet wird.</translation>
+    </message>
+    <message>
+        <source>wrong_link: the robot has no link %1; it has: %2.</source>
+        <translation>wrong_link: der Roboter hat kein Glied %1; er hat: %2.</translation>
+    </message>
+    <message>
+        <source>%1 (or a link that is fixed to it: %2)</source>
+        <translation>%1 (oder ein Glied, das fest mit ihm verbunden ist: %2)</translation>
+    </message>
+    <message>
+        <source>Hand and mount are exchanged: the sensor is on %1, and what it sees on %2.</source>
+        <translation>Hand und Halter sind vertauscht: der Sensor sitzt auf %1, und was er sieht, auf %2.</translation>
+    </message>
+    <message>
+        <source>What the sensor sees is not on %1, but on %2.</source>
+        <translation>Was der Sensor sieht, sitzt nicht auf %1, sondern auf %2.</translation>
+    </message>
+    <message>
+        <source>The sensor is not on %1, but on %2.</source>
+        <translation>Der Sensor sitzt nicht auf %1, sondern auf %2.</translation>
+    </message>
+    <message>
+        <source>Write tcp="%1" into &lt;robot&gt; of %2.</source>
+        <translation>tcp="%1" in &lt;robot&gt; von %2 schreiben.</translation>
+    </message>
+    <message>
+        <source>Write mount="%1" into %2.</source>
+        <translation>mount="%1" in %2 schreiben.</translation>
+    </message>
+    <message>
+        <source>%1: there is no blunder of that name; in this session there may be: %2.</source>
+        <translation>%1: einen groben Fehler dieses Namens gibt es nicht; in dieser Sitzung kann es geben: %2.</translation>
+    </message>
+    <message>
+        <source>%1: there is nothing in this session that it could be put right in.</source>
+        <translation>%1: in dieser Sitzung gibt es nichts, woran das zu berichtigen wäre.</translation>
+    </message>
+    <message>
+        <source>%1: where? Expected %2:WHERE, one of: %3.</source>
+        <translation>%1: wo? Erwartet wird %2:WO, eines von: %3.</translation>
+    </message>
+    <message>
+        <source>%1: there is a session already; take another folder.</source>
+        <translation>%1: dort ist schon eine Sitzung; nimm einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made (%2).</source>
+        <translation>%1: der Ordner lässt sich nicht anlegen (%2).</translation>
+    </message>
+    <message>
+        <source>: its %1 are about %2, not %3</source>
+        <translation>: seine %1 sind etwa %2, nicht %3</translation>
+    </message>
+    <message>
+        <source>The target is %1 % %2 than its description says%3.</source>
+        <translation>Das Ziel ist %1 % %2, als seine Beschreibung sagt%3.</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>größer</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>kleiner</translation>
+    </message>
+    <message>
+        <source>size_swapped: the session has no camera %1.</source>
+        <translation>size_swapped: die Sitzung hat keine Kamera %1.</translation>
+    </message>
+    <message>
+        <source>gravity_turned: %1 is no direction; expected one of: %2.</source>
+        <translation>gravity_turned: %1 ist keine Richtung; erwartet wird eine von: %2.</translation>
+    </message>
+    <message>
+        <source>pairing_shift: %1 is no number of places; expected 1, -1, 2 ...</source>
+        <translation>pairing_shift: %1 ist keine Zahl von Stellen; erwartet wird 1, -1, 2 ...</translation>
+    </message>
+    <message>
+        <source>pairing_shift: the session has %1 observations, fewer than that.</source>
+        <translation>pairing_shift: die Sitzung hat %1 Beobachtungen, weniger als das.</translation>
+    </message>
+    <message>
+        <source>What was seen and where the robot stood are paired %1 off: each %2 belongs to the robot's %3 %4 %5.</source>
+        <translation>Was gesehen wurde und wo der Roboter stand, ist um %1 versetzt gepaart: zu jeder Messung (%2) gehört das des Roboters (%3) %4 %5.</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Zeile</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>später</translation>
+    </message>
+    <message>
+        <source>earlier</source>
+        <translation>früher</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>The position has %1 numbers; expected %2, one for each joint: %3.</source>
+        <translation>Die Stellung hat %1 Zahlen; erwartet werden %2, eine je Gelenk: %3.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": the session has the markers 0 to %2.</source>
+        <translation>Effekt "%1": die Sitzung hat die Marker 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" sits at no joint; leave its place empty.</source>
+        <translation>Effekt "%1" sitzt an keinem Gelenk; seinen Platz leer lassen.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" has %2 values; expected %3, one for each parameter, or none.</source>
+        <translation>Effekt "%1" hat %2 Werte; erwartet werden %3, einer je Parameter, oder keine.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" says of %2 parameters whether they are held; expected %3, or none.</source>
+        <translation>Effekt "%1" sagt von %2 Parametern, ob sie gehalten werden; erwartet werden %3, oder keine.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" has the value %2; expected one from %3 to %4.</source>
+        <translation>Effekt "%1" hat den Wert %2; erwartet wird einer von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": the robot has no moving joint "%2".</source>
+        <translation>Effekt "%1": der Roboter hat kein bewegliches Gelenk "%2".</translation>
+    </message>
+    <message>
+        <source>Effect "%1": the joint "%2" follows no other; %3 sits at joints that do.</source>
+        <translation>Effekt "%1": das Gelenk "%2" folgt keinem anderen; %3 sitzt an Gelenken, die folgen.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": %2 sits at no camera "%3"; it may sit at: %4.</source>
+        <translation>Effekt "%1": %2 sitzt an keiner Kamera "%3"; er kann sitzen an: %4.</translation>
+    </message>
+    <message>
+        <source>none of this session</source>
+        <translation>keiner dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Effect "%1": "%2" is no tag; write its number.</source>
+        <translation>Effekt "%1": "%2" ist kein Tag; seine Nummer schreiben.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": the target has no tag %2; it has: %3.</source>
+        <translation>Effekt "%1": das Ziel hat kein Tag %2; es hat: %3.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": %2 sits at no session "%3"; it may sit at: %4.</source>
+        <translation>Effekt "%1": %2 sitzt an keiner Sitzung "%3"; er kann sitzen an: %4.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": "%2" is no marker; write its number, 0 to 63.</source>
+        <translation>Effekt "%1": "%2" ist kein Marker; seine Nummer schreiben, 0 bis 63.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" is not in the catalogue, which has: %2.</source>
+        <translation>Den Effekt "%1" hat der Katalog nicht; er hat: %2.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": %2 has no parameter "%3".</source>
+        <translation>Effekt "%1": %2 hat keinen Parameter "%3".</translation>
+    </message>
+    <message>
+        <source>Effect "%1" has no value; write it as id:joint.parameter=value, for example joint_elasticity:arm_2.compliance=1e-4.</source>
+        <translation>Effekt "%1" hat keinen Wert; als id:gelenk.parameter=wert schreiben, zum Beispiel joint_elasticity:arm_2.compliance=1e-4.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": this session has no %2, which %3 is of.</source>
+        <translation>Effekt "%1": diese Sitzung hat kein %2, zu dem %3 gehört.</translation>
+    </message>
+    <message>
+        <source>body of tags whose places are known</source>
+        <translation>Körper von Tags, deren Plätze bekannt sind</translation>
+    </message>
+    <message>
+        <source>target of one piece whose shape is known</source>
+        <translation>Ziel aus einem Stück, dessen Form bekannt ist</translation>
+    </message>
+    <message>
+        <source>Effect "%1" sits at a %2; write %3:%4.parameter=value.</source>
+        <translation>Effekt "%1" sitzt an einer Stelle (%2); %3:%4.parameter=wert schreiben.</translation>
+    </message>
+    <message>
+        <source>Effect "%1": "%2" is not a finite number.</source>
+        <translation>Effekt "%1": "%2" ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>Effect "%1" has no place in this session: it sits at %2.</source>
+        <translation>Effekt "%1" hat in dieser Sitzung keinen Platz: er sitzt an: %2.</translation>
+    </message>
+    <message>
+        <source>joints that follow others</source>
+        <translation>Gelenke, die anderen folgen</translation>
+    </message>
+    <message>
+        <source>cameras, which this session has not got for it</source>
+        <translation>Kameras, die diese Sitzung dafür nicht hat</translation>
+    </message>
+    <message>
+        <source>the tags of a body whose places are known</source>
+        <translation>die Tags eines Körpers, deren Plätze bekannt sind</translation>
+    </message>
+    <message>
+        <source>a target of one piece whose shape is known</source>
+        <translation>ein Ziel aus einem Stück, dessen Form bekannt ist</translation>
+    </message>
+    <message>
+        <source>joints between the sensor and the TCP</source>
+        <translation>Gelenke zwischen dem Sensor und dem TCP</translation>
+    </message>
+    <message>
+        <source>Effect "%1" sits at no joint; write %2 alone.</source>
+        <translation>Effekt "%1" sitzt an keinem Gelenk; %2 allein schreiben.</translation>
+    </message>
+    <message>
+        <source> at %1</source>
+        <translation> bei %1</translation>
+    </message>
+    <message>
+        <source>, column %1</source>
+        <translation>, Spalte %1</translation>
+    </message>
+    <message>
+        <source>%1: the formula %2 is not understood%3; expected parameters, variables such as q, tau, velocity, time or q_NAME, numbers, + - * / ^ and the functions sin cos tan tanh exp log sqrt abs sign min max.</source>
+        <translation>%1: die Formel %2 ist nicht zu verstehen%3; erwartet werden Parameter, Größen wie q, tau, velocity, time oder q_NAME, Zahlen, + - * / ^ und die Funktionen sin cos tan tanh exp log sqrt abs sign min max.</translation>
+    </message>
+    <message>
+        <source>own="%1": only effects that sit at joints can be one session's own; slips, drifts, cameras and bodies are so without being named.</source>
+        <translation>own="%1": nur Effekte, die an Gelenken sitzen, können einer Sitzung eigen sein; Verrutschen, Wandern, Kameras und Körper sind es, ohne genannt zu werden.</translation>
+    </message>
+    <message>
+        <source>session "%1": own="%2" names no joint between its sensor and its TCP.</source>
+        <translation>Sitzung "%1": own="%2" nennt kein Gelenk zwischen ihrem Sensor und ihrem TCP.</translation>
+    </message>
+    <message>
+        <source>Effect "%1"</source>
+        <translation>Effekt "%1"</translation>
+    </message>
+    <message>
+        <source>%1, line %2, effect "%3"</source>
+        <translation>%1, Zeile %2, Effekt "%3"</translation>
+    </message>
+    <message>
+        <source>%1: %2 has a part without any parameter; expected every part to be in proportion to one, so that the effect is absent when all are 0.</source>
+        <translation>%1: %2 hat einen Teil ohne Parameter; erwartet wird, dass jeder Teil zu einem proportional ist, so dass der Effekt fehlt, wenn alle 0 sind.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not linear in the parameter "%3"; expected it as a factor, outside of functions and powers.</source>
+        <translation>%1: %2 ist nicht linear im Parameter "%3"; erwartet wird er als Faktor, außerhalb von Funktionen und Potenzen.</translation>
+    </message>
+    <message>
+        <source>%1: in %2 parameters are multiplied with each other; expected a sum in which each part has one parameter.</source>
+        <translation>%1: in %2 werden Parameter miteinander multipliziert; erwartet wird eine Summe, in der jeder Teil einen Parameter hat.</translation>
+    </message>
+    <message>
+        <source>%1: scope %2 has no site %3; expected one of %4.</source>
+        <translation>%1: der Bereich %2 hat keine Stelle %3; erwartet wird eine von %4.</translation>
+    </message>
+    <message>
+        <source>%1: the cameras' numbers are the same in all observations; %2 names the variable "%3", expected parameters and numbers alone.</source>
+        <translation>%1: die Zahlen der Kameras sind in allen Beobachtungen dieselben; %2 nennt die Größe "%3"; erwartet werden nur Parameter und Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1: scope %2 has no joint of its own; write %3_NAME with a joint's name in place of "%4".</source>
+        <translation>%1: der Bereich %2 hat kein eigenes Gelenk; %3_NAME mit dem Namen eines Gelenks anstelle von "%4" schreiben.</translation>
+    </message>
+    <message>
+        <source>%1: the parameter "%2" has the name of a variable; expected another name.</source>
+        <translation>%1: der Parameter "%2" heißt wie eine Größe; erwartet wird ein anderer Name.</translation>
+    </message>
+    <message>
+        <source>%1: no formula names the parameter "%2"; expected it in one of &lt;moves&gt;.</source>
+        <translation>%1: keine Formel nennt den Parameter "%2"; erwartet wird er in einem &lt;moves&gt;.</translation>
+    </message>
+    <message>
+        <source>%1: the formula is not a finite number at observation %2%3; expected one that is finite everywhere.</source>
+        <translation>%1: die Formel ist bei Beobachtung %2%3 keine endliche Zahl; erwartet wird eine, die überall endlich ist.</translation>
+    </message>
+    <message>
+        <source>%1: the catalogue has an effect "%2" already; give it another id.</source>
+        <translation>%1: einen Effekt "%2" hat der Katalog schon; ihm eine andere id geben.</translation>
+    </message>
+    <message>
+        <source>The formula %1 cannot be written in another language: %2 is not understood there.</source>
+        <translation>Die Formel %1 lässt sich nicht in einer anderen Sprache schreiben: %2 ist dort nicht zu verstehen.</translation>
+    </message>
+    <message>
+        <source>its end</source>
+        <translation>ihr Ende</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>This kind of file holds fixed transforms alone: the %1 effects of the model that move the arm are not in it; export as cpp or python for the whole hand pose.</source>
+        <translation>Diese Art von Datei enthält nur feste Transformationen: die %1 Effekte des Modells, die den Arm bewegen, sind nicht darin; für die ganze Handpose als cpp oder python exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is no kind of export; expected one of: %2.</source>
+        <translation>%1 ist keine Art von Export; erwartet wird eine von: %2.</translation>
+    </message>
+    <message>
+        <source>The calibration does not say where the sensor sits; the file has no link for it.</source>
+        <translation>Die Kalibrierung sagt nicht, wo der Sensor sitzt; die Datei hat kein Glied für ihn.</translation>
+    </message>
+    <message>
+        <source>The effect %1 cannot be written into a file of this kind; export as yaml or csv.</source>
+        <translation>Der Effekt %1 lässt sich nicht in eine Datei dieser Art schreiben; als yaml oder csv exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 and the rotation</source>
+        <translation>%1 und die Drehung</translation>
+    </message>
+    <message>
+        <source>No joint moves the hand %1: there are no Denavit-Hartenberg parameters to write; name the link that the robot moves as tcp.</source>
+        <translation>Kein Gelenk bewegt die Hand %1: es gibt keine Denavit-Hartenberg-Parameter zu schreiben; das Glied, das der Roboter bewegt, als tcp nennen.</translation>
+    </message>
+    <message>
+        <source>The robot has two joints that end with %1: ur_calibration is of one arm; export its URDF.</source>
+        <translation>Der Roboter hat zwei Gelenke, die auf %1 enden: ur_calibration ist von einem Arm; seine URDF exportieren.</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not follow the one before it in UR's order; ur_calibration is for UR's six joints one after another: export as urdf.</source>
+        <translation>Gelenk %1 folgt nicht auf das davor in URs Reihenfolge; ur_calibration ist für URs sechs Gelenke nacheinander: als urdf exportieren.</translation>
+    </message>
+    <message>
+        <source>Joint %1 does not turn about its z axis: the robot is described otherwise than in ur_description, whose frames the file is read with; use its URDF, or export as urdf.</source>
+        <translation>Gelenk %1 dreht nicht um seine z-Achse: der Roboter ist anders beschrieben als in ur_description, mit deren Systemen die Datei gelesen wird; dessen URDF nehmen oder als urdf exportieren.</translation>
+    </message>
+    <message>
+        <source>the spring of %1 (%2 %3)</source>
+        <translation>die Feder von %1 (%2 %3)</translation>
+    </message>
+    <message>
+        <source>%1 follows %2 joints: other readers may take one of its &lt;mimic&gt; alone</source>
+        <translation>%1 folgt %2 Gelenken: andere Leser nehmen vielleicht nur eines seiner &lt;mimic&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm rms and %2 mm at most over %3</source>
+        <translation>%1 mm im quadratischen Mittel und höchstens %2 mm über %3</translation>
+    </message>
+    <message>
+        <source>the %1 poses of the session</source>
+        <translation>die %1 Posen der Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 poses drawn within the joints' limits</source>
+        <translation>%1 Posen, innerhalb der Gelenkgrenzen gezogen</translation>
+    </message>
+    <message>
+        <source>lerobot's calibration has no number %1 for %2; expected the JSON that lerobot wrote.</source>
+        <translation>lerobots Kalibrierung hat keine Zahl %1 für %2; erwartet wird das JSON, das lerobot geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>lerobot's calibration has no motor %1; the joints of the session need the names that it gives its motors.</source>
+        <translation>lerobots Kalibrierung hat keinen Motor %1; die Gelenke der Sitzung brauchen die Namen, die sie ihren Motoren gibt.</translation>
+    </message>
+    <message>
+        <source>Joint %1 slides, and lerobot's calibration is of motors that turn; export as urdf or ros2_control.</source>
+        <translation>Gelenk %1 schiebt, und lerobots Kalibrierung ist von Motoren, die drehen; als urdf oder ros2_control exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>None of the %1 images that were looked at shows the %2</source>
+        <translation>Keines der %1 angesehenen Bilder zeigt das Ziel (%2)</translation>
+    </message>
+    <message>
+        <source>%1; what they show fits %2 (a chessboard is counted by its inner corners, not by its squares).</source>
+        <translation>%1; was sie zeigen, passt zu %2 (ein Schachbrett wird nach seinen inneren Ecken gezählt, nicht nach Feldern).</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>%1; what can be read in them are the %2%3.</source>
+        <translation>%1; was sich in ihnen lesen lässt, sind %2%3.</translation>
+    </message>
+    <message>
+        <source>%1; what they show (%2) fits %3.</source>
+        <translation>%1; was sie zeigen (%2), passt zu %3.</translation>
+    </message>
+    <message>
+        <source>The sheet of %1 x %2 mm has more than %3 million pixels at %4 dots per inch; use fewer, or PDF or SVG.</source>
+        <translation>Das Blatt von %1 x %2 mm hat bei %4 Punkten je Zoll mehr als %3 Millionen Bildpunkte; weniger nehmen, oder PDF oder SVG.</translation>
+    </message>
+    <message>
+        <source>%1 of its tags were read where they should be, but none of the %2 corners between them looks like one: something is drawn or lies over them (an earlier detection drawn into the image?), or it is out of focus</source>
+        <translation>%1 seiner Tags wurden gelesen, wo sie sein sollten, aber keine der %2 Ecken dazwischen sieht wie eine aus: etwas ist darüber gezeichnet oder liegt darauf (eine frühere Erkennung im Bild?), oder es ist unscharf</translation>
+    </message>
+    <message>
+        <source>fewer than two of the tags that were read lie as they do on the board</source>
+        <translation>weniger als zwei der gelesenen Tags liegen wie auf dem Brett</translation>
+    </message>
+    <message>
+        <source>its tags were read, but lie otherwise than on this board: another layout, or several boards</source>
+        <translation>seine Tags wurden gelesen, liegen aber anders als auf diesem Brett: eine andere Anordnung, oder mehrere Bretter</translation>
+    </message>
+    <message>
+        <source>the tag with the number %1 is there %2 times, and nothing tells which of them is meant: give every tag its own number</source>
+        <translation>das Tag mit der Nummer %1 ist %2 Mal da, und nichts sagt, welches gemeint ist: jedem Tag seine eigene Nummer geben</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>drei</translation>
+    </message>
+    <message>
+        <source>--angles %1: is no way to tell a rotation; expected one of: %2.</source>
+        <translation>--angles %1: ist keine Art, eine Drehung anzugeben; erwartet wird eine von: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 link "%3" is not in the robot %4; name one of its links.</source>
+        <translation>%1: das Glied "%3" (%2) gibt es im Roboter %4 nicht; eines seiner Glieder nennen.</translation>
+    </message>
+    <message>
+        <source>%1: the joint "%2" named in &lt;joints&gt; is not in the robot %3.</source>
+        <translation>%1: das Gelenk "%2", das &lt;joints&gt; nennt, gibt es im Roboter %3 nicht.</translation>
+    </message>
+    <message>
+        <source>see</source>
+        <translation>sehen</translation>
+    </message>
+    <message>
+        <source>sees</source>
+        <translation>sieht</translation>
+    </message>
+    <message>
+        <source>No measured joint moves the %1 on %2 against %3 on %4: nothing can be told of where they are.</source>
+        <translation>Kein gemessenes Gelenk bewegt %1 auf %2 gegen %3 auf %4: wo sie sind, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Most of all %1 has changed, by %2 of its sigma; the marker body is %3 mm from where it was (mean over %4 poses).</source>
+        <translation>Am meisten hat sich %1 geändert, um %2 seines Sigmas; der Markerkörper ist %3 mm von dort, wo er war (Mittel über %4 Posen).</translation>
+    </message>
+    <message>
+        <source>No number differs by more than %1 of its sigma; the marker body is %2 mm from where it was (mean over %3 poses).</source>
+        <translation>Keine Zahl unterscheidet sich um mehr als %1 ihres Sigmas; der Markerkörper ist %2 mm von dort, wo er war (Mittel über %3 Posen).</translation>
+    </message>
+    <message>
+        <source>Two calibrations tell which numbers differ, not why; compare the sessions for what changed.</source>
+        <translation>Zwei Kalibrierungen sagen, welche Zahlen sich unterscheiden, nicht warum; was sich geändert hat, sagt ein Vergleich der Sitzungen.</translation>
+    </message>
+    <message>
+        <source>Joint %1 lost its zero: it stands %2 +- %3 %4 further than it reads</source>
+        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 +- %3 %4 weiter, als es anzeigt</translation>
+    </message>
+    <message>
+        <source>The hand carries %1 +- %2 kg more than it did</source>
+        <translation>Die Hand trägt %1 +- %2 kg mehr als vorher</translation>
+    </message>
+    <message>
+        <source>Joint %1 gives way by %2 +- %3 %4 more than it did</source>
+        <translation>Gelenk %1 gibt um %2 +- %3 %4 mehr nach als vorher</translation>
+    </message>
+    <message>
+        <source>distortion</source>
+        <translation>Verzeichnung</translation>
+    </message>
+    <message>
+        <source>; and more than one thing has changed: %1 too, or something that is not in the list.</source>
+        <translation>; und mehr als eines hat sich geändert: auch %1, oder etwas, das nicht in der Liste steht.</translation>
+    </message>
+    <message>
+        <source>; or it is %1, which these poses do not tell apart.</source>
+        <translation>; oder es ist %1, was diese Posen nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>%1: is of the joints %2, and the session has %3; certify with a calibration of the same robot.</source>
+        <translation>%1: ist von den Gelenken %2, und die Sitzung hat %3; mit einer Kalibrierung desselben Roboters zertifizieren.</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>%1 of these %2</source>
+        <translation>%1 dieser %2</translation>
+    </message>
+    <message>
+        <source>have the %1 between %2 and %3%4</source>
+        <translation>haben %1 zwischen %2 und %3%4</translation>
+    </message>
+    <message>
+        <source>have the %1 above %2%3</source>
+        <translation>haben %1 über %2%3</translation>
+    </message>
+    <message>
+        <source>have the %1 below %2%3</source>
+        <translation>haben %1 unter %2%3</translation>
+    </message>
+    <message>
+        <source>%1 %2; of the other %3 %4.</source>
+        <translation>%1 %2; von den %3 anderen %4.</translation>
+    </message>
+    <message>
+        <source>cameras'</source>
+        <translation>Kamera-</translation>
+    </message>
+    <message>
+        <source>%1: in %2 searches no pose within the joint limits shows all markers to %3; check the limits in the robot's file and the mount of the cameras.</source>
+        <translation>%1: in %2 Versuchen zeigt keine Pose innerhalb der Gelenkgrenzen alle Marker für %3; die Grenzen in der Datei des Roboters und den Halter der Kameras prüfen.</translation>
+    </message>
+    <message>
+        <source>The number of poses to plan is %1; expected 1 to %2 (--count).</source>
+        <translation>Die Zahl der Posen, die zu planen sind, ist %1; erwartet wird 1 bis %2 (--count).</translation>
+    </message>
+    <message>
+        <source>"%1" and "%2" are the same effect at the same places; give two that differ (--between a,b).</source>
+        <translation>"%1" und "%2" sind derselbe Effekt an denselben Stellen; zwei verschiedene angeben (--between a,b).</translation>
+    </message>
+    <message>
+        <source>The effect "%1" is to be told from another (--between) and is in the model already (--effects); leave it out of one of them.</source>
+        <translation>Der Effekt "%1" soll von einem anderen unterschieden werden (--between) und ist schon im Modell (--effects); in einem von beiden auslassen.</translation>
+    </message>
+    <message>
+        <source>These poses are not expected to settle it between %1 and %2: the ln Bayes factor grows by %3, and 3 (odds of 20) is needed; plan more of them.</source>
+        <translation>Diese Posen werden zwischen %1 und %2 voraussichtlich nicht entscheiden: der ln des Bayesfaktors wächst um %3, und 3 (20 zu 1) ist nötig; mehr davon planen.</translation>
+    </message>
+    <message>
+        <source> Judged by %1 of the %2 observations, evenly over the session; the model meets the others to %3%4</source>
+        <translation> Beurteilt nach %1 der %2 Beobachtungen, gleichmäßig über die Sitzung; die übrigen trifft das Modell auf %3%4</translation>
+    </message>
+    <message>
+        <source>, which is worse than what was held out here: wrong points among them, or something that these did not show.</source>
+        <translation>, was schlechter ist als das hier Zurückgehaltene: falsche Punkte darunter, oder etwas, das diese nicht zeigten.</translation>
+    </message>
+    <message>
+        <source>, no worse than these.</source>
+        <translation>, nicht schlechter als diese.</translation>
+    </message>
+    <message>
+        <source>The %1%2 differs by</source>
+        <translation>%1%2 unterscheidet sich um</translation>
+    </message>
+    <message>
+        <source>about %1 to 1</source>
+        <translation>etwa %1 zu 1</translation>
+    </message>
+    <message>
+        <source> The residual "%1" follows the %2.</source>
+        <translation> Das Residuum "%1" folgt %2.</translation>
+    </message>
+    <message>
+        <source>Something that moves %1 follows the %2 (%3) in a form that is not in the catalogue; odds against nothing missing: %4.</source>
+        <translation>Etwas, das %1 bewegt, folgt %2 (%3) in einer Form, die nicht im Katalog steht; Verhältnis gegen „nichts fehlt“: %4.</translation>
+    </message>
+    <message>
+        <source> These poses could not show it: %1</source>
+        <translation> Diese Posen könnten es nicht zeigen: %1</translation>
+    </message>
+    <message>
+        <source> Odds against nothing missing: %1; %2.</source>
+        <translation> Verhältnis gegen „nichts fehlt“: %1; %2.</translation>
+    </message>
+    <message>
+        <source> On these poses it cannot be told from %1.</source>
+        <translation> Auf diesen Posen ist es nicht von %1 zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source> Check: %1</source>
+        <translation> Prüfen: %1</translation>
+    </message>
+    <message>
+        <source>The model misses by %1 (held out) where the noise is %2. %3%4: %5</source>
+        <translation>Das Modell liegt um %1 daneben (zurückgehalten), wo das Rauschen %2 ist. %3%4: %5</translation>
+    </message>
+    <message>
+        <source> With it the held-out error falls to %1.</source>
+        <translation> Damit sinkt der zurückgehaltene Fehler auf %1.</translation>
+    </message>
+    <message>
+        <source> On these poses it cannot be told from %1; plan poses that would.</source>
+        <translation> Auf diesen Posen ist es nicht von %1 zu unterscheiden; Posen planen, die es könnten.</translation>
+    </message>
+    <message>
+        <source> What is left follows the %1.</source>
+        <translation> Was bleibt, folgt %1.</translation>
+    </message>
+    <message>
+        <source>The model misses by %1 (held out) where the noise is %2, and the best of the catalogue, %3%4, explains only %5 % of the excess.%6</source>
+        <translation>Das Modell liegt um %1 daneben (zurückgehalten), wo das Rauschen %2 ist, und das Beste des Katalogs, %3%4, erklärt nur %5 % des Überschusses.%6</translation>
+    </message>
+    <message>
+        <source>The residuals follow the %1 in a form that is not in the catalogue: %2.</source>
+        <translation>Die Residuen folgen %1 in einer Form, die nicht im Katalog steht: %2.</translation>
+    </message>
+    <message>
+        <source>The residual "%1" follows the %2, and nothing of the catalogue explains it.</source>
+        <translation>Das Residuum "%1" folgt %2, und nichts im Katalog erklärt es.</translation>
+    </message>
+    <message>
+        <source>Nothing is missing that these %1 observations could show: the held-out error is %2 and the noise %3.</source>
+        <translation>Es fehlt nichts, das diese %1 Beobachtungen zeigen könnten: der zurückgehaltene Fehler ist %2 und das Rauschen %3.</translation>
+    </message>
+    <message>
+        <source> What is left is scatter from pose to pose that follows nothing%1.</source>
+        <translation> Was bleibt, ist Streuung von Pose zu Pose, die nichts folgt%1.</translation>
+    </message>
+    <message>
+        <source>, as of %1</source>
+        <translation>, wie von %1</translation>
+    </message>
+    <message>
+        <source> %1 wrong point%2 left out.</source>
+        <translation> Falsche Punkte ausgelassen: %1.</translation>
+    </message>
+    <message>
+        <source> was</source>
+        <translation> wurde</translation>
+    </message>
+    <message>
+        <source>s were</source>
+        <translation>e wurden</translation>
+    </message>
+    <message>
+        <source>What is left, %1 held out, is %2 times the noise (%3) and follows nothing that was measured</source>
+        <translation>Was bleibt, %1 zurückgehalten, ist das %2-Fache des Rauschens (%3) und folgt nichts, das gemessen wurde</translation>
+    </message>
+    <message>
+        <source>; from pose to pose it is as of %1</source>
+        <translation>; von Pose zu Pose ist es wie von %1</translation>
+    </message>
+    <message>
+        <source>Nothing of the catalogue passes, but the noise of the measurements is not known (no sigma declared, no repeated poses, and no three markers that tell it), so that nobody can say whether %1 is all noise: declare sigma (convert --sigma, or sigma of &lt;tracker&gt; or &lt;pose_sensor&gt;) or repeat poses.</source>
+        <translation>Nichts im Katalog besteht, aber das Rauschen der Messungen ist nicht bekannt (kein Sigma angegeben, keine wiederholten Posen und keine drei Marker, die es sagen), so dass niemand sagen kann, ob %1 alles Rauschen ist: Sigma angeben (convert --sigma, oder sigma von &lt;tracker&gt; oder &lt;pose_sensor&gt;) oder Posen wiederholen.</translation>
+    </message>
+    <message>
+        <source>the cameras against their link</source>
+        <translation>die Kameras gegen ihr Glied</translation>
+    </message>
+    <message>
+        <source>. Robots scatter less (0.3 mrad a joint and 0.3 mm at the hand, where &lt;robot repeatability=""&gt; declares nothing else), so something is missing that is not known here. To find out: measure some poses again at the end, come to some from both sides, and record times, velocities and torques.</source>
+        <translation>. Roboter streuen weniger (0,3 mrad je Gelenk und 0,3 mm an der Hand, wo &lt;robot repeatability=""&gt; nichts anderes angibt), also fehlt etwas, das hier nicht bekannt ist. Um es herauszufinden: am Ende einige Posen noch einmal messen, manche von beiden Seiten anfahren und Zeiten, Geschwindigkeiten und Momente aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>the hand against the last link</source>
+        <translation>die Hand gegen das letzte Glied</translation>
+    </message>
+    <message>
+        <source> Nothing in the residuals speaks for it.</source>
+        <translation> Nichts in den Residuen spricht dafür.</translation>
+    </message>
+    <message>
+        <source> Its size is more than three times what is plausible.</source>
+        <translation> Seine Größe ist mehr als das Dreifache des Plausiblen.</translation>
+    </message>
+    <message>
+        <source>a wave of %1 periods over the session</source>
+        <translation>eine Welle von %1 Perioden über die Sitzung</translation>
+    </message>
+    <message>
+        <source>a step at %1%2</source>
+        <translation>eine Stufe bei %1%2</translation>
+    </message>
+    <message>
+        <source>%1 moves with the %2, %3: it has no name in the catalogue.</source>
+        <translation>%1 bewegt sich mit %2, %3: im Katalog hat es keinen Namen.</translation>
+    </message>
+    <message>
+        <source>%1%2 where the noise is %3</source>
+        <translation>%1%2 bei einem Rauschen von %3</translation>
+    </message>
+    <message>
+        <source> held out</source>
+        <translation> zurückgehalten</translation>
+    </message>
+    <message>
+        <source>What is left, %1, differs from pose to pose and follows nothing that was measured%2: no effect can remove it.</source>
+        <translation>Was bleibt, %1, ist von Pose zu Pose anders und folgt nichts, das gemessen wurde%2: kein Effekt kann es beseitigen.</translation>
+    </message>
+    <message>
+        <source>Something real is left, %1: %2 explains a part of it, and nothing in the catalogue explains the rest.</source>
+        <translation>Etwas Wirkliches bleibt, %1: %2 erklärt einen Teil davon, und nichts im Katalog erklärt den Rest.</translation>
+    </message>
+    <message>
+        <source> %1 in the model %2 in for another cause: no robot is built so.</source>
+        <translation> %1 im Modell %2 für eine andere Ursache: so ist kein Roboter gebaut.</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>stand</source>
+        <translation>stehen</translation>
+    </message>
+    <message>
+        <source>Something is left, %1, and what would explain it does not lower the error on observations that the fit has not seen.</source>
+        <translation>Etwas bleibt, %1, und was es erklären würde, senkt den Fehler auf Beobachtungen nicht, die die Schätzung nicht gesehen hat.</translation>
+    </message>
+    <message>
+        <source>Observation%1 %2: the flat target's pose flipped to its mirror tilt (turned by %3; with the tilt mirrored about the line of sight it is right). Leave %4 out.</source>
+        <translation>Beobachtung%1 %2: die Pose des ebenen Ziels ist in die gespiegelte Neigung gekippt (um %3 gedreht; mit der an der Sichtlinie gespiegelten Neigung stimmt sie). Lassen Sie %4 aus.</translation>
+    </message>
+    <message>
+        <source>it</source>
+        <translation>sie</translation>
+    </message>
+    <message>
+        <source>them</source>
+        <translation>sie</translation>
+    </message>
+    <message>
+        <source>%1 to %2 degrees</source>
+        <translation>%1 bis %2 Grad</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3: by what the others say %4 off by %5%6, and the others by %7 at most. Look for a wrong reading or image, correct it or exclude it.</source>
+        <translation>%1 %2 %3: nach dem, was die anderen sagen, um %5%6 daneben, und die anderen um höchstens %7. Nach einem falschen Messwert oder Bild suchen, es berichtigen oder ausschließen.</translation>
+    </message>
+    <message>
+        <source>it is</source>
+        <translation>sie ist</translation>
+    </message>
+    <message>
+        <source>they are</source>
+        <translation>sie sind</translation>
+    </message>
+    <message>
+        <source> and more</source>
+        <translation> und mehr</translation>
+    </message>
+    <message>
+        <source>the %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>the %1 at %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>shift along %1 of %2</source>
+        <translation>Verschiebung von %2 entlang %1</translation>
+    </message>
+    <message>
+        <source>turn about %1 of %2</source>
+        <translation>Drehung von %2 um %1</translation>
+    </message>
+    <message>
+        <source>joints that repeat to %1 mrad</source>
+        <translation>Gelenken, die auf %1 mrad wiederholen</translation>
+    </message>
+    <message>
+        <source>a hand whose place scatters by %1 mm</source>
+        <translation>einer Hand, deren Ort um %1 mm streut</translation>
+    </message>
+    <message>
+        <source>%1%2 (%3 mm at the hand)</source>
+        <translation>%1%2 (%3 mm an der Hand)</translation>
+    </message>
+    <message>
+        <source> %1%2 passes by its evidence and was not taken: %3.</source>
+        <translation> %1%2 besteht nach seiner Evidenz und wurde nicht genommen: %3.</translation>
+    </message>
+    <message>
+        <source>The fit finds no answer: %1. What the model lacks cannot be told before; check mount, cameras, joints' order and labels.</source>
+        <translation>Die Schätzung findet keine Lösung: %1. Vorher ist nicht zu sagen, was dem Modell fehlt; Halter, Kameras, Reihenfolge der Gelenke und Marken prüfen.</translation>
+    </message>
+    <message>
+        <source>a marker would lie behind a camera that saw it</source>
+        <translation>ein Marker läge hinter einer Kamera, die ihn gesehen hat</translation>
+    </message>
+    <message>
+        <source>it leaves %1, more than any robot explains</source>
+        <translation>sie lässt %1, mehr als ein Roboter erklärt</translation>
+    </message>
+    <message>
+        <source>%1%2 Held out %3.</source>
+        <translation>%1%2 Zurückgehalten %3.</translation>
+    </message>
+    <message>
+        <source>Named: %1. </source>
+        <translation>Mit Namen: %1. </translation>
+    </message>
+    <message>
+        <source>Without a name: %1%2</source>
+        <translation>Ohne Namen: %1%2</translation>
+    </message>
+    <message>
+        <source>%1 +- %2 mm</source>
+        <translation>%1 +- %2 mm</translation>
+    </message>
+    <message>
+        <source>0 mm</source>
+        <translation>0 mm</translation>
+    </message>
+    <message>
+        <source>%1 are rare, and its evidence of ln %2 is below the ln %3 that is asked of them</source>
+        <translation>%1 sind selten, und die Evidenz von ln %2 liegt unter den ln %3, die dafür verlangt werden</translation>
+    </message>
+    <message>
+        <source>what follows the posture may explain as much: beside that its evidence is ln %1, below the ln %2 that is asked of %3</source>
+        <translation>was der Stellung folgt, mag ebenso viel erklären: daneben ist die Evidenz ln %1, unter den ln %2, die für %3 verlangt werden</translation>
+    </message>
+    <message>
+        <source>with it an unnamed curve, which is to be left out, still explains more than any name</source>
+        <translation>damit erklärt eine Kurve ohne Namen, die ausgelassen werden soll, noch immer mehr als jeder Name</translation>
+    </message>
+    <message>
+        <source>the fit finds no answer with it: check mount, cameras and labels</source>
+        <translation>die Schätzung findet damit keine Lösung: Halter, Kameras und Marken prüfen</translation>
+    </message>
+    <message>
+        <source>the held-out error does not fall</source>
+        <translation>der zurückgehaltene Fehler sinkt nicht</translation>
+    </message>
+    <message>
+        <source>held out in blocks of time, the observations on both sides of the moment do not agree</source>
+        <translation>in Zeitblöcken zurückgehalten, stimmen die Beobachtungen zu beiden Seiten des Augenblicks nicht überein</translation>
+    </message>
+    <message>
+        <source>what belongs to the robot seldom changes between sessions, and the evidence is too weak for that</source>
+        <translation>was zum Roboter gehört, ändert sich selten zwischen Sitzungen, und dafür ist die Evidenz zu schwach</translation>
+    </message>
+    <message>
+        <source>where a whole session is held out, the error rises from %1 to %2</source>
+        <translation>wo eine ganze Sitzung zurückgehalten wird, steigt der Fehler von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>The corners lie on a line (%1 mm off): the hand's rotation about it cannot be seen; take a corner to the side.</source>
+        <translation>Die Ecken liegen auf einer Geraden (%1 mm daneben): die Drehung der Hand um sie ist nicht zu sehen; eine Ecke seitwärts nehmen.</translation>
+    </message>
+    <message>
+        <source>Sides %1 mm: too small, the hand's rotation would be known badly; take corners farther apart.</source>
+        <translation>Seiten %1 mm: zu klein, die Drehung der Hand wäre schlecht bekannt; weiter auseinanderliegende Ecken nehmen.</translation>
+    </message>
+    <message>
+        <source>Marker %1: no corner within %2 px of (%3, %4) in the left image%5; point nearer to one.</source>
+        <translation>Marker %1: keine Ecke im Umkreis von %2 px um (%3, %4) im linken Bild%5; näher an eine zeigen.</translation>
+    </message>
+    <message>
+        <source> (it has none)</source>
+        <translation> (es hat keine)</translation>
+    </message>
+    <message>
+        <source> (the nearest is %1 px away)</source>
+        <translation> (die nächste ist %1 px entfernt)</translation>
+    </message>
+    <message>
+        <source>Markers %1 and %2: both are nearest to the corner at (%3, %4) of the left image; point each at a corner of its own.</source>
+        <translation>Marker %1 und %2: beide sind der Ecke bei (%3, %4) des linken Bilds am nächsten; auf je eine eigene Ecke zeigen.</translation>
+    </message>
+    <message>
+        <source>Marker %1: no corner of the right image lies within %2 px of the epipolar line of (%3, %4) and in front of both cameras; take another corner or the next observation.</source>
+        <translation>Marker %1: keine Ecke des rechten Bilds liegt innerhalb von %2 px der Epipolarlinie von (%3, %4) und vor beiden Kameras; eine andere Ecke oder die nächste Beobachtung nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 corners have too many partners in the right image to choose among; point at fewer markers, or at corners with a less crowded epipolar line.</source>
+        <translation>%1 Ecken haben im rechten Bild zu viele mögliche Partner; auf weniger Marker zeigen, oder auf Ecken mit weniger auf der Epipolarlinie.</translation>
+    </message>
+    <message>
+        <source>The %1 corners have no partners in the right image that are all different and within %2 mm of each other; check that they are on the hand.</source>
+        <translation>Die %1 Ecken haben im rechten Bild keine Partner, die alle verschieden und höchstens %2 mm voneinander sind; prüfen, ob sie auf der Hand sind.</translation>
+    </message>
+    <message>
+        <source>The reader of image files cannot be loaded: %1; build Handsight again.</source>
+        <translation>Der Leser der Bilddateien lässt sich nicht laden: %1; Handsight neu bauen.</translation>
+    </message>
+    <message>
+        <source>%1: the image is cut off after %2 bytes; copy it again from where it came.</source>
+        <translation>%1: das Bild bricht nach %2 Bytes ab; kopiere es noch einmal von dort, wo es herkam.</translation>
+    </message>
+    <message>
+        <source>%1: the image says that it has %2 x %3 pixels; at most %4 million are read.</source>
+        <translation>%1: das Bild sagt, es habe %2 x %3 Pixel; höchstens %4 Millionen werden gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: is no image that can be read (%2 bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.</source>
+        <translation>%1: ist kein Bild, das sich lesen ließe (%2 Byte); PNG, JPEG, PGM, BMP, TIFF und WebP lassen sich lesen.</translation>
+    </message>
+    <message>
+        <source>The image of %1 x %2 could not be encoded as PNG.</source>
+        <translation>Das Bild von %1 x %2 ließ sich nicht als PNG schreiben.</translation>
+    </message>
+    <message>
+        <source>one marker</source>
+        <translation>einem Marker</translation>
+    </message>
+    <message>
+        <source>two markers</source>
+        <translation>zwei Markern</translation>
+    </message>
+    <message>
+        <source>not</source>
+        <translation>nicht</translation>
+    </message>
+    <message>
+        <source>only partly</source>
+        <translation>nur zum Teil</translation>
+    </message>
+    <message>
+        <source>Observation %1: the declared springs are too soft for the load.</source>
+        <translation>Beobachtung %1: die angegebenen Federn sind zu weich für die Last.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 objective cannot estimate %3; use the image objective.</source>
+        <translation>%1: die Zielfunktion %2 kann %3 nicht schätzen; nimm die der Bilder.</translation>
+    </message>
+    <message>
+        <source>angle-axis</source>
+        <translation>angle-axis</translation>
+    </message>
+    <message>
+        <source>effects of the cameras</source>
+        <translation>Effekte der Kameras</translation>
+    </message>
+    <message>
+        <source>effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>%1: images of a board say something of the cameras, and no number of theirs is estimated; add --effects camera_intrinsics (also lens_distortion%2).</source>
+        <translation>%1: Bilder eines Bretts sagen etwas über die Kameras, und keine Zahl von ihnen wird geschätzt; --effects camera_intrinsics dazunehmen (auch lens_distortion%2).</translation>
+    </message>
+    <message>
+        <source>%1: the angle-axis objective is of one session; fit a collection by the image objective.</source>
+        <translation>%1: das Ziel angle-axis ist für eine Sitzung; eine Sammlung mit dem Ziel image schätzen.</translation>
+    </message>
+    <message>
+        <source>%1: the target is found in none of the %2 observations that may be used; look at an image and at what &lt;target&gt; says of it.</source>
+        <translation>%1: das Ziel findet sich in keiner der %2 Beobachtungen, die benutzt werden dürfen; sieh dir ein Bild an und was &lt;target&gt; davon sagt.</translation>
+    </message>
+    <message>
+        <source>%1: none of the %2 observations has a labelled marker that may be used; label one first (handsight-cli label).</source>
+        <translation>%1: in keiner der %2 Beobachtungen ist ein Marker markiert, der benutzt werden darf; markiere erst einen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing is known of the mount, and no marker is seen by two cameras, so that no start can be found; give %2 an xyz and rpy.</source>
+        <translation>%1: vom Kamerasitz ist nichts bekannt, und kein Marker wird von zwei Kameras gesehen, so dass sich kein Anfang findet; gib %2 ein xyz und rpy.</translation>
+    </message>
+    <message>
+        <source>%1: no marker is seen by two cameras in any used observation, which the %2 objective needs; use the image objective.</source>
+        <translation>%1: in keiner benutzten Beobachtung sehen zwei Kameras einen Marker, was das Ziel %2 braucht; das Ziel image nehmen.</translation>
+    </message>
+    <message>
+        <source>Nothing that was measured tells a length (every marker was measured at one place only): the robot's size is taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.</source>
+        <translation>Nichts Gemessenes sagt eine Länge (jeder Marker wurde nur an einem Ort gemessen): die Größe des Roboters gilt nach seiner Beschreibung, auf 0,1 %. Einen Marker an zwei Orten bekannten Abstands messen, um sie zu finden.</translation>
+    </message>
+    <message>
+        <source>--session %1: this is one session by itself; leave the option out.</source>
+        <translation>--session %1: dies ist eine einzelne Sitzung; die Option weglassen.</translation>
+    </message>
+    <message>
+        <source>--session %1: the collection has no such session; it has %2.</source>
+        <translation>--session %1: eine solche Sitzung hat die Sammlung nicht; sie hat %2.</translation>
+    </message>
+    <message>
+        <source>%1: holding the markers fixed needs an observation that shows three of them as points (two cameras, or a tracker), and there is none; fit with free markers.</source>
+        <translation>%1: um die Marker festzuhalten, braucht es eine Beobachtung, die drei von ihnen als Punkte zeigt (zwei Kameras oder ein Tracker), und es gibt keine; mit freien Markern schätzen.</translation>
+    </message>
+    <message>
+        <source>%1: the angle-axis objective needs observations with three markers or more (%2 of them); use the image objective.</source>
+        <translation>%1: das Ziel angle-axis braucht Beobachtungen mit drei Markern oder mehr (davon %2); das Ziel image nehmen.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>The declared noise, %1 %2, and the noise seen in the measurements, %3 +- %4 %2, differ by more than 3 sigma; check the declaration, or look for wrong %5.</source>
+        <translation>Das angegebene Rauschen, %1 %2, und das in den Messungen gesehene, %3 ± %4 %2, unterscheiden sich um mehr als 3 Sigma; prüfe die Angabe, oder suche nach falschen %5.</translation>
+    </message>
+    <message>
+        <source>The markers stand against each other to %1 %2, as no sensor measures: they are rigid by construction, like a tracker's virtual points, and do not tell the noise.</source>
+        <translation>Die Marker stehen auf %1 %2 genau zueinander, wie kein Sensor misst: sie sind starr gemacht, wie die gedachten Punkte eines Trackers, und sagen das Rauschen nicht.</translation>
+    </message>
+    <message>
+        <source>session "%1" of %2: %3</source>
+        <translation>Sitzung "%1" von %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 marker%2</source>
+        <translation>Marker: %1</translation>
+    </message>
+    <message>
+        <source>its tags are placed to %1 mm</source>
+        <translation>seine Tags sitzen auf %1 mm genau</translation>
+    </message>
+    <message>
+        <source>its points are known to %1 mm</source>
+        <translation>seine Punkte sind auf %1 mm bekannt</translation>
+    </message>
+    <message>
+        <source>Fixture %1 on %2, a %3: %4 touches%5; its place is %6.</source>
+        <translation>Vorrichtung %1 auf %2 (%3): %4 Berührungen%5; ihr Ort ist %6.</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>guessed, part of the fit</source>
+        <translation>geraten, Teil der Schätzung</translation>
+    </message>
+    <message>
+        <source>unknown, part of the fit</source>
+        <translation>unbekannt, Teil der Schätzung</translation>
+    </message>
+    <message>
+        <source>, %1 m each</source>
+        <translation>, je %1 m</translation>
+    </message>
+    <message>
+        <source>known to %1 m</source>
+        <translation>auf %1 m bekannt</translation>
+    </message>
+    <message>
+        <source>Robot %1: %2 links (%3 with mass), %4 moving joints, %5 of them measured; TCP is %6.</source>
+        <translation>Roboter %1: %2 Glieder (%3 mit Masse), %4 bewegliche Gelenke, davon %5 gemessen; TCP ist %6.</translation>
+    </message>
+    <message>
+        <source>%1 on %2, mount %3.</source>
+        <translation>%1 auf %2, Halter %3.</translation>
+    </message>
+    <message>
+        <source>%1 observations: %2 %3, %4 with images, %5 rejected or excluded; %6.</source>
+        <translation>%1 Beobachtungen: %2 %3, %4 mit Bildern, %5 verworfen oder ausgeschlossen; %6.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>show the target</source>
+        <translation>zeigen das Ziel</translation>
+    </message>
+    <message>
+        <source>labelled</source>
+        <translation>markiert</translation>
+    </message>
+    <message>
+        <source>Target: %1; %2.</source>
+        <translation>Ziel: %1; %2.</translation>
+    </message>
+    <message>
+        <source>Declared noise of one coordinate: %1 %2.</source>
+        <translation>Angegebenes Rauschen einer Koordinate: %1 %2.</translation>
+    </message>
+    <message>
+        <source>Observation %1: %2</source>
+        <translation>Beobachtung %1: %2</translation>
+    </message>
+    <message>
+        <source>Observation %1 has an image of one camera only; it is not looked for markers.</source>
+        <translation>Beobachtung %1 hat ein Bild nur einer Kamera; darin wird nicht nach Markern gesucht.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is outside its limits in %2 observations, first in %3.</source>
+        <translation>Gelenk %1 ist in %2 Beobachtungen außerhalb seiner Grenzen, zuerst in %3.</translation>
+    </message>
+    <message>
+        <source>Observation %1: marker %2 lies outside the image.</source>
+        <translation>Beobachtung %1: Marker %2 liegt außerhalb des Bilds.</translation>
+    </message>
+    <message>
+        <source>%1 observations have measured torques.</source>
+        <translation>%1 Beobachtungen haben gemessene Momente.</translation>
+    </message>
+    <message>
+        <source>Joint %1: measured torques (%2 N m rms) differ from gravity's moments by %3 N m rms; check masses, gravity and units.</source>
+        <translation>Gelenk %1: gemessene Momente (%2 N m quadratisches Mittel) weichen von denen der Schwerkraft um %3 N m ab; Massen, Schwerkraft und Einheiten prüfen.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange as the robot's controller tells them: no joints, so that effects of joints are not offered.</source>
+        <translation>Posen des Flansches, wie die Steuerung des Roboters sie sagt: keine Gelenke, so dass Effekte von Gelenken nicht angeboten werden.</translation>
+    </message>
+    <message>
+        <source>The noise is not declared; it is estimated where three markers are seen.</source>
+        <translation>Das Rauschen ist nicht angegeben; es wird geschätzt, wo drei Marker gesehen werden.</translation>
+    </message>
+    <message>
+        <source>A pose sensor</source>
+        <translation>Ein Posensensor</translation>
+    </message>
+    <message>
+        <source>A tracker</source>
+        <translation>Ein Tracker</translation>
+    </message>
+    <message>
+        <source>Two cameras</source>
+        <translation>Zwei Kameras</translation>
+    </message>
+    <message>
+        <source>poses of a target</source>
+        <translation>Posen eines Ziels</translation>
+    </message>
+    <message>
+        <source>the places of its tags are estimated</source>
+        <translation>die Plätze seiner Tags werden geschätzt</translation>
+    </message>
+    <message>
+        <source>its points are estimated</source>
+        <translation>seine Punkte werden geschätzt</translation>
+    </message>
+    <message>
+        <source>its points are held as described</source>
+        <translation>seine Punkte gelten wie beschrieben</translation>
+    </message>
+    <message>
+        <source>Marker %1 does not exist; the session has markers 0 to %2.</source>
+        <translation>Marker %1 gibt es nicht; die Sitzung hat die Marker 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>%1: no joint moves %2 without moving %3; a pull at the hand shows nowhere.</source>
+        <translation>%1: kein Gelenk bewegt %2, ohne %3 zu bewegen; ein Zug an der Hand zeigt sich nirgends.</translation>
+    </message>
+    <message>
+        <source>%1: no used observation shows marker %2 as a point; label it in both images first.</source>
+        <translation>%1: keine benutzte Beobachtung zeigt Marker %2 als Punkt; ihn zuerst in beiden Bildern markieren.</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>are</source>
+        <translation>sind</translation>
+    </message>
+    <message>
+        <source>Between camera and hand %1 can move, but the session has no angles of it: it is taken to stand at 0. Add it to the joints, or fix it in the robot's file.</source>
+        <translation>Zwischen Kamera und Hand kann sich %1 bewegen, aber die Sitzung hat keine Winkel davon: es gilt als auf 0 stehend. Zu den Gelenken nehmen oder in der Datei des Roboters festsetzen.</translation>
+    </message>
+    <message>
+        <source>: are width and height of the cameras swapped?</source>
+        <translation>: sind Breite und Höhe der Kameras vertauscht?</translation>
+    </message>
+    <message>
+        <source>; look whether they are px of these cameras, and relabel or exclude them.</source>
+        <translation>; nachsehen, ob es px dieser Kameras sind, und sie neu markieren oder ausschließen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing says where the fixture %2 is, and %3 touch%4 of it do not tell; touch it more often, or say where it is about.</source>
+        <translation>%1: nichts sagt, wo die Vorrichtung %2 ist, und %3 Berührung%4 sagt es nicht; sie öfter berühren oder sagen, wo sie ungefähr ist.</translation>
+    </message>
+    <message>
+        <source>es</source>
+        <translation>en</translation>
+    </message>
+    <message>
+        <source>; observation %1 would tell most if labelled</source>
+        <translation>; am meisten sagte Beobachtung %1, wenn sie markiert wäre</translation>
+    </message>
+    <message>
+        <source>excluded by the user: %1</source>
+        <translation>vom Benutzer ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>%1: a fit can bear %2 points, and the target has %3; use one with fewer squares or tags, or name fewer ids.</source>
+        <translation>%1: eine Schätzung verträgt %2 Punkte, und das Ziel hat %3; eines mit weniger Feldern oder Tags nehmen oder weniger ids nennen.</translation>
+    </message>
+    <message>
+        <source>%1: &lt;apart&gt; names %2 and %3, which stand on different links; their distance is not one number.</source>
+        <translation>%1: &lt;apart&gt; nennt %2 und %3, die auf verschiedenen Gliedern stehen; ihr Abstand ist nicht eine Zahl.</translation>
+    </message>
+    <message>
+        <source>The sensor rides on the hand: what is told is where link %1 is.</source>
+        <translation>Der Sensor fährt auf der Hand mit: gesagt wird, wo das Glied %1 ist.</translation>
+    </message>
+    <message>
+        <source>Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and sigma leaves it out.</source>
+        <translation>Weniger als drei Beobachtungen zeigen drei Marker: wie der wirkliche TCP um das Modell streut, ist nicht bekannt, und Sigma lässt es aus.</translation>
+    </message>
+    <message>
+        <source>%1: the image has %2 x %3 px, the first of camera %4 has %5 x %6; expected images of one size.</source>
+        <translation>%1: das Bild hat %2 x %3 px, das erste der Kamera %4 hat %5 x %6; erwartet werden Bilder einer Größe.</translation>
+    </message>
+    <message>
+        <source>Only %1 poses of the target; 10 to 20 from different sides are better.</source>
+        <translation>Nur %1 Posen des Ziels; 10 bis 20 von verschiedenen Seiten sind besser.</translation>
+    </message>
+    <message>
+        <source>The target is turned by at most %1 degrees from pose to pose: focal length and distance can hardly be told apart; tilt it by 30 degrees and more, to all sides.</source>
+        <translation>Das Ziel ist von Pose zu Pose um höchstens %1 Grad gedreht: Brennweite und Abstand lassen sich kaum trennen; um 30 Grad und mehr neigen, nach allen Seiten.</translation>
+    </message>
+    <message>
+        <source>Camera %1: the points lie in %2 of %3 parts of the image; the distortion elsewhere is guessed. Bring the target into the corners too.</source>
+        <translation>Kamera %1: die Punkte liegen in %2 von %3 Teilen des Bilds; die Verzeichnung anderswo ist geraten. Das Ziel auch in die Ecken bringen.</translation>
+    </message>
+    <message>
+        <source>Camera %1: these poses do not determine all of its numbers; take images from more sides.</source>
+        <translation>Kamera %1: diese Posen bestimmen nicht alle ihre Zahlen; Bilder von mehr Seiten aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Camera %1: the focal length is known to %2 px only (%3 %); tilt the target more.</source>
+        <translation>Kamera %1: die Brennweite ist nur auf %2 px bekannt (%3 %); das Ziel stärker neigen.</translation>
+    </message>
+    <message>
+        <source>There is no lens model "%1".</source>
+        <translation>Ein Linsenmodell "%1" gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>its least squares do not come to an end with the target's shape in them</source>
+        <translation>ihre kleinsten Quadrate kommen mit der Form des Ziels darin zu keinem Ende</translation>
+    </message>
+    <message>
+        <source>%1 over %2 along %3 (curvatures in 1/m: %4 along x, %5 along y%6)</source>
+        <translation>%1 auf %2 entlang %3 (Krümmungen in 1/m: %4 entlang x, %5 entlang y%6)</translation>
+    </message>
+    <message>
+        <source>, %1 askew</source>
+        <translation>, %1 schräg</translation>
+    </message>
+    <message>
+        <source>The tags stand as spacing=%1 has them (gaps of %2 between tags of %3), not spacing=%4 as described; with that the points are %5 off.</source>
+        <translation>Die Tags stehen so, wie spacing=%1 es sagt (Lücken von %2 zwischen Tags von %3), nicht spacing=%4 wie beschrieben; damit liegen die Punkte um %5 daneben.</translation>
+    </message>
+    <message>
+        <source>Beside its rows its columns stand %1 % %2 than described, as printers do it that feed paper unevenly.</source>
+        <translation>Gegen die Zeilen stehen die Spalten um %1 % %2 als beschrieben, wie bei Druckern, die Papier ungleichmäßig einziehen.</translation>
+    </message>
+    <message>
+        <source>farther apart</source>
+        <translation>weiter auseinander</translation>
+    </message>
+    <message>
+        <source>closer together</source>
+        <translation>enger beisammen</translation>
+    </message>
+    <message>
+        <source>The board is as described as far as these images tell: bent by less than %1.</source>
+        <translation>Das Brett ist wie beschrieben, soweit diese Bilder es sagen: um weniger als %1 gebogen.</translation>
+    </message>
+    <message>
+        <source>The board is not flat: it is bent by %1.</source>
+        <translation>Das Brett ist nicht eben: es ist um %1 gebogen.</translation>
+    </message>
+    <message>
+        <source>Its points lie %1 from where they are described (rms), one of them %2%3.</source>
+        <translation>Seine Punkte liegen %1 von dort, wo sie beschrieben sind (quadratisches Mittel), einer davon %2%3.</translation>
+    </message>
+    <message>
+        <source>: they were estimated with the cameras</source>
+        <translation>: sie wurden mit den Kameras geschätzt</translation>
+    </message>
+    <message>
+        <source>That is more than sigma=%1 m allows; say sigma=free, or look at what the target is.</source>
+        <translation>Das ist mehr, als sigma=%1 m erlaubt; sigma=free angeben oder nachsehen, was das Ziel ist.</translation>
+    </message>
+    <message>
+        <source>How large it is images cannot tell: it is known to the %1 of its description alone.</source>
+        <translation>Wie groß es ist, können Bilder nicht sagen: bekannt ist es nur auf die %1 seiner Beschreibung.</translation>
+    </message>
+    <message>
+        <source>How large it is images cannot tell: its size as a whole is taken as described, and so are all lengths.</source>
+        <translation>Wie groß es ist, können Bilder nicht sagen: seine Größe im Ganzen gilt als die beschriebene, und so alle Längen.</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be read: %2.</source>
+        <translation>%1: der Ordner lässt sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>camera %1: %2 images, %3 to %4</source>
+        <translation>Kamera %1: %2 Bilder, %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1: there is no such image or folder.</source>
+        <translation>%1: ein solches Bild oder einen solchen Ordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Images of %1 observations cannot be read, first: %2</source>
+        <translation>Bilder von %1 Beobachtungen lassen sich nicht lesen, zuerst: %2</translation>
+    </message>
+    <message>
+        <source>it has no image</source>
+        <translation>es hat kein Bild</translation>
+    </message>
+    <message>
+        <source>The board's lengths</source>
+        <translation>Die Längen des Bretts</translation>
+    </message>
+    <message>
+        <source>The distances of the cameras</source>
+        <translation>Die Abstände der Kameras</translation>
+    </message>
+    <message>
+        <source>The places of the target</source>
+        <translation>Die Orte des Ziels</translation>
+    </message>
+    <message>
+        <source>The tracker's points</source>
+        <translation>Die Punkte des Trackers</translation>
+    </message>
+    <message>
+        <source>the lengths in &lt;target&gt;</source>
+        <translation>die Längen in &lt;target&gt;</translation>
+    </message>
+    <message>
+        <source>the distances between the cameras</source>
+        <translation>die Abstände zwischen den Kameras</translation>
+    </message>
+    <message>
+        <source>the xyz of every &lt;target_pose&gt;</source>
+        <translation>das xyz jeder &lt;target_pose&gt;</translation>
+    </message>
+    <message>
+        <source>every point</source>
+        <translation>jeden Punkt</translation>
+    </message>
+    <message>
+        <source>the target's poses</source>
+        <translation>den Posen des Ziels</translation>
+    </message>
+    <message>
+        <source>the flange's poses</source>
+        <translation>den Posen des Flansches</translation>
+    </message>
+    <message>
+        <source>all poses</source>
+        <translation>allen Posen</translation>
+    </message>
+    <message>
+        <source>quaternions with w last</source>
+        <translation>Quaternionen mit w zuletzt</translation>
+    </message>
+    <message>
+        <source>quaternions with w first</source>
+        <translation>Quaternionen mit w zuerst</translation>
+    </message>
+    <message>
+        <source>matrices</source>
+        <translation>Matrizen</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>a target</source>
+        <translation>ein Ziel</translation>
+    </message>
+    <message>
+        <source>a board</source>
+        <translation>ein Brett</translation>
+    </message>
+    <message>
+        <source>a body of tags</source>
+        <translation>ein Körper von Tags</translation>
+    </message>
+    <message>
+        <source>a tag</source>
+        <translation>ein Tag</translation>
+    </message>
+    <message>
+        <source>both cameras</source>
+        <translation>beide Kameras</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>die Kamera</translation>
+    </message>
+    <message>
+        <source>two of the cameras</source>
+        <translation>zwei der Kameras</translation>
+    </message>
+    <message>
+        <source>The file does not say how the errors of TCP-&gt;Body and of the effects go together (&lt;model_covariance&gt;): sigma takes them as independent and is too large.</source>
+        <translation>Die Datei sagt nicht, wie die Fehler von TCP-&gt;Körper und die der Effekte zusammenhängen (&lt;model_covariance&gt;): Sigma nimmt sie als unabhängig und ist zu groß.</translation>
+    </message>
+    <message>
+        <source>slips</source>
+        <translation>Verrutschen</translation>
+    </message>
+    <message>
+        <source>drifts</source>
+        <translation>Wandern</translation>
+    </message>
+    <message>
+        <source>One camera</source>
+        <translation>Eine Kamera</translation>
+    </message>
+    <message>
+        <source>Three cameras</source>
+        <translation>Drei Kameras</translation>
+    </message>
+    <message>
+        <source>Four cameras</source>
+        <translation>Vier Kameras</translation>
+    </message>
+    <message>
+        <source>Five cameras</source>
+        <translation>Fünf Kameras</translation>
+    </message>
+    <message>
+        <source>Six cameras</source>
+        <translation>Sechs Kameras</translation>
+    </message>
+    <message>
+        <source>Seven cameras</source>
+        <translation>Sieben Kameras</translation>
+    </message>
+    <message>
+        <source>Eight cameras</source>
+        <translation>Acht Kameras</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>the rotation</source>
+        <translation>die Drehung</translation>
+    </message>
+    <message>
+        <source>chessboard, charuco, circles, aprilgrid, grid or tags</source>
+        <translation>chessboard, charuco, circles, aprilgrid, grid oder tags</translation>
+    </message>
+    <message>
+        <source>; a</source>
+        <translation>; ein</translation>
+    </message>
+    <message>
+        <source>; the sensor's mount and the body can move together</source>
+        <translation>; der Halter des Sensors und der Körper können sich zusammen bewegen</translation>
+    </message>
+    <message>
+        <source>N m/rad</source>
+        <translation>N m/rad</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -7531,10 +8967,6 @@
     <message>
         <source>has %1 numbers, expected one for each of the %2 &lt;joints&gt; in every pose.</source>
         <translation>hat %1 Zahlen, erwartet eine für jedes der %2 &lt;joints&gt; in jeder Pose.</translation>
-    </message>
-    <message>
-        <source>%1, line %2: &lt;%3&gt; %4</source>
-        <translation>%1, Zeile %2: &lt;%3&gt; %4</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
@@ -7565,56 +8997,8 @@
         <translation>ist länger als 1 GiB</translation>
     </message>
     <message>
-        <source>is write protected and is as it was; name another file.</source>
-        <translation>ist schreibgeschützt und ist, wie sie war; nenne eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>is a device or a pipe and is not read; expected a regular file.</source>
-        <translation>ist ein Gerät oder eine Pipe und wird nicht gelesen; erwartet wird eine gewöhnliche Datei.</translation>
-    </message>
-    <message>
-        <source>is a device or a pipe and is not written over; name a file, or - for standard output where an option takes it.</source>
-        <translation>ist ein Gerät oder eine Pipe und wird nicht überschrieben; nenne eine Datei.</translation>
-    </message>
-    <message>
-        <source>another program has changed the file since it was read; it is as that program left it. Run the command again on what it holds now.</source>
-        <translation>ein anderes Programm hat die Datei geändert, seit sie gelesen wurde; sie ist, wie jenes sie hinterließ. Versuche es noch einmal mit dem, was jetzt darin steht.</translation>
-    </message>
-    <message>
-        <source>no folder can be made in it: %1.</source>
-        <translation>darin lässt sich kein Ordner anlegen: %1.</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read (%1).</source>
-        <translation>der Ordner lässt sich nicht lesen (%1).</translation>
-    </message>
-    <message>
-        <source>the folder cannot be made (%1).</source>
-        <translation>der Ordner lässt sich nicht anlegen (%1).</translation>
-    </message>
-    <message>
-        <source>there is no such file or folder, expected a session's folder or its session.xml.</source>
-        <translation>eine solche Datei gibt es nicht; erwartet wird der Ordner einer Sitzung oder ihre session.xml.</translation>
-    </message>
-    <message>
         <source>A collection of several sessions is not written as one; change and save its sessions one by one.</source>
         <translation>Eine Sammlung mehrerer Sitzungen wird nicht als eine geschrieben; ändern und speichern Sie ihre Sitzungen einzeln.</translation>
-    </message>
-    <message>
-        <source>the folder holds a collection of several sessions, expected one session's folder; open one of them here, or give the collection to handsight-cli fit or improve.</source>
-        <translation>der Ordner enthält eine Sammlung mehrerer Sitzungen; erwartet wird der Ordner einer einzelnen Sitzung. Öffnen Sie hier eine davon, oder geben Sie die Sammlung handsight-cli fit oder improve.</translation>
-    </message>
-    <message>
-        <source>the folder holds no session.xml, expected a session's folder.</source>
-        <translation>der Ordner enthält keine session.xml; erwartet wird der Ordner einer Sitzung.</translation>
-    </message>
-    <message>
-        <source>belongs to the session and is not written over; name another file.</source>
-        <translation>gehört zur Sitzung und wird nicht überschrieben; nenne eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>there is a session already; take another folder.</source>
-        <translation>dort ist schon eine Sitzung; nimm einen anderen Ordner.</translation>
     </message>
     <message>
         <source>the file holds bytes that are not UTF-8, expected XML saved as UTF-8.</source>
@@ -7711,10 +9095,6 @@
     <message>
         <source>%1, expected a positive number.</source>
         <translation>%1; erwartet wird eine positive Zahl.</translation>
-    </message>
-    <message>
-        <source>%1, expected %2.</source>
-        <translation>%1; erwartet wird %2.</translation>
     </message>
     <message>
         <source>%1, expected one of: %2.</source>
@@ -7849,10 +9229,6 @@
         <translation>ist vom Typ %1, der mehrere Koordinaten hat und nicht geht; erwartet wird fixed, revolute, continuous oder prismatic.</translation>
     </message>
     <message>
-        <source>is of xacro, expected a URDF: expand it first with `xacro %1 &gt; expanded.urdf` %2 and name expanded.urdf.</source>
-        <translation>gehört zu xacro; erwartet wird eine URDF: entfalte sie zuerst mit `xacro %1 &gt; expanded.urdf` und nenne expanded.urdf.</translation>
-    </message>
-    <message>
         <source>has both quaternion and rpy, expected one of the two.</source>
         <translation>hat quaternion und rpy; erwartet wird eines von beiden.</translation>
     </message>
@@ -7877,10 +9253,6 @@
         <translation>hat kein &lt;observations&gt;, also keine Beobachtung; erwartet wird mindestens eine.</translation>
     </message>
     <message>
-        <source>names %1, %2, expected joints of the robot that move by themselves.</source>
-        <translation>nennt %1, %2; erwartet werden Gelenke des Roboters, die sich von selbst bewegen.</translation>
-    </message>
-    <message>
         <source>which the robot does not have</source>
         <translation>das der Roboter nicht hat</translation>
     </message>
@@ -7895,14 +9267,6 @@
     <message>
         <source>%1=%2 is no link of the robot, expected the name of a link in %3.</source>
         <translation>%1=%2 ist kein Glied des Roboters; erwartet wird der Name eines Gliedes in %3.</translation>
-    </message>
-    <message>
-        <source>has file=%1, which is not there, expected a URDF file, its path relative to the session's folder.</source>
-        <translation>hat file=%1, und die ist nicht da; erwartet wird eine URDF, ihr Pfad vom Ordner der Sitzung aus.</translation>
-    </message>
-    <message>
-        <source>has file=%1, which leads out of the session's folder, expected a URDF file inside it, in a folder "robots" beside or above it, or in one that the environment variable %2 names.</source>
-        <translation>hat file=%1, und das führt aus dem Ordner der Sitzung hinaus; erwartet wird eine URDF darin, in einem Ordner "robots" daneben oder darüber, oder in einem, den die Umgebungsvariable %2 nennt.</translation>
     </message>
     <message>
         <source>names joint %1 a second time, expected each joint once.</source>
@@ -7931,30 +9295,6 @@
     <message>
         <source>has no translation, expected the two cameras apart: without a baseline there is no depth.</source>
         <translation>hat keine Verschiebung; erwartet werden zwei Kameras mit Abstand: ohne Basis keine Tiefe.</translation>
-    </message>
-    <message>
-        <source>has %1 columns and no header, the robot %2 joints that move by themselves: %3. Write a first line with the columns' names.</source>
-        <translation>hat %1 Spalten und keine Überschrift, der Roboter %2 Gelenke, die sich von selbst bewegen: %3. Schreib eine erste Zeile mit den Namen der Spalten.</translation>
-    </message>
-    <message>
-        <source>no column has the name of a joint of the robot, which has: %1.</source>
-        <translation>keine Spalte hat den Namen eines Gelenks des Roboters; er hat: %1.</translation>
-    </message>
-    <message>
-        <source>%1 columns are no joints of the robot and are left out.</source>
-        <translation>%1 Spalten sind keine Gelenke des Roboters und bleiben weg.</translation>
-    </message>
-    <message>
-        <source>joint %1 stands at %2, which in rad is %3 turns: these are degrees. Say --degrees, or write the unit into the header: "%4".</source>
-        <translation>Gelenk %1 steht bei %2, das wären in rad %3 Umdrehungen: es sind Grad. Schreib die Einheit in die Überschrift: "%4".</translation>
-    </message>
-    <message>
-        <source>%1 and %2 have the same number; one image an instant and side is wanted.</source>
-        <translation>%1 und %2 haben dieselbe Nummer; gebraucht wird ein Bild je Zeitpunkt und Seite.</translation>
-    </message>
-    <message>
-        <source>has no %1images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).</source>
-        <translation>enthält keine %1Bilder mit einer Nummer im Namen (PNG, JPEG, PGM, BMP oder TIFF).</translation>
     </message>
     <message>
         <source>There are %1 %2 for %3 %4; each instant needs one of each, in the same order.</source>
@@ -7993,14 +9333,6 @@
         <translation>Eine Sitzung braucht mindestens eine Beobachtung; es ist keine Stellung da.</translation>
     </message>
     <message>
-        <source>has no link %1.</source>
-        <translation>hat kein Glied %1.</translation>
-    </message>
-    <message>
-        <source>is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): %1; name the stereo calibration.</source>
-        <translation>ist keine Datei, die OpenCVs FileStorage geschrieben hat (YAML, XML oder JSON): %1; nenne die Stereokalibrierung.</translation>
-    </message>
-    <message>
         <source>it has no entries with names</source>
         <translation>sie hat keine Einträge mit Namen</translation>
     </message>
@@ -8025,30 +9357,6 @@
         <translation>sie enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
-        <source>%1 is no matrix of finite numbers: %2; expected what OpenCV's stereoCalibrate writes.</source>
-        <translation>%1 ist keine Matrix endlicher Zahlen: %2; erwartet wird, was OpenCVs stereoCalibrate schreibt.</translation>
-    </message>
-    <message>
-        <source>the %1 camera matrix is %2 x %3; expected 3 x 3 with positive focal lengths.</source>
-        <translation>die Matrix der Kamera (%1) ist %2 x %3; erwartet wird 3 x 3 mit positiven Brennweiten.</translation>
-    </message>
-    <message>
-        <source>the %1 camera has a focal length of %2 px; expected one from %3 to %4.</source>
-        <translation>die Kamera (%1) hat eine Brennweite von %2 px; erwartet wird eine von %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>has a focal length of %1 px; expected one from %2 to %3.</source>
-        <translation>hat eine Brennweite von %1 px; erwartet wird eine von %2 bis %3.</translation>
-    </message>
-    <message>
-        <source>R is no rotation (its columns are not of length 1 and square to each other).</source>
-        <translation>R ist keine Drehung (ihre Spalten sind nicht von Länge 1 und senkrecht zueinander).</translation>
-    </message>
-    <message>
-        <source>has no %1; name the file of OpenCV's stereoCalibrate that has it too.</source>
-        <translation>hat keine %1; nenne auch die Datei von OpenCVs stereoCalibrate, in der sie steht.</translation>
-    </message>
-    <message>
         <source>left camera matrix (M1, K1 or cameraMatrix1)</source>
         <translation>linke Kameramatrix (M1, K1 oder cameraMatrix1)</translation>
     </message>
@@ -8057,28 +9365,12 @@
         <translation>rechte Kameramatrix (M2, K2 oder cameraMatrix2)</translation>
     </message>
     <message>
-        <source>does not say how large the images are; expected image_width and image_height.</source>
-        <translation>sagt nicht, wie groß die Bilder sind; erwartet werden image_width und image_height.</translation>
-    </message>
-    <message>
         <source>The images are %1 x %2 px, the calibration of the %3 camera is of %4 x %5 px: name the calibration of these images, or images of this size.</source>
         <translation>Die Bilder haben %1 x %2 px, die Kalibrierung der Kamera (%3) ist von %4 x %5 px: nenne die Kalibrierung dieser Bilder oder Bilder dieser Größe.</translation>
     </message>
     <message>
-        <source>the image is cut off after %1 bytes; copy it again from where it came.</source>
-        <translation>das Bild bricht nach %1 Bytes ab; kopiere es noch einmal von dort, wo es herkam.</translation>
-    </message>
-    <message>
-        <source>the image says that it has %1 x %2 pixels; at most %3 million are read.</source>
-        <translation>das Bild sagt, es habe %1 x %2 Pixel; höchstens %3 Millionen werden gelesen.</translation>
-    </message>
-    <message>
         <source>%1 is %2 x %3, the camera says %4 x %5; use the images that the camera was calibrated with.</source>
         <translation>%1 ist %2 x %3, die Kamera sagt %4 x %5; nimm die Bilder, mit denen die Kamera kalibriert wurde.</translation>
-    </message>
-    <message>
-        <source>is no YAML: %1; expected `name: value` lines.</source>
-        <translation>ist kein YAML: %1; erwartet werden Zeilen `name: wert`.</translation>
     </message>
     <message>
         <source>The calibration cannot be written: %1 is not finite; the observations do not determine it. Look at the session with check and diagnose.</source>
@@ -8103,14 +9395,6 @@
     <message>
         <source>a grid of circles needs at least 6 of them, for example columns="4" rows="11".</source>
         <translation>ein Gitter aus Kreisen braucht mindestens 6, zum Beispiel columns="4" rows="11".</translation>
-    </message>
-    <message>
-        <source>diameter is %1 m; expected more than 0 and less than the %2 m between two circles, so that they do not touch.</source>
-        <translation>diameter ist %1 m; erwartet ist mehr als 0 und weniger als die %2 m zwischen zwei Kreisen, damit sie sich nicht berühren.</translation>
-    </message>
-    <message>
-        <source>describes a grid of circles, without their diameter, which is needed; expected it in words: --target circles columns=%1 rows=%2 spacing=%3 diameter=METRES layout=%4.</source>
-        <translation>beschreibt ein Gitter aus Kreisen ohne deren Durchmesser, der nötig ist; erwartet ist es in Worten: --target circles columns=%1 rows=%2 spacing=%3 diameter=METER layout=%4.</translation>
     </message>
     <message>
         <source>a chessboard needs at least 6 inner corners, for example columns="3" rows="2".</source>
@@ -8141,26 +9425,6 @@
         <translation>es hat %1 Punkte; erwartet werden höchstens %2.</translation>
     </message>
     <message>
-        <source>none of the %1 observations has a labelled marker that may be used; label one first (handsight-cli label).</source>
-        <translation>in keiner der %1 Beobachtungen ist ein Marker markiert, der benutzt werden darf; markiere erst einen.</translation>
-    </message>
-    <message>
-        <source>no used observation shows marker %1 as a point; label it in both images first.</source>
-        <translation>keine benutzte Beobachtung zeigt Marker %1 als Punkt; markiere ihn erst in beiden Bildern.</translation>
-    </message>
-    <message>
-        <source>nothing is known of the mount, and no marker is seen by two cameras, so that no start can be found; give %1 an xyz and rpy.</source>
-        <translation>vom Kamerasitz ist nichts bekannt, und kein Marker wird von zwei Kameras gesehen, so dass sich kein Anfang findet; gib %1 ein xyz und rpy.</translation>
-    </message>
-    <message>
-        <source>the %1 objective cannot estimate %2; use the image objective.</source>
-        <translation>die Zielfunktion %1 kann %2 nicht schätzen; nimm die der Bilder.</translation>
-    </message>
-    <message>
-        <source>the target is found in none of the %1 observations that may be used; look at an image and at what &lt;target&gt; says of it.</source>
-        <translation>das Ziel findet sich in keiner der %1 Beobachtungen, die benutzt werden dürfen; sieh dir ein Bild an und was &lt;target&gt; davon sagt.</translation>
-    </message>
-    <message>
         <source>the header names %1 twice, expected each column once.</source>
         <translation>die Überschrift nennt %1 zweimal; erwartet wird jede Spalte einmal.</translation>
     </message>
@@ -8185,20 +9449,12 @@
         <translation>in der Datei ist keine Stellung; erwartet wird für jede eine Zeile mit Gelenkwinkeln.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>one finite number</source>
         <translation>eine endliche Zahl</translation>
     </message>
     <message>
         <source>a positive number</source>
         <translation>eine positive Zahl</translation>
-    </message>
-    <message>
-        <source>the image has %1 x %2 px, the first of camera %3 has %4 x %5; expected images of one size.</source>
-        <translation>das Bild hat %1 x %2 px, das erste der Kamera %3 hat %4 x %5; erwartet werden Bilder einer Größe.</translation>
     </message>
     <message>
         <source>The images of camera %1 are %2 x %3 px, and camera %4 of the session has %5 x %6: they are another camera's, or were scaled; name images of the session's cameras.</source>
@@ -8237,48 +9493,12 @@
         <translation>%1 und %2: beide sind nach ihren Namen Zeitpunkt %3 der Kamera %4; nenne Dateien so, dass sich nur die Nummer des Zeitpunkts ändert, oder gib jeder Kamera einen Ordner.</translation>
     </message>
     <message>
-        <source>there is no such image or folder.</source>
-        <translation>ein solches Bild oder einen solchen Ordner gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read: %1.</source>
-        <translation>der Ordner lässt sich nicht lesen: %1.</translation>
-    </message>
-    <message>
         <source>No images were found; expected folders or files of PNG, JPEG, TIFF, PGM or BMP.</source>
         <translation>Es wurden keine Bilder gefunden; erwartet werden Ordner oder Dateien in PNG, JPEG, TIFF, PGM oder BMP.</translation>
     </message>
     <message>
         <source>The names of the images speak of %1 cameras (%2, %3, ...); expected at most %4.</source>
         <translation>Die Namen der Bilder sprechen von %1 Kameras (%2, %3, ...); erwartet werden höchstens %4.</translation>
-    </message>
-    <message>
-        <source>the %1 camera matrix holds %2; expected at most %3 px.</source>
-        <translation>die Kameramatrix %1 enthält %2; erwartet werden höchstens %3 px.</translation>
-    </message>
-    <message>
-        <source>the %1 camera has %2 distortion terms (rational, thin prism or tilted); calibrate it with five (k1 k2 p1 p2 k3).</source>
-        <translation>die Kamera %1 hat %2 Verzeichnungsterme (rational, dünnes Prisma oder gekippt); kalibriere sie mit fünf (k1 k2 p1 p2 k3).</translation>
-    </message>
-    <message>
-        <source>R is %1 x %2; expected a 3 x 3 rotation or a rotation vector.</source>
-        <translation>R ist %1 x %2; erwartet wird eine Drehmatrix 3 x 3 oder ein Drehvektor.</translation>
-    </message>
-    <message>
-        <source>the %1 camera has %2 distortion terms; expected %3.</source>
-        <translation>die Kamera %1 hat %2 Verzeichnungsterme; erwartet werden %3.</translation>
-    </message>
-    <message>
-        <source>has no R%1 and T%2 of camera %3; name the file that says where it is to the first.</source>
-        <translation>hat kein R%1 und T%2 der Kamera %3; nenne die Datei, die sagt, wo sie zur ersten liegt.</translation>
-    </message>
-    <message>
-        <source>images of the encoding %1 cannot be read; publish mono8, mono16, rgb8 or bgr8 (image_proc makes them of Bayer patterns).</source>
-        <translation>Bilder der Kodierung %1 lassen sich nicht lesen; veröffentliche mono8, mono16, rgb8 oder bgr8 (image_proc macht sie aus Bayer-Mustern).</translation>
-    </message>
-    <message>
-        <source>its rows are shorter than its width.</source>
-        <translation>die Zeilen sind kürzer als die Breite.</translation>
     </message>
     <message>
         <source>is a session already, use it as it is</source>
@@ -8299,10 +9519,6 @@
     <message>
         <source>is a table whose columns are neither joints of the robot nor places (x y z); write a header</source>
         <translation>ist eine Tabelle, deren Spalten weder Gelenke des Roboters noch Orte (x y z) sind; schreibe eine Kopfzeile</translation>
-    </message>
-    <message>
-        <source>is not there; name a file or folder.</source>
-        <translation>ist nicht da; nenne eine Datei oder einen Ordner.</translation>
     </message>
     <message>
         <source>holds a session already, use it as it is</source>
@@ -8365,38 +9581,6 @@
         <translation>eine Camchain von Kalibr</translation>
     </message>
     <message>
-        <source>a ROS 2 bag</source>
-        <translation>ein ROS-2-Bag</translation>
-    </message>
-    <message>
-        <source>is a second robot; name one URDF, with --robot or among the files.</source>
-        <translation>ist ein zweiter Roboter; nenne eine URDF, mit --robot oder unter den Dateien.</translation>
-    </message>
-    <message>
-        <source>has no %1 of %2 finite numbers; expected a calibration that is whole.</source>
-        <translation>hat kein %1 aus %2 endlichen Zahlen; erwartet wird eine vollständige Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or name a file that has one.</source>
-        <translation>die Matrix der Kamera enthält Nullen: der Treiber veröffentlicht keine Kalibrierung; kalibriere sie, oder nenne eine Datei, die eine hat.</translation>
-    </message>
-    <message>
-        <source>holds %1, no place in an image.</source>
-        <translation>enthält %1, keinen Ort in einem Bild.</translation>
-    </message>
-    <message>
-        <source>holds %1, no lens bends so.</source>
-        <translation>enthält %1, so biegt keine Linse.</translation>
-    </message>
-    <message>
-        <source>the lens is of the model %1, which sessions do not have; calibrate with plumb_bob (k1 k2 p1 p2 k3), rational_polynomial or equidistant.</source>
-        <translation>die Linse hat das Modell %1, das Sitzungen nicht haben; kalibriere mit plumb_bob (k1 k2 p1 p2 k3), rational_polynomial oder equidistant.</translation>
-    </message>
-    <message>
-        <source>the lens has %1 distortion terms; calibrate it with %2.</source>
-        <translation>die Linse hat %1 Verzeichnungsterme; kalibriere sie mit %2.</translation>
-    </message>
-    <message>
         <source>the four of a fisheye</source>
         <translation>den vier eines Fischauges</translation>
     </message>
@@ -8409,24 +9593,12 @@
         <translation>fünf (k1 k2 p1 p2 k3)</translation>
     </message>
     <message>
-        <source>a camera is of the model %1, which sessions do not have; calibrate it as pinhole-radtan.</source>
-        <translation>eine Kamera hat das Modell %1, das Sitzungen nicht haben; kalibriere sie als pinhole-radtan.</translation>
-    </message>
-    <message>
         <source>%1 and %2: neither names the distance of the cameras (projection_matrix[3] is 0); calibrate them as a stereo pair, or name OpenCV's or Kalibr's stereo file too.</source>
         <translation>%1 und %2: keine nennt den Abstand der Kameras (projection_matrix[3] ist 0); kalibriere sie als Stereopaar, oder nenne auch die Stereodatei von OpenCV oder Kalibr.</translation>
     </message>
     <message>
-        <source>T_cn_cnm1 holds no rotation; expected the motion from the camera before.</source>
-        <translation>T_cn_cnm1 enthält keine Drehung; erwartet wird die Bewegung von der Kamera davor.</translation>
-    </message>
-    <message>
         <source>The images are %1 x %2 px and the calibration of the %3 camera is of %4 x %5 px, its centre at %6, %7: the images were turned by a quarter after it was calibrated; turn them back.</source>
         <translation>Die Bilder sind %1 x %2 px, und die Kalibrierung der Kamera %3 ist von %4 x %5 px, ihre Mitte bei %6, %7: die Bilder wurden danach um ein Viertel gedreht; drehe sie zurück.</translation>
-    </message>
-    <message>
-        <source>%1; the bag is damaged, or the message is of another type than it says.</source>
-        <translation>%1; das Bag ist beschädigt, oder die Nachricht ist von anderer Art, als sie sagt.</translation>
     </message>
     <message>
         <source>it is not plain CDR</source>
@@ -8487,14 +9659,6 @@
     <message>
         <source>The sessions %1 and %2 would be the same; each needs a --tcp, a --camera, a --target-frame or a --target of its own, or files with its --title in their names.</source>
         <translation>Die Sitzungen %1 und %2 wären dieselbe; jede braucht ein eigenes --tcp, --camera, --target-frame oder --target, oder Dateien mit ihrem --title im Namen.</translation>
-    </message>
-    <message>
-        <source>there is a %1 already; take another folder.</source>
-        <translation>dort ist schon eine %1; nimm einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>is there already; take another folder, or another title.</source>
-        <translation>ist schon da; nimm einen anderen Ordner oder einen anderen Titel.</translation>
     </message>
     <message>
         <source>The sessions have different hands, and no robot is known that both are of; name its URDF with --robot.</source>
@@ -8589,36 +9753,8 @@
         <translation>Die Lage des Ziels zählt ganz, Ort und Drehung.</translation>
     </message>
     <message>
-        <source>angles of up to %1 can only be degrees; they are read so.</source>
-        <translation>Winkel bis %1 können nur Grad sein; so werden sie gelesen.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 rows hold no whole pose (nan or empty); there nothing was measured.</source>
-        <translation>%1 von %2 Zeilen haben keine ganze Pose (nan oder leer); dort wurde nichts gemessen.</translation>
-    </message>
-    <message>
         <source>%1 rows repeat another one in both tables; each counts once.</source>
         <translation>%1 Zeilen wiederholen in beiden Tabellen eine andere; jede zählt einmal.</translation>
-    </message>
-    <message>
-        <source>Poses of the flange and of the target are paired by their numbers.</source>
-        <translation>Posen des Flansches und des Ziels sind nach ihren Nummern gepaart.</translation>
-    </message>
-    <message>
-        <source>Poses of the flange and the images are paired by the images' names.</source>
-        <translation>Posen des Flansches und die Bilder sind nach den Namen der Bilder gepaart.</translation>
-    </message>
-    <message>
-        <source>Poses of the flange and the images are paired by their numbers.</source>
-        <translation>Posen des Flansches und die Bilder sind nach ihren Nummern gepaart.</translation>
-    </message>
-    <message>
-        <source>Poses of the flange and of the target are paired by their times.</source>
-        <translation>Posen des Flansches und des Ziels sind nach ihren Zeiten gepaart.</translation>
-    </message>
-    <message>
-        <source>Poses of the flange and of the target are paired by the names of their images.</source>
-        <translation>Posen des Flansches und des Ziels sind nach den Namen ihrer Bilder gepaart.</translation>
     </message>
     <message>
         <source>The clocks of the two tables do not agree; their poses are paired row by row.</source>
@@ -8637,16 +9773,8 @@
         <translation>Es gibt %1 Tabellen von Posen (%2); erwartet werden die des Flansches und die des Ziels.</translation>
     </message>
     <message>
-        <source>holds the only poses that are here%1; name those of the other (of the flange, of the target) too, or a folder of images of a board.</source>
-        <translation>hat die einzigen Posen hier%1; nenne auch die der anderen (des Flansches, des Ziels) oder einen Ordner mit Bildern einer Tafel.</translation>
-    </message>
-    <message>
         <source>The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); see what fit says.</source>
         <translation>Die Bewegungen des Flansches und des Ziels stimmen nur überein, wenn die Posen von einem umgekehrt sind (der Sensor im Rahmen des Ziels statt das Ziel in dem des Sensors) oder der Sensor auf der anderen Seite ist (--eye-on-base); sieh, was fit sagt.</translation>
-    </message>
-    <message>
-        <source>has no row with a whole pose; expected a place and a rotation in each.</source>
-        <translation>hat keine Zeile mit einer ganzen Pose; erwartet wird in jeder ein Ort und eine Drehung.</translation>
     </message>
     <message>
         <source>The pose of the flange is the same in observations %1, while what was seen moved: the reading of one is old, or something slipped between them; leave out what is wrong.</source>
@@ -8659,14 +9787,6 @@
     <message>
         <source>What was seen is the same in observations %1, while the robot moved: the measurement of one is old. Leave it out.</source>
         <translation>Das Gesehene ist in den Beobachtungen %1 dasselbe, während sich der Roboter bewegte: eine Messung ist alt. Lass sie weg.</translation>
-    </message>
-    <message>
-        <source>%1 may be %2, or %3; name the columns roll pitch yaw or rvx rvy rvz, with their unit ([deg]).</source>
-        <translation>%1 können %2 sein oder %3; nenne die Spalten roll pitch yaw oder rvx rvy rvz, mit ihrer Einheit ([deg]).</translation>
-    </message>
-    <message>
-        <source>%1 may be %2, or %3, and nothing here can tell: say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg]).</source>
-        <translation>%1 können %2 sein oder %3, und nichts hier kann es sagen: gib es an mit --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) und --degrees oder in der Kopfzeile ([deg]).</translation>
     </message>
     <message>
         <source>A file of kind %1 is of a robot with joints, and only the poses of the flange are known here; export where sensor and target sit as static_tf, yaml, opencv or csv.</source>
@@ -8683,18 +9803,6 @@
     <message>
         <source>joint %1 stands at %2, expected a number from %3 to %4.</source>
         <translation>Gelenk %1 steht bei %2; erwartet wird eine Zahl von %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>has a line for each marker, and no column that says which lines are of one instant; expected `observation` or `time`.</source>
-        <translation>hat eine Zeile je Marker und keine Spalte, die sagt, welche Zeilen von einem Zeitpunkt sind; erwartet wird `observation` oder `time`.</translation>
-    </message>
-    <message>
-        <source>holds %1 points an instant; a session has up to %2 markers.</source>
-        <translation>enthält %1 Punkte je Zeitpunkt; eine Sitzung hat bis zu %2 Marker.</translation>
-    </message>
-    <message>
-        <source>pose %1 %2; expected x y z in m and a unit quaternion x y z w.</source>
-        <translation>Pose %1 %2; erwartet werden x y z in m und ein Einheitsquaternion x y z w.</translation>
     </message>
     <message>
         <source>lies outside of any room</source>
@@ -8719,14 +9827,6 @@
     <message>
         <source>column %1 (%2) is empty, expected a number.</source>
         <translation>Spalte %1 (%2) ist leer; erwartet wird eine Zahl.</translation>
-    </message>
-    <message>
-        <source>is longer than 16 MB, which no calibration is.</source>
-        <translation>ist länger als 16 MB, was keine Kalibrierung ist.</translation>
-    </message>
-    <message>
-        <source>is nested more deeply than any calibration is.</source>
-        <translation>ist tiefer verschachtelt als jede Kalibrierung.</translation>
     </message>
     <message>
         <source>The two cannot be compared: %1; name two sessions of one robot, sensor and marker body.</source>
@@ -8781,28 +9881,8 @@
         <translation>%1: hat kein &lt;robot&gt; mit dem Glied tcp oder keine &lt;joints&gt; mit ihrer Reihenfolge; die Sitzung selbst verwenden.</translation>
     </message>
     <message>
-        <source>first</source>
-        <translation>ersten</translation>
-    </message>
-    <message>
-        <source>second</source>
-        <translation>zweiten</translation>
-    </message>
-    <message>
         <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known say it: --sigma (m), --sigma-angle (rad), or in &lt;pose_sensor&gt;.</source>
         <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, gib es an: --sigma (m), --sigma-angle (rad), oder in &lt;pose_sensor&gt;.</translation>
-    </message>
-    <message>
-        <source>topic %1 (%2, %3 messages) is left out.</source>
-        <translation>Topic %1 (%2, %3 Nachrichten) bleibt weg.</translation>
-    </message>
-    <message>
-        <source>%1 joints that were published are no moving joints of the robot and are left out.</source>
-        <translation>%1 veröffentlichte Gelenke sind keine beweglichen Gelenke des Roboters und bleiben weg.</translation>
-    </message>
-    <message>
-        <source>of its cameras the first %1 are taken, the others are left out.</source>
-        <translation>von seinen Kameras werden die ersten %1 genommen, die anderen bleiben weg.</translation>
     </message>
     <message>
         <source>The calibration of the %1 camera has width and height swapped; %2 x %3 px of the images is taken.</source>
@@ -8831,30 +9911,6 @@
     <message>
         <source>%1 points were not seen by the device; they are left out.</source>
         <translation>%1 Punkte hat das Gerät nicht gesehen; sie bleiben weg.</translation>
-    </message>
-    <message>
-        <source>no link has a mass: springs cannot show, and gravity bends nothing. Put the masses of the maker's data sheet into &lt;inertial&gt;.</source>
-        <translation>kein Glied hat eine Masse: Federn können sich nicht zeigen, und die Schwerkraft biegt nichts. Setze die Massen aus dem Datenblatt des Herstellers in &lt;inertial&gt; ein.</translation>
-    </message>
-    <message>
-        <source>%1 moving links have no mass: %2. What gravity does through them is missing.</source>
-        <translation>%1 bewegliche Glieder haben keine Masse: %2. Was die Schwerkraft durch sie tut, fehlt.</translation>
-    </message>
-    <message>
-        <source>has no header; its columns are taken for %1</source>
-        <translation>hat keine Kopfzeile; ihre Spalten werden genommen für %1</translation>
-    </message>
-    <message>
-        <source>angles are read as degrees.</source>
-        <translation>Winkel werden als Grad gelesen.</translation>
-    </message>
-    <message>
-        <source>lengths of %1 are taken for millimetres; a session holds metres.</source>
-        <translation>Längen von %1 werden für Millimeter gehalten; eine Sitzung hat Meter.</translation>
-    </message>
-    <message>
-        <source>the times are taken for %1.</source>
-        <translation>die Zeiten werden genommen für %1.</translation>
     </message>
     <message>
         <source>%1 has %2 lines for %3 images: it waits until they are as many. With a column "number" each image finds its own line.</source>
@@ -8961,112 +10017,12 @@
         <translation>Es gibt %1 Dinge mit Posen (%2); sage mit --target-frame, welches an der Hand ist.</translation>
     </message>
     <message>
-        <source>%1; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a bag of ROS.</source>
-        <translation>%1; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein Bag von ROS.</translation>
-    </message>
-    <message>
-        <source>is one image; name the folder that holds the images.</source>
-        <translation>ist ein einzelnes Bild; nenne den Ordner mit den Bildern.</translation>
-    </message>
-    <message>
-        <source>is %1, which is not read; %2.</source>
-        <translation>ist %1, was nicht gelesen wird; %2.</translation>
-    </message>
-    <message>
-        <source>compressed images of the format %1 cannot be read; expected PNG, JPEG or WebP.</source>
-        <translation>komprimierte Bilder des Formats %1 lassen sich nicht lesen; erwartet wird PNG, JPEG oder WebP.</translation>
-    </message>
-    <message>
-        <source>is no image that can be read (%1 bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.</source>
-        <translation>ist kein Bild, das sich lesen ließe (%1 Byte); PNG, JPEG, PGM, BMP, TIFF und WebP lassen sich lesen.</translation>
-    </message>
-    <message>
-        <source>is a bag of ROS 1 of the version %1; expected V2.0. `rosbag fix OLD.bag NEW.bag` of ROS writes it anew.</source>
-        <translation>ist ein Bag von ROS 1 der Version %1; erwartet wird V2.0. `rosbag fix ALT.bag NEU.bag` von ROS schreibt es neu.</translation>
-    </message>
-    <message>
-        <source>does not begin as a bag does: it was not copied whole, or is of another kind; expected a ROS 2 bag (sqlite3 or MCAP) or a ROS 1 bag of version 2.0.</source>
-        <translation>beginnt nicht wie ein Bag: es wurde nicht ganz kopiert oder ist von anderer Art; erwartet wird ein ROS-2-Bag (sqlite3 oder MCAP) oder ein ROS-1-Bag der Version 2.0.</translation>
-    </message>
-    <message>
-        <source>is compressed with zstd, and damaged (%1); expected a whole file: copy it again.</source>
-        <translation>ist mit zstd komprimiert und beschädigt (%1); erwartet wird eine ganze Datei: kopiere sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>there is no room to decompress it in %1; make room there, or name another folder in TMPDIR.</source>
-        <translation>in %1 ist kein Platz, um sie zu entpacken; schaffe dort Platz, oder nenne einen anderen Ordner in TMPDIR.</translation>
-    </message>
-    <message>
-        <source>the file cannot be read; is it there, and may you read it?</source>
-        <translation>die Datei lässt sich nicht lesen; gibt es sie, und darfst du sie lesen?</translation>
-    </message>
-    <message>
-        <source>begins as MCAP does and holds no channel: it was broken off before anything was recorded, or is damaged; expected a recording with messages: record it again, or try `mcap recover`.</source>
-        <translation>beginnt wie MCAP und enthält keinen Kanal: die Aufnahme brach ab, bevor etwas aufgezeichnet war, oder sie ist beschädigt; erwartet wird eine Aufnahme mit Nachrichten: nimm sie neu auf, oder versuche `mcap recover`.</translation>
-    </message>
-    <message>
         <source>the %1 holds no unit quaternion</source>
         <translation>%1 enthält kein Einheitsquaternion</translation>
     </message>
     <message>
-        <source>is a bag of ROS 1 without a connection: nothing was recorded, or it is damaged; expected a bag with messages: record it again, or try `rosbag reindex`.</source>
-        <translation>ist ein Bag von ROS 1 ohne Verbindung: es wurde nichts aufgezeichnet, oder es ist beschädigt; erwartet wird ein Bag mit Nachrichten: nimm es neu auf, oder versuche `rosbag reindex`.</translation>
-    </message>
-    <message>
-        <source>is encrypted (%1); expected one that is not: `rosbag decrypt` of ROS writes it.</source>
-        <translation>ist verschlüsselt (%1); erwartet wird ein unverschlüsseltes: `rosbag decrypt` von ROS schreibt es.</translation>
-    </message>
-    <message>
-        <source>is no ROS 2 bag in sqlite3 that can be read: %1; expected what `ros2 bag record` writes: copy it again, or write it anew with `ros2 bag convert`.</source>
-        <translation>ist kein ROS-2-Bag in sqlite3, das sich lesen ließe: %1; erwartet wird, was `ros2 bag record` schreibt: kopiere es noch einmal, oder schreibe es neu mit `ros2 bag convert`.</translation>
-    </message>
-    <message>
-        <source>has no number %1; expected Kalibr's description of a target, whole.</source>
-        <translation>hat keine Zahl %1; erwartet wird Kalibrs vollständige Beschreibung eines Ziels.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; expected a whole number from 1 on.</source>
-        <translation>%1 ist %2; erwartet wird eine ganze Zahl ab 1.</translation>
-    </message>
-    <message>
-        <source>its fields are %1 m x %2 m; expected squares (rowSpacingMeters and colSpacingMeters equal).</source>
-        <translation>seine Felder sind %1 m x %2 m; erwartet werden Quadrate (rowSpacingMeters und colSpacingMeters gleich).</translation>
-    </message>
-    <message>
-        <source>describes a target of the type %1, which is not found in images; expected aprilgrid or checkerboard: `handsight-cli target` draws one.</source>
-        <translation>beschreibt ein Ziel der Art %1, das in Bildern nicht gefunden wird; erwartet wird aprilgrid oder checkerboard: `handsight-cli target` zeichnet eines.</translation>
-    </message>
-    <message>
-        <source>has no number %1; expected a calibration that is whole.</source>
-        <translation>hat keine Zahl %1; erwartet wird eine vollständige Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>k does not hold 9 finite numbers; expected the whole text of `ros2 topic echo --full-length`.</source>
-        <translation>k enthält nicht 9 endliche Zahlen; erwartet wird der ganze Text von `ros2 topic echo --full-length`.</translation>
-    </message>
-    <message>
-        <source>the camera is of camodocal's model %1, which sessions do not have; calibrate it as PINHOLE or, a wide lens, as KANNALA_BRANDT, or with `handsight-cli cameras`.</source>
-        <translation>die Kamera ist von camodocals Modell %1, das Sitzungen nicht haben; kalibriere sie als PINHOLE oder, ein weites Objektiv, als KANNALA_BRANDT, oder mit `handsight-cli cameras`.</translation>
-    </message>
-    <message>
-        <source>has no projection_parameters; expected a calibration that is whole.</source>
-        <translation>hat keine projection_parameters; erwartet wird eine vollständige Kalibrierung.</translation>
-    </message>
-    <message>
         <source>does not begin with a number, expected that of a frame.</source>
         <translation>beginnt nicht mit einer Zahl; erwartet wird die eines Bildes.</translation>
-    </message>
-    <message>
-        <source>has no frames below its header; expected a line a frame.</source>
-        <translation>hat unter dem Kopf keine Bilder; erwartet wird eine Zeile je Bild.</translation>
-    </message>
-    <message>
-        <source>begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again with them.</source>
-        <translation>beginnt wie Motives CSV und hat im Kopf weder starre Körper noch Marker; exportiere sie noch einmal mit ihnen.</translation>
-    </message>
-    <message>
-        <source>its turns are Euler angles (%1); export it again with the rotation type Quaternion.</source>
-        <translation>ihre Drehungen sind Euler-Winkel (%1); exportiere sie noch einmal mit der Drehungsart Quaternion.</translation>
     </message>
     <message>
         <source>stands before the first section; expected [image].</source>
@@ -9075,34 +10031,6 @@
     <message>
         <source>%1 is no finite number.</source>
         <translation>%1 ist keine endliche Zahl.</translation>
-    </message>
-    <message>
-        <source>[%1] has a camera matrix of %2 numbers; expected 9.</source>
-        <translation>[%1] hat eine Kameramatrix aus %2 Zahlen; erwartet werden 9.</translation>
-    </message>
-    <message>
-        <source>has %1 cameras; expected one, or a left and a right one.</source>
-        <translation>hat %1 Kameras; erwartet wird eine, oder eine linke und eine rechte.</translation>
-    </message>
-    <message>
-        <source>the lens is of RealSense's model %1, which sessions do not have; calibrate the camera with `handsight-cli cameras`.</source>
-        <translation>das Objektiv ist von RealSenses Modell %1, das Sitzungen nicht haben; kalibriere die Kamera mit `handsight-cli cameras`.</translation>
-    </message>
-    <message>
-        <source>has no number %1; expected width height ppx ppy fx fy.</source>
-        <translation>hat keine Zahl %1; erwartet werden width height ppx ppy fx fy.</translation>
-    </message>
-    <message>
-        <source>lists %1 streams (%2); keep the lines of the one that the images are of, from "Intrinsic of" to "Coeffs".</source>
-        <translation>nennt %1 Ströme (%2); behalte die Zeilen dessen, von dem die Bilder sind, von "Intrinsic of" bis "Coeffs".</translation>
-    </message>
-    <message>
-        <source>is of LeRobot's older form, which holds no ranges; `lerobot-calibrate` of a newer one writes them.</source>
-        <translation>ist von LeRobots älterer Form, die keine Bereiche enthält; `lerobot-calibrate` eines neueren schreibt sie.</translation>
-    </message>
-    <message>
-        <source>servo %1 has no range_min below its range_max; expected LeRobot's calibration.</source>
-        <translation>Servo %1 hat kein range_min unter seinem range_max; erwartet wird LeRobots Kalibrierung.</translation>
     </message>
     <message>
         <source>is nested more deeply than any robot is.</source>
@@ -9169,16 +10097,8 @@
         <translation>hat %1 in %2, weit außerhalb jedes Roboters.</translation>
     </message>
     <message>
-        <source>xacro cannot expand it (%1); expand it with the arguments that the robot's launch file gives, `xacro %2 NAME:=VALUE &gt; robot.urdf`, and name robot.urdf.</source>
-        <translation>xacro kann sie nicht entfalten (%1); entfalte sie mit den Argumenten, die die Launch-Datei des Roboters gibt, `xacro %2 NAME:=VALUE &gt; robot.urdf`, und nenne robot.urdf.</translation>
-    </message>
-    <message>
         <source>is no head of a section of Vicon's, expected its rate, names and axes below.</source>
         <translation>ist kein Kopf eines Abschnitts von Vicon; erwartet werden darunter Rate, Namen und Achsen.</translation>
-    </message>
-    <message>
-        <source>has neither Objects nor Segments nor Trajectories; export it again with one of them.</source>
-        <translation>hat weder Objects noch Segments noch Trajectories; exportiere sie noch einmal mit einem davon.</translation>
     </message>
     <message>
         <source>a bag of ROS</source>
@@ -9209,112 +10129,1968 @@
         <translation>ein Ziel von Kalibr</translation>
     </message>
     <message>
-        <source>topic %1: %2 of %3 messages are damaged and are left out.</source>
-        <translation>Topic %1: %2 von %3 Nachrichten sind beschädigt und bleiben weg.</translation>
-    </message>
-    <message>
-        <source>%1 messages whose compression is damaged are left out.</source>
-        <translation>%1 Nachrichten, deren Kompression beschädigt ist, bleiben weg.</translation>
-    </message>
-    <message>
-        <source>%1 more places are damaged.</source>
-        <translation>%1 weitere Stellen sind beschädigt.</translation>
-    </message>
-    <message>
-        <source>%1 messages are of channels that are described nowhere and are left out.</source>
-        <translation>%1 Nachrichten sind von Kanälen, die nirgends beschrieben sind, und bleiben weg.</translation>
-    </message>
-    <message>
-        <source>its checksum does not agree: some of its bytes have changed since it was written; its messages are taken as they are.</source>
-        <translation>die Prüfsumme stimmt nicht: einige Bytes haben sich geändert, seit sie geschrieben wurde; die Nachrichten werden genommen, wie sie sind.</translation>
-    </message>
-    <message>
-        <source>the chunk at byte %1 is left out: %2.</source>
-        <translation>der Abschnitt ab Byte %1 bleibt weg: %2.</translation>
-    </message>
-    <message>
-        <source>it is broken off at byte %1 of a record that begins at %2: after %3 messages the rest is lost.</source>
-        <translation>sie bricht bei Byte %1 eines Eintrags ab, der bei %2 beginnt: nach %3 Nachrichten ist der Rest verloren.</translation>
-    </message>
-    <message>
-        <source>at byte %1 of %2 stands no record: it is damaged, and after %3 messages the rest is lost.</source>
-        <translation>bei Byte %1 von %2 steht kein Eintrag: sie ist beschädigt, und nach %3 Nachrichten ist der Rest verloren.</translation>
-    </message>
-    <message>
-        <source>is damaged at byte %1: %2 bytes up to the next chunk are left out.</source>
-        <translation>ist bei Byte %1 beschädigt: %2 Byte bis zum nächsten Abschnitt bleiben weg.</translation>
-    </message>
-    <message>
-        <source>%1 messages are of connections that are described nowhere and are left out.</source>
-        <translation>%1 Nachrichten sind von Verbindungen, die nirgends beschrieben sind, und bleiben weg.</translation>
-    </message>
-    <message>
-        <source>it is broken off or damaged at byte %1 of %2: after %3 messages the rest is lost.</source>
-        <translation>sie bricht bei Byte %1 von %2 ab oder ist dort beschädigt: nach %3 Nachrichten ist der Rest verloren.</translation>
-    </message>
-    <message>
-        <source>is damaged (%1): after %2 messages the rest is lost.</source>
-        <translation>ist beschädigt (%1): nach %2 Nachrichten ist der Rest verloren.</translation>
-    </message>
-    <message>
-        <source>its zstd is damaged (%1): what comes after the damage is lost.</source>
-        <translation>ihr zstd ist beschädigt (%1): was nach dem Schaden kommt, ist verloren.</translation>
-    </message>
-    <message>
-        <source>%1 markers beside the rigid bodies are left out.</source>
-        <translation>%1 Marker neben den starren Körpern bleiben weg.</translation>
-    </message>
-    <message>
-        <source>its coefficients are of the model inverse Brown-Conrady; they are taken as Brown's, as librealsense projects with them.</source>
-        <translation>ihre Koeffizienten sind vom Modell inverse Brown-Conrady; sie werden als die von Brown genommen, wie librealsense mit ihnen projiziert.</translation>
-    </message>
-    <message>
-        <source>%1 columns are read as %2; 0 is the middle of each range: where the robot's URDF has another zero, joint_offset finds it.</source>
-        <translation>%1 Spalten werden als %2 gelesen; 0 ist die Mitte jedes Bereichs: wo die URDF des Roboters eine andere Null hat, findet sie joint_offset.</translation>
-    </message>
-    <message>
-        <source>no column has the name of a servo of LeRobot's calibration, which is not used.</source>
-        <translation>keine Spalte heißt wie ein Servo aus LeRobots Kalibrierung; sie wird nicht verwendet.</translation>
-    </message>
-    <message>
-        <source>that %1 follows %2 is left out: it is no straight line.</source>
-        <translation>dass %1 %2 folgt, bleibt weg: es ist keine Gerade.</translation>
-    </message>
-    <message>
-        <source>%1 stand still in the session's copy: a session has one number a joint.</source>
-        <translation>%1 stehen in der Kopie der Sitzung still: eine Sitzung hat eine Zahl je Gelenk.</translation>
-    </message>
-    <message>
-        <source>is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.</source>
-        <translation>ist ein Modell von MuJoCo; der Roboter der Sitzung ist eine URDF seiner Körper und Gelenke.</translation>
-    </message>
-    <message>
-        <source>was expanded by xacro, with the arguments that it has by itself.</source>
-        <translation>wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
-    </message>
-    <message>
-        <source>the section %1 is left out.</source>
-        <translation>der Abschnitt %1 bleibt weg.</translation>
-    </message>
-    <message>
-        <source>its markers are left out, its rigid bodies count.</source>
-        <translation>ihre Marker bleiben weg, ihre starren Körper zählen.</translation>
-    </message>
-    <message>
         <source>%1 and %2 have other robots: %3; a collection is of one robot.</source>
         <translation>%1 und %2 haben verschiedene Roboter: %3; eine Sammlung ist von einem Roboter.</translation>
     </message>
     <message>
-        <source>rig="%1" is that of session "%2", but it %3; give it a name of its own.</source>
-        <translation>rig="%1" ist das der Sitzung "%2", aber hier %3; gib ihm einen eigenen Namen.</translation>
+        <source>sides_swapped: the session has not two cameras.</source>
+        <translation>sides_swapped: die Sitzung hat nicht zwei Kameras.</translation>
     </message>
     <message>
-        <source>body="%1" is that of session "%2", but it has %3; give it a name of its own.</source>
-        <translation>body="%1" ist das der Sitzung "%2", aber hier ist %3; gib ihm einen eigenen Namen.</translation>
+        <source>board_transposed: the session has no board of rows and columns.</source>
+        <translation>board_transposed: die Sitzung hat kein Brett mit Zeilen und Spalten.</translation>
     </message>
     <message>
-        <source>lies neither inside the folder of %1 nor beside it; write the collection into the folder that holds the sessions.</source>
-        <translation>liegt weder im Ordner von %1 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
+        <source>image_turned: the session has no camera.</source>
+        <translation>image_turned: die Sitzung hat keine Kamera.</translation>
+    </message>
+    <message>
+        <source>The position holds a number that is not finite (nan or inf); expected angles in rad (m).</source>
+        <translation>Die Stellung enthält eine Zahl, die nicht endlich ist (nan oder inf); erwartet werden Winkel in rad (m).</translation>
+    </message>
+    <message>
+        <source>This candidate is a curve without a name that could not be written down; choose one that has terms.</source>
+        <translation>Dieser Kandidat ist eine Kurve ohne Namen, die sich nicht aufschreiben ließ; einen wählen, der Terme hat.</translation>
+    </message>
+    <message>
+        <source>the point has %1, expected three finite numbers.</source>
+        <translation>der Punkt hat %1; erwartet werden drei endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>the mesh has more than %1 triangles, expected a simpler one.</source>
+        <translation>das Netz hat mehr als %1 Dreiecke; erwartet wird ein einfacheres.</translation>
+    </message>
+    <message>
+        <source>the face names the point %1, expected one of the %2 points before it.</source>
+        <translation>die Fläche nennt den Punkt %1; erwartet wird einer der %2 Punkte davor.</translation>
+    </message>
+    <message>
+        <source>the face has %1 corners, expected at least three.</source>
+        <translation>die Fläche hat %1 Ecken; erwartet werden mindestens drei.</translation>
+    </message>
+    <message>
+        <source>the file has %1 bytes and its head speaks of %2, expected a whole STL file.</source>
+        <translation>die Datei hat %1 Bytes, und ihr Kopf spricht von %2; erwartet wird eine ganze STL-Datei.</translation>
+    </message>
+    <message>
+        <source>a corner of a triangle is not finite or too far away, expected finite numbers.</source>
+        <translation>eine Ecke eines Dreiecks ist nicht endlich oder zu weit weg; erwartet werden endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>the last triangle is cut off, expected three corners.</source>
+        <translation>das letzte Dreieck ist abgeschnitten; erwartet werden drei Ecken.</translation>
+    </message>
+    <message>
+        <source>is of xacro, expected a URDF: expand it first with `xacro %1 &gt; expanded.urdf` (or `ros2 run xacro xacro ...`, with the arguments that the robot's launch file gives) and name expanded.urdf.</source>
+        <translation>ist von xacro; erwartet wird eine URDF: sie zuerst mit `xacro %1 &gt; expanded.urdf` entfalten (oder `ros2 run xacro xacro ...`, mit den Argumenten aus der Startdatei des Roboters) und expanded.urdf nennen.</translation>
+    </message>
+    <message>
+        <source>%1: the file is not UTF-8; its other bytes are read as Latin-1.</source>
+        <translation>%1: die Datei ist kein UTF-8; ihre übrigen Bytes werden als Latin-1 gelesen.</translation>
+    </message>
+    <message>
+        <source>of joint %1 follows joint %2, expected the name of a joint in the file.</source>
+        <translation>von Gelenk %1 folgt Gelenk %2; erwartet wird der Name eines Gelenks der Datei.</translation>
+    </message>
+    <message>
+        <source>of joint %1 follows joint %2, which is fixed, expected a joint that moves.</source>
+        <translation>von Gelenk %1 folgt Gelenk %2, das fest ist; erwartet wird ein bewegliches Gelenk.</translation>
+    </message>
+    <message>
+        <source>%1 follows itself through its &lt;mimic&gt;, expected mimics that end at a joint that moves by itself.</source>
+        <translation>%1 folgt über sein &lt;mimic&gt; sich selbst; erwartet werden mimics, die bei einem Gelenk enden, das sich selbst bewegt.</translation>
+    </message>
+    <message>
+        <source>%1 has no parent joint, nor has %2: %3 root links, expected one.</source>
+        <translation>%1 hat kein übergeordnetes Gelenk, %2 auch nicht: %3 Wurzelglieder; erwartet wird eines.</translation>
+    </message>
+    <message>
+        <source>has %1="%2", expected a length of at least 0 m.</source>
+        <translation>hat %1="%2"; erwartet wird eine Länge von mindestens 0 m.</translation>
+    </message>
+    <message>
+        <source>has a negative number in size, expected three lengths of at least 0 m.</source>
+        <translation>hat eine negative Zahl in size; erwartet werden drei Längen von mindestens 0 m.</translation>
+    </message>
+    <message>
+        <source>the &lt;visual&gt; is not drawn: it has no box, cylinder, sphere or mesh in its &lt;geometry&gt;.</source>
+        <translation>das &lt;visual&gt; wird nicht gezeichnet: es hat weder box, cylinder, sphere noch mesh in seiner &lt;geometry&gt;.</translation>
+    </message>
+    <message>
+        <source>the centre of mass of link %1 lies %2 m from the link's frame, farther than %3 m; its gravity moments will be as large as that says.</source>
+        <translation>der Schwerpunkt des Glieds %1 liegt %2 m vom System des Glieds, weiter als %3 m; seine Schwerkraftmomente werden so groß, wie das sagt.</translation>
+    </message>
+    <message>
+        <source>joint %1 has &lt;dh&gt;, so that its &lt;origin&gt; and &lt;axis&gt; are ignored.</source>
+        <translation>Gelenk %1 hat &lt;dh&gt;, so dass sein &lt;origin&gt; und &lt;axis&gt; übergangen werden.</translation>
+    </message>
+    <message>
+        <source>joint %1 is fixed, so that its &lt;stiffness&gt; is ignored.</source>
+        <translation>Gelenk %1 ist fest, so dass seine &lt;stiffness&gt; übergangen wird.</translation>
+    </message>
+    <message>
+        <source>joint %1 is fixed, so that its &lt;mimic&gt; is ignored.</source>
+        <translation>Gelenk %1 ist fest, so dass sein &lt;mimic&gt; übergangen wird.</translation>
+    </message>
+    <message>
+        <source>has no attributes, expected a, alpha, d and theta.</source>
+        <translation>hat keine Attribute; erwartet werden a, alpha, d und theta.</translation>
+    </message>
+    <message>
+        <source>%1: its poses are taken for base_from_flange; the camera is taken to be %2.</source>
+        <translation>%1: seine Posen gelten als base_from_flange; die Kamera gilt als %2.</translation>
+    </message>
+    <message>
+        <source>on a stand and the target on the flange</source>
+        <translation>auf einem Ständer und das Ziel als am Flansch</translation>
+    </message>
+    <message>
+        <source>on the flange and the target beside the robot (--eye-on-base: the camera stands, the flange carries the target)</source>
+        <translation>am Flansch und das Ziel als neben dem Roboter (--eye-on-base: die Kamera steht, der Flansch trägt das Ziel)</translation>
+    </message>
+    <message>
+        <source>%1: is one image; name the folder that holds the images.</source>
+        <translation>%1: ist ein einzelnes Bild; nenne den Ordner mit den Bildern.</translation>
+    </message>
+    <message>
+        <source>%1: is %2, which is not read; %3.</source>
+        <translation>%1: ist %2, was nicht gelesen wird; %3.</translation>
+    </message>
+    <message>
+        <source>%1: no column has the name of a joint of the robot, which has: %2.</source>
+        <translation>%1: keine Spalte hat den Namen eines Gelenks des Roboters; er hat: %2.</translation>
+    </message>
+    <message>
+        <source>column %1 (%2) holds %3, expected the tip's number, 0 to 63.</source>
+        <translation>Spalte %1 (%2) enthält %3; erwartet wird die Nummer der Tastspitze, 0 bis 63.</translation>
+    </message>
+    <message>
+        <source>says of no fixture what is touched, expected its name.</source>
+        <translation>sagt von keiner Vorrichtung, was berührt wird; erwartet wird ihr Name.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 and %4 have a partner.</source>
+        <translation>%1: %2 von %3 und %4 haben einen Partner.</translation>
+    </message>
+    <message>
+        <source>No pose of the target has one of the flange at its time: they are from %1 to %2 s, those of the flange from %3 to %4 s. Do the clocks agree (--lag)?</source>
+        <translation>Zu keiner Pose des Ziels gibt es zu ihrer Zeit eine des Flansches: sie sind von %1 bis %2 s, die des Flansches von %3 bis %4 s. Stimmen die Uhren überein (--lag)?</translation>
+    </message>
+    <message>
+        <source>The table of the flange names images (%1 ...), and none of them is there (the first is %2).</source>
+        <translation>Die Tabelle des Flansches nennt Bilder (%1 ...), und keines davon ist da (das erste ist %2).</translation>
+    </message>
+    <message>
+        <source>There are %1 %2 and %3 poses of the flange; expected one for each, in the order of the images' numbers, or a column that pairs them: image or number. The first image has the number %4, the last %5.</source>
+        <translation>Es gibt %1 %2 und %3 Posen des Flansches; erwartet wird eine für jedes, in der Reihenfolge der Bildnummern, oder eine Spalte, die sie paart: image oder number. Das erste Bild hat die Nummer %4, das letzte %5.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by the names of their images</source>
+        <translation>Posen von Flansch und Ziel sind nach den Namen ihrer Bilder gepaart</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by their numbers</source>
+        <translation>Posen von Flansch und Ziel sind nach ihren Nummern gepaart</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and of the target are paired by their times</source>
+        <translation>Posen von Flansch und Ziel sind nach ihren Zeiten gepaart</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and the images are paired by the images' names</source>
+        <translation>Posen des Flansches und Bilder sind nach den Namen der Bilder gepaart</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and the images are paired by their numbers</source>
+        <translation>Posen des Flansches und Bilder sind nach ihren Nummern gepaart</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>--mount is not given: the sensor is taken to stand beside the robot (link %1).</source>
+        <translation>--mount fehlt: der Sensor gilt als neben dem Roboter aufgestellt (Glied %1).</translation>
+    </message>
+    <message>
+        <source>The measurements come %1 s after the joint readings; that was taken out.</source>
+        <translation>Die Messungen kommen %1 s nach den Gelenkwerten; das wurde herausgerechnet.</translation>
+    </message>
+    <message>
+        <source>The lag between measurements and joint readings cannot be told: both must show the same movements. It is taken as %1 s.</source>
+        <translation>Die Verzögerung zwischen Messungen und Gelenkwerten ist nicht zu erkennen: beide müssen dieselben Bewegungen zeigen. Sie gilt als %1 s.</translation>
+    </message>
+    <message>
+        <source>there are no joint readings at their times</source>
+        <translation>zu ihren Zeiten gibt es keine Gelenkwerte</translation>
+    </message>
+    <message>
+        <source>the joint readings have a gap there</source>
+        <translation>die Gelenkwerte haben dort eine Lücke</translation>
+    </message>
+    <message>
+        <source>the robot was moving</source>
+        <translation>der Roboter bewegte sich</translation>
+    </message>
+    <message>
+        <source>they show a standstill that another one shows</source>
+        <translation>sie zeigen einen Stillstand, den eine andere schon zeigt</translation>
+    </message>
+    <message>
+        <source>%1 have one %2 (%3).</source>
+        <translation>%1 haben %2 gemeinsam (%3).</translation>
+    </message>
+    <message>
+        <source>No two sessions have one %1; where they have, say so in collection.xml.</source>
+        <translation>Keine zwei Sitzungen haben %1 gemeinsam; wo doch, das in collection.xml sagen.</translation>
+    </message>
+    <message>
+        <source>Session %1: %2</source>
+        <translation>Sitzung %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is made of %2 of the %3 files, by their names.</source>
+        <translation>%1 ist aus %2 der %3 Dateien gemacht, nach ihren Namen.</translation>
+    </message>
+    <message>
+        <source>%1: there is a %2 already; take another folder.</source>
+        <translation>%1: dort ist schon eine %2; nimm einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: is there already; take another folder, or another title.</source>
+        <translation>%1: ist schon da; nimm einen anderen Ordner oder einen anderen Titel.</translation>
+    </message>
+    <message>
+        <source>%1: %2; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a bag of ROS.</source>
+        <translation>%1: %2; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein Bag von ROS.</translation>
+    </message>
+    <message>
+        <source>%1: is not there; name a file or folder.</source>
+        <translation>%1: ist nicht da; nenne eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: %2 are read as %3</source>
+        <translation>%1: %2 gelesen als %3</translation>
+    </message>
+    <message>
+        <source>%1, or %2: both suit the other poses as well; %3.</source>
+        <translation>%1, oder %2: beides passt gleich gut zu den anderen Posen; %3.</translation>
+    </message>
+    <message>
+        <source>No reading of %1 makes the motions of both agree (the best leaves %2): do the rows belong together, is one of them inverted? If they do, %3.</source>
+        <translation>Keine Lesart von %1 bringt die Bewegungen beider zur Übereinstimmung (die beste lässt %2): gehören die Zeilen zusammen, ist eine invertiert? Wenn sie zusammengehören: %3.</translation>
+    </message>
+    <message>
+        <source>However they are read, the motions of the flange and of the target do not agree (the best leaves %1); see what fit says.</source>
+        <translation>Wie immer sie gelesen werden, die Bewegungen von Flansch und Ziel stimmen nicht überein (die beste Lesart lässt %1); nachsehen, was die Schätzung sagt.</translation>
+    </message>
+    <message>
+        <source>; the next best reading leaves %1</source>
+        <translation>; die nächstbeste Lesart lässt %1</translation>
+    </message>
+    <message>
+        <source>%1: so the motions of the flange and of the target agree to %2%3.</source>
+        <translation>%1: so stimmen die Bewegungen von Flansch und Ziel auf %2 überein%3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 may be %3, or %4, and nothing here can tell: say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg]).</source>
+        <translation>%1: %2 können %3 sein oder %4, und nichts hier kann es sagen: gib es an mit --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) und --degrees oder in der Kopfzeile ([deg]).</translation>
+    </message>
+    <message>
+        <source>%1: %2 are taken for %3.</source>
+        <translation>%1: %2 gelten als %3.</translation>
+    </message>
+    <message>
+        <source>%1: is a second robot; name one URDF, with --robot or among the files.</source>
+        <translation>%1: ist ein zweiter Roboter; nenne eine URDF, mit --robot oder unter den Dateien.</translation>
+    </message>
+    <message>
+        <source>%1: %2 files with a pose each</source>
+        <translation>%1: %2 Dateien mit je einer Pose</translation>
+    </message>
+    <message>
+        <source>%1: %2 may be %3, or %4; name the columns roll pitch yaw or rvx rvy rvz, with their unit ([deg]).</source>
+        <translation>%1: %2 können %3 sein oder %4; nenne die Spalten roll pitch yaw oder rvx rvy rvz, mit ihrer Einheit ([deg]).</translation>
+    </message>
+    <message>
+        <source>%1: holds the only poses that are here%2; name those of the other (of the flange, of the target) too, or a folder of images of a board.</source>
+        <translation>%1: hat die einzigen Posen hier%2; nenne auch die der anderen (des Flansches, des Ziels) oder einen Ordner mit Bildern einer Tafel.</translation>
+    </message>
+    <message>
+        <source> (what has x y z without a whole turn is a table of points)</source>
+        <translation> (was x y z ohne eine ganze Drehung hat, ist eine Tabelle von Punkten)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no NAME=VALUE such as sigma=2e-5.</source>
+        <translation>%1: %2 ist kein NAME=WERT wie sigma=2e-5.</translation>
+    </message>
+    <message>
+        <source>--apart %1: write two fixtures, by=METRES and sigma=METRES.</source>
+        <translation>--apart %1: zwei Vorrichtungen schreiben, by=METER und sigma=METER.</translation>
+    </message>
+    <message>
+        <source>--fixture %1: write what it is and its name, "plane table", "point socket_1", or a line, gauge or length with its place.</source>
+        <translation>--fixture %1: schreiben, was es ist und wie es heißt: "plane table", "point socket_1", oder line, gauge oder length mit ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>--fixture: %1 is no number of metres.</source>
+        <translation>--fixture: %1 ist keine Zahl von Metern.</translation>
+    </message>
+    <message>
+        <source>--tcp %1: the robot has no such link; it has: %2.</source>
+        <translation>--tcp %1: ein solches Glied hat der Roboter nicht; er hat: %2.</translation>
+    </message>
+    <message>
+        <source>There is no robot; name its URDF with --robot.</source>
+        <translation>Es gibt keinen Roboter; seine URDF mit --robot nennen.</translation>
+    </message>
+    <message>
+        <source>The robot's URDF text is not at hand; name the file with --robot to export it calibrated.</source>
+        <translation>Der Text der URDF des Roboters ist nicht da; die Datei mit --robot nennen, um sie kalibriert zu exportieren.</translation>
+    </message>
+    <message>
+        <source>lerobot's calibration cannot be read; expected the JSON object that lerobot wrote, a motor each.</source>
+        <translation>lerobots Kalibrierung lässt sich nicht lesen; erwartet wird das JSON-Objekt, das lerobot geschrieben hat, ein Motor je Eintrag.</translation>
+    </message>
+    <message>
+        <source>%1: has %2 columns and no header, the robot %3 joints that move by themselves: %4. Write a first line with the columns' names.</source>
+        <translation>%1: hat %2 Spalten und keine Überschrift, der Roboter %3 Gelenke, die sich von selbst bewegen: %4. Schreib eine erste Zeile mit den Namen der Spalten.</translation>
+    </message>
+    <message>
+        <source>%1: has no header; its columns are taken for %2%3.</source>
+        <translation>%1: hat keine Kopfzeile; die Spalten gelten als %2%3.</translation>
+    </message>
+    <message>
+        <source>time </source>
+        <translation>Zeit </translation>
+    </message>
+    <message>
+        <source>%1: %2 columns are no joints of the robot and are left out.</source>
+        <translation>%1: %2 Spalten sind keine Gelenke des Roboters und bleiben weg.</translation>
+    </message>
+    <message>
+        <source> With %1 and %2 exchanged all would be within them.</source>
+        <translation> Mit %1 und %2 vertauscht lägen alle darin.</translation>
+    </message>
+    <message>
+        <source>%1: joint %2 goes %3 %4 beyond its limits: are the columns in another order than the robot's joints, or of another unit?%5</source>
+        <translation>%1: Gelenk %2 geht %3 %4 über seine Grenzen: stehen die Spalten in anderer Reihenfolge als die Gelenke des Roboters, oder haben sie eine andere Einheit?%5</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>%1: joint %2 stands at %3, which in rad is %4 turns: these are degrees. Say --degrees, or write the unit into the header: "%5 [deg]".</source>
+        <translation>%1: Gelenk %2 steht auf %3, was in rad %4 Umdrehungen sind: das sind Grad. --degrees angeben oder die Einheit in die Kopfzeile schreiben: "%5 [deg]".</translation>
+    </message>
+    <message>
+        <source>%1: angles are read as degrees.</source>
+        <translation>%1: Winkel werden als Grad gelesen.</translation>
+    </message>
+    <message>
+        <source> In the reverse order all would be within them.</source>
+        <translation> In umgekehrter Reihenfolge lägen alle darin.</translation>
+    </message>
+    <message>
+        <source>%1: [%2] has a camera matrix of %3 numbers; expected 9.</source>
+        <translation>%1: [%2] hat eine Kameramatrix aus %3 Zahlen; erwartet werden 9.</translation>
+    </message>
+    <message>
+        <source>%1: has %2 cameras; expected one, or a left and a right one.</source>
+        <translation>%1: hat %2 Kameras; erwartet wird eine, oder eine linke und eine rechte.</translation>
+    </message>
+    <message>
+        <source>%1: has no frames below its header; expected a line a frame.</source>
+        <translation>%1: hat unter dem Kopf keine Bilder; erwartet wird eine Zeile je Bild.</translation>
+    </message>
+    <message>
+        <source>%1: has no number %2; expected Kalibr's description of a target, whole.</source>
+        <translation>%1: hat keine Zahl %2; erwartet wird Kalibrs vollständige Beschreibung eines Ziels.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3; expected a whole number from 1 on.</source>
+        <translation>%1: %2 ist %3; erwartet wird eine ganze Zahl ab 1.</translation>
+    </message>
+    <message>
+        <source>%1: its fields are %2 m x %3 m; expected squares (rowSpacingMeters and colSpacingMeters equal).</source>
+        <translation>%1: seine Felder sind %2 m x %3 m; erwartet werden Quadrate (rowSpacingMeters und colSpacingMeters gleich).</translation>
+    </message>
+    <message>
+        <source>%1: describes a grid of circles, without their diameter, which is needed; expected it in words: --target circles columns=%2 rows=%3 spacing=%4 diameter=METRES layout=%5.</source>
+        <translation>%1: beschreibt ein Gitter aus Kreisen ohne deren Durchmesser, der nötig ist; erwartet ist es in Worten: --target circles columns=%2 rows=%3 spacing=%4 diameter=METER layout=%5.</translation>
+    </message>
+    <message>
+        <source>asymmetric</source>
+        <translation>asymmetric</translation>
+    </message>
+    <message>
+        <source>symmetric</source>
+        <translation>symmetric</translation>
+    </message>
+    <message>
+        <source>%1: describes a target of the type %2, which is not found in images; expected aprilgrid or checkerboard: `handsight-cli target` draws one.</source>
+        <translation>%1: beschreibt ein Ziel der Art %2, das in Bildern nicht gefunden wird; erwartet wird aprilgrid oder checkerboard: `handsight-cli target` zeichnet eines.</translation>
+    </message>
+    <message>
+        <source>%1: images of the encoding %2 cannot be read; publish mono8, mono16, rgb8 or bgr8 (image_proc makes them of Bayer patterns).</source>
+        <translation>%1: Bilder der Kodierung %2 lassen sich nicht lesen; veröffentliche mono8, mono16, rgb8 oder bgr8 (image_proc macht sie aus Bayer-Mustern).</translation>
+    </message>
+    <message>
+        <source>%1: its rows are shorter than its width.</source>
+        <translation>%1: die Zeilen sind kürzer als die Breite.</translation>
+    </message>
+    <message>
+        <source>%1: compressed images of the format %2 cannot be read; expected PNG, JPEG or WebP.</source>
+        <translation>%1: komprimierte Bilder des Formats %2 lassen sich nicht lesen; erwartet wird PNG, JPEG oder WebP.</translation>
+    </message>
+    <message>
+        <source>%1, topic %2</source>
+        <translation>%1, topic %2</translation>
+    </message>
+    <message>
+        <source>%1: has no number %2; expected a calibration that is whole.</source>
+        <translation>%1: hat keine Zahl %2; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1: k does not hold 9 finite numbers; expected the whole text of `ros2 topic echo --full-length`.</source>
+        <translation>%1: k enthält nicht 9 endliche Zahlen; erwartet wird der ganze Text von `ros2 topic echo --full-length`.</translation>
+    </message>
+    <message>
+        <source>%1: the camera is of camodocal's model %2, which sessions do not have; calibrate it as PINHOLE or, a wide lens, as KANNALA_BRANDT, or with `handsight-cli cameras`.</source>
+        <translation>%1: die Kamera ist von camodocals Modell %2, das Sitzungen nicht haben; kalibriere sie als PINHOLE oder, ein weites Objektiv, als KANNALA_BRANDT, oder mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>%1: has no projection_parameters; expected a calibration that is whole.</source>
+        <translation>%1: hat keine projection_parameters; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1, topic %2: %3 of %4 messages are damaged and are left out.</source>
+        <translation>%1, topic %2: %3 von %4 Nachrichten sind beschädigt und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 joints that were published are no moving joints of the robot and are left out.</source>
+        <translation>%1: %2 veröffentlichte Gelenke sind keine beweglichen Gelenke des Roboters und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: topic %2 (%3%4, %5 messages) is left out.</source>
+        <translation>%1: topic %2 (%3%4, %5 Nachrichten) bleibt weg.</translation>
+    </message>
+    <message>
+        <source>of a type that is not told</source>
+        <translation>von einer Art, die nicht gesagt wird</translation>
+    </message>
+    <message>
+        <source> as </source>
+        <translation> als </translation>
+    </message>
+    <message>
+        <source>%1: no limits are given for %2: they are taken to turn and slide without end, and corrections will not stop at them.</source>
+        <translation>%1: für %2 sind keine Grenzen angegeben: sie gelten als ohne Ende dreh- und schiebbar, und Korrekturen machen vor ihnen nicht halt.</translation>
+    </message>
+    <message>
+        <source>%1: no link has a mass: springs cannot show, and gravity bends nothing. Put the masses of the maker's data sheet into &lt;inertial&gt;.</source>
+        <translation>%1: kein Glied hat eine Masse: Federn können sich nicht zeigen, und die Schwerkraft biegt nichts. Setze die Massen aus dem Datenblatt des Herstellers in &lt;inertial&gt; ein.</translation>
+    </message>
+    <message>
+        <source>%1: %2 moving links have no mass: %3. What gravity does through them is missing.</source>
+        <translation>%1: %2 bewegliche Glieder haben keine Masse: %3. Was die Schwerkraft durch sie tut, fehlt.</translation>
+    </message>
+    <message>
+        <source>%1: its %2 meshes%3 are not copied: they are drawn where they are found beside the robot, else plain limbs are. Nothing that is measured depends on them.</source>
+        <translation>%1: seine %2 Netze%3 werden nicht kopiert: sie werden gezeichnet, wo sie neben dem Roboter liegen, sonst schlichte Glieder. Nichts Gemessenes hängt davon ab.</translation>
+    </message>
+    <message>
+        <source> (%1 by package://)</source>
+        <translation> (%1 über package://)</translation>
+    </message>
+    <message>
+        <source>%1: %2 stand still in the session's copy: a session has one number a joint. Where the robot drove between observations, each place is a session of its own.</source>
+        <translation>%1: %2 stehen in der Kopie der Sitzung still: eine Sitzung hat eine Zahl je Gelenk. Wo der Roboter zwischen Beobachtungen fuhr, ist jeder Ort eine eigene Sitzung.</translation>
+    </message>
+    <message>
+        <source>the matrices</source>
+        <translation>die Matrizen</translation>
+    </message>
+    <message>
+        <source>the last four columns</source>
+        <translation>die letzten vier Spalten</translation>
+    </message>
+    <message>
+        <source>the last three columns</source>
+        <translation>die letzten drei Spalten</translation>
+    </message>
+    <message>
+        <source>%1: holds no single pose, or has no number in its name; expected a 4x4 matrix.</source>
+        <translation>%1: enthält nicht eine einzelne Pose oder hat keine Nummer im Namen; erwartet wird eine 4x4-Matrix.</translation>
+    </message>
+    <message>
+        <source>%1: another file of poses has the number %2 too; expected one for each instant.</source>
+        <translation>%1: eine andere Datei von Posen hat auch die Nummer %2; erwartet wird eine für jeden Augenblick.</translation>
+    </message>
+    <message>
+        <source>%1: the section %2 is left out.</source>
+        <translation>%1: der Abschnitt %2 bleibt weg.</translation>
+    </message>
+    <message>
+        <source>%1: its markers are left out, its rigid bodies count.</source>
+        <translation>%1: ihre Marker bleiben weg, ihre starren Körper zählen.</translation>
+    </message>
+    <message>
+        <source>%1: has neither Objects nor Segments nor Trajectories; export it again with one of them.</source>
+        <translation>%1: hat weder Objects noch Segments noch Trajectories; exportiere sie noch einmal mit einem davon.</translation>
+    </message>
+    <message>
+        <source>%1: is longer than 16 MB, which no calibration is.</source>
+        <translation>%1: ist länger als 16 MB, was keine Kalibrierung ist.</translation>
+    </message>
+    <message>
+        <source>%1: is nested more deeply than any calibration is.</source>
+        <translation>%1: ist tiefer verschachtelt als jede Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: is no YAML: %3; expected `name: value` lines.</source>
+        <translation>%1, Zeile %2: ist kein YAML: %3; erwartet werden Zeilen `name: wert`.</translation>
+    </message>
+    <message>
+        <source>%1: has no %2 of %3 finite numbers; expected a calibration that is whole.</source>
+        <translation>%1: hat kein %2 aus %3 endlichen Zahlen; erwartet wird eine vollständige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1: a camera is of the model %2, which sessions do not have; calibrate it as pinhole-radtan.</source>
+        <translation>%1: eine Kamera hat das Modell %2, das Sitzungen nicht haben; kalibriere sie als pinhole-radtan.</translation>
+    </message>
+    <message>
+        <source>%1: the camera's matrix holds zeros: the driver publishes no calibration; calibrate it, or name a file that has one.</source>
+        <translation>%1: die Matrix der Kamera enthält Nullen: der Treiber veröffentlicht keine Kalibrierung; kalibriere sie, oder nenne eine Datei, die eine hat.</translation>
+    </message>
+    <message>
+        <source>%1: has a focal length of %2 px; expected one from %3 to %4.</source>
+        <translation>%1: hat eine Brennweite von %2 px; erwartet wird eine von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1: holds %2, no place in an image.</source>
+        <translation>%1: enthält %2, keinen Ort in einem Bild.</translation>
+    </message>
+    <message>
+        <source>%1: holds %2, no lens bends so.</source>
+        <translation>%1: enthält %2, so biegt keine Linse.</translation>
+    </message>
+    <message>
+        <source>%1: does not say how large the images are; expected image_width and image_height.</source>
+        <translation>%1: sagt nicht, wie groß die Bilder sind; erwartet werden image_width und image_height.</translation>
+    </message>
+    <message>
+        <source>%1: the lens is of the model %2, which sessions do not have; calibrate with plumb_bob (k1 k2 p1 p2 k3), rational_polynomial or equidistant.</source>
+        <translation>%1: die Linse hat das Modell %2, das Sitzungen nicht haben; kalibriere mit plumb_bob (k1 k2 p1 p2 k3), rational_polynomial oder equidistant.</translation>
+    </message>
+    <message>
+        <source>%1: the lens has %2 distortion terms; calibrate it with %3.</source>
+        <translation>%1: die Linse hat %2 Verzeichnungsterme; kalibriere sie mit %3.</translation>
+    </message>
+    <message>
+        <source>%1: T_cn_cnm1 holds no rotation; expected the motion from the camera before.</source>
+        <translation>%1: T_cn_cnm1 enthält keine Drehung; erwartet wird die Bewegung von der Kamera davor.</translation>
+    </message>
+    <message>
+        <source>%1: of its cameras the first %2 are taken, the others are left out.</source>
+        <translation>%1: von seinen Kameras werden die ersten %2 genommen, die anderen bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1 stands in column %2%3, expected a finite number such as 0.5.</source>
+        <translation>%1 steht in Spalte %2%3; erwartet wird eine endliche Zahl wie 0.5.</translation>
+    </message>
+    <message>
+        <source>%1: commas are read as decimal points.</source>
+        <translation>%1: Kommas werden als Dezimalpunkte gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: the times are taken for %2.</source>
+        <translation>%1: die Zeiten werden genommen für %2.</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>Nanosekunden</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>%1: the lines do not stand in order of time; they were sorted.</source>
+        <translation>%1: die Zeilen stehen nicht in der Reihenfolge der Zeit; sie wurden sortiert.</translation>
+    </message>
+    <message>
+        <source>%1: has a line for each marker, and no column that says which lines are of one instant; expected `observation` or `time`.</source>
+        <translation>%1: hat eine Zeile je Marker und keine Spalte, die sagt, welche Zeilen von einem Zeitpunkt sind; erwartet wird `observation` oder `time`.</translation>
+    </message>
+    <message>
+        <source>%1: has no header; its columns are taken for %2x y z of %3 points.</source>
+        <translation>%1: hat keine Kopfzeile; die Spalten gelten als %2x y z von %3 Punkten.</translation>
+    </message>
+    <message>
+        <source>time and </source>
+        <translation>Zeit und </translation>
+    </message>
+    <message>
+        <source>%1: holds %2 points an instant; a session has up to %3 markers.</source>
+        <translation>%1: enthält %2 Punkte je Zeitpunkt; eine Sitzung hat bis zu %3 Marker.</translation>
+    </message>
+    <message>
+        <source>%1: lengths of %2 are taken for millimetres; a session holds metres.</source>
+        <translation>%1: Längen von %2 werden für Millimeter gehalten; eine Sitzung hat Meter.</translation>
+    </message>
+    <message>
+        <source>%1: pose %2 %3; expected x y z in m and a unit quaternion x y z w.</source>
+        <translation>%1: Pose %2 %3; erwartet werden x y z in m und ein Einheitsquaternion x y z w.</translation>
+    </message>
+    <message>
+        <source>%1: holds poses of %2 things (%3); expected those of the flange and of the target.</source>
+        <translation>%1: enthält Posen von %2 Dingen (%3); erwartet werden die des Flansches und die des Ziels.</translation>
+    </message>
+    <message>
+        <source>%1: has %2 poses %3 and %4 poses %5; expected one of each an instant.</source>
+        <translation>%1: hat %2 Posen %3 und %4 Posen %5; erwartet wird je eine für jeden Augenblick.</translation>
+    </message>
+    <message>
+        <source>%1: the lens is of RealSense's model %2, which sessions do not have; calibrate the camera with `handsight-cli cameras`.</source>
+        <translation>%1: das Objektiv ist von RealSenses Modell %2, das Sitzungen nicht haben; kalibriere die Kamera mit `handsight-cli cameras`.</translation>
+    </message>
+    <message>
+        <source>%1: its coefficients are of the model inverse Brown-Conrady; they are taken as Brown's, as librealsense projects with them.</source>
+        <translation>%1: ihre Koeffizienten sind vom Modell inverse Brown-Conrady; sie werden als die von Brown genommen, wie librealsense mit ihnen projiziert.</translation>
+    </message>
+    <message>
+        <source>%1: has no number %2; expected width height ppx ppy fx fy.</source>
+        <translation>%1: hat keine Zahl %2; erwartet werden width height ppx ppy fx fy.</translation>
+    </message>
+    <message>
+        <source>%1: lists %2 streams (%3); keep the lines of the one that the images are of, from "Intrinsic of" to "Coeffs".</source>
+        <translation>%1: nennt %2 Ströme (%3); behalte die Zeilen dessen, von dem die Bilder sind, von "Intrinsic of" bis "Coeffs".</translation>
+    </message>
+    <message>
+        <source>%1: does not say where the camera is; it is taken to be on the hand (--eye-on-base: on a stand).</source>
+        <translation>%1: sagt nicht, wo die Kamera ist; sie gilt als an der Hand (--eye-on-base: auf einem Ständer).</translation>
+    </message>
+    <message>
+        <source>%1: angles of up to %2 can only be degrees; they are read so.</source>
+        <translation>%1: Winkel bis %2 können nur Grad sein; so werden sie gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: pose %2 lies outside of any room; expected lengths in m or mm.</source>
+        <translation>%1: Pose %2 liegt außerhalb jedes Raums; erwartet werden Längen in m oder mm.</translation>
+    </message>
+    <message>
+        <source>%1: has no row with a whole pose; expected a place and a rotation in each.</source>
+        <translation>%1: hat keine Zeile mit einer ganzen Pose; erwartet wird in jeder ein Ort und eine Drehung.</translation>
+    </message>
+    <message>
+        <source>%1: a pose has no unit quaternion (%2); expected four numbers whose squares sum to 1.</source>
+        <translation>%1: eine Pose hat kein Einheitsquaternion (%2); erwartet werden vier Zahlen, deren Quadrate die Summe 1 haben.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows hold no whole pose (nan or empty); there nothing was measured.</source>
+        <translation>%1: %2 von %3 Zeilen haben keine ganze Pose (nan oder leer); dort wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source> in degrees</source>
+        <translation> in Grad</translation>
+    </message>
+    <message>
+        <source> in rad</source>
+        <translation> in rad</translation>
+    </message>
+    <message>
+        <source>%1: has no header; its columns are taken for %2x y z qx qy qz qw.</source>
+        <translation>%1: hat keine Kopfzeile; die Spalten gelten als %2x y z qx qy qz qw.</translation>
+    </message>
+    <message>
+        <source>%1: is no file that OpenCV's FileStorage wrote (YAML, XML or JSON): %2; name the stereo calibration.</source>
+        <translation>%1: ist keine Datei, die OpenCVs FileStorage geschrieben hat (YAML, XML oder JSON): %2; nenne die Stereokalibrierung.</translation>
+    </message>
+    <message>
+        <source>it says %1 x %2 and has %3 numbers</source>
+        <translation>sie sagt %1 x %2 und hat %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>it holds %1</source>
+        <translation>sie enthält %1</translation>
+    </message>
+    <message>
+        <source>it is a list of %1 numbers</source>
+        <translation>sie ist eine Liste von %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 is no finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>its rows or cols are none of a camera's matrix</source>
+        <translation>rows oder cols sind nicht die einer Kameramatrix</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>sie ist leer</translation>
+    </message>
+    <message>
+        <source>its list is not closed</source>
+        <translation>ihre Liste ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>its data is no list</source>
+        <translation>ihr data ist keine Liste</translation>
+    </message>
+    <message>
+        <source>its elements are nested too deeply</source>
+        <translation>ihre Elemente sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>%1: %2 columns are no joints of the session and are ignored.</source>
+        <translation>%1: %2 Spalten sind keine Gelenke der Sitzung und werden übergangen.</translation>
+    </message>
+    <message>
+        <source>%1: begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again with them.</source>
+        <translation>%1: beginnt wie Motives CSV und hat im Kopf weder starre Körper noch Marker; exportiere sie noch einmal mit ihnen.</translation>
+    </message>
+    <message>
+        <source>%1: its turns are Euler angles (%2); export it again with the rotation type Quaternion.</source>
+        <translation>%1: ihre Drehungen sind Euler-Winkel (%2); exportiere sie noch einmal mit der Drehungsart Quaternion.</translation>
+    </message>
+    <message>
+        <source>%1: %2 markers beside the rigid bodies are left out.</source>
+        <translation>%1: %2 Marker neben den starren Körpern bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no matrix of finite numbers: %3; expected what OpenCV's stereoCalibrate writes.</source>
+        <translation>%1: %2 ist keine Matrix endlicher Zahlen: %3; erwartet wird, was OpenCVs stereoCalibrate schreibt.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 camera matrix is %3 x %4; expected 3 x 3 with positive focal lengths.</source>
+        <translation>%1: die Matrix der Kamera (%2) ist %3 x %4; erwartet wird 3 x 3 mit positiven Brennweiten.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 camera has a focal length of %3 px; expected one from %4 to %5.</source>
+        <translation>%1: die Kamera (%2) hat eine Brennweite von %3 px; erwartet wird eine von %4 bis %5.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 camera matrix holds %3; expected at most %4 px.</source>
+        <translation>%1: die Kameramatrix %2 enthält %3; erwartet werden höchstens %4 px.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 camera has %3 distortion terms (rational, thin prism or tilted); calibrate it with five (k1 k2 p1 p2 k3).</source>
+        <translation>%1: die Kamera %2 hat %3 Verzeichnungsterme (rational, dünnes Prisma oder gekippt); kalibriere sie mit fünf (k1 k2 p1 p2 k3).</translation>
+    </message>
+    <message>
+        <source>%1: R is no rotation (its columns are not of length 1 and square to each other).</source>
+        <translation>%1: R ist keine Drehung (ihre Spalten sind nicht von Länge 1 und senkrecht zueinander).</translation>
+    </message>
+    <message>
+        <source>%1: R is %2 x %3; expected a 3 x 3 rotation or a rotation vector.</source>
+        <translation>%1: R ist %2 x %3; erwartet wird eine Drehmatrix 3 x 3 oder ein Drehvektor.</translation>
+    </message>
+    <message>
+        <source>%1: T is %2 long and is taken for millimetres: the cameras are %3 mm apart.</source>
+        <translation>%1: T ist %2 lang und gilt als Millimeter: die Kameras stehen %3 mm auseinander.</translation>
+    </message>
+    <message>
+        <source>%1: the %2 camera has %3 distortion terms; expected %4.</source>
+        <translation>%1: die Kamera %2 hat %3 Verzeichnungsterme; erwartet werden %4.</translation>
+    </message>
+    <message>
+        <source>the four of a fisheye (k1 k2 k3 k4)</source>
+        <translation>die vier eines Fischauges (k1 k2 k3 k4)</translation>
+    </message>
+    <message>
+        <source>five (k1 k2 p1 p2 k3) or eight with the rational ones</source>
+        <translation>fünf (k1 k2 p1 p2 k3) oder acht mit den rationalen</translation>
+    </message>
+    <message>
+        <source>%1: has no R%2 and T%3 of camera %4; name the file that says where it is to the first.</source>
+        <translation>%1: hat kein R%2 und T%3 der Kamera %4; nenne die Datei, die sagt, wo sie zur ersten liegt.</translation>
+    </message>
+    <message>
+        <source>%1: has no %2; name the file of OpenCV's stereoCalibrate that has it too.</source>
+        <translation>%1: hat keine %2; nenne auch die Datei von OpenCVs stereoCalibrate, in der sie steht.</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>Keine Datei</translation>
+    </message>
+    <message>
+        <source>rotation R between the cameras</source>
+        <translation>Drehung R zwischen den Kameras</translation>
+    </message>
+    <message>
+        <source>translation T between the cameras</source>
+        <translation>Verschiebung T zwischen den Kameras</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read; is it there, and may you read it?</source>
+        <translation>%1: die Datei lässt sich nicht lesen; gibt es sie, und darfst du sie lesen?</translation>
+    </message>
+    <message>
+        <source>%1: is a bag of ROS 1 of the version %2; expected V2.0. `rosbag fix OLD.bag NEW.bag` of ROS writes it anew.</source>
+        <translation>%1: ist ein Bag von ROS 1 der Version %2; erwartet wird V2.0. `rosbag fix ALT.bag NEU.bag` von ROS schreibt es neu.</translation>
+    </message>
+    <message>
+        <source>%1: does not begin as a bag does: it was not copied whole, or is of another kind; expected a ROS 2 bag (sqlite3 or MCAP) or a ROS 1 bag of version 2.0.</source>
+        <translation>%1: beginnt nicht wie ein Bag: es wurde nicht ganz kopiert oder ist von anderer Art; erwartet wird ein ROS-2-Bag (sqlite3 oder MCAP) oder ein ROS-1-Bag der Version 2.0.</translation>
+    </message>
+    <message>
+        <source>%1: its zstd is damaged (%2): what comes after the damage is lost.</source>
+        <translation>%1: ihr zstd ist beschädigt (%2): was nach dem Schaden kommt, ist verloren.</translation>
+    </message>
+    <message>
+        <source>%1: is compressed with zstd, and damaged (%2); expected a whole file: copy it again.</source>
+        <translation>%1: ist mit zstd komprimiert und beschädigt (%2); erwartet wird eine ganze Datei: kopiere sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages whose compression is damaged are left out.</source>
+        <translation>%1: %2 Nachrichten, deren Kompression beschädigt ist, bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: %2 more places are damaged.</source>
+        <translation>%1: %2 weitere Stellen sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1: is a bag of ROS 1 without a connection: nothing was recorded, or it is damaged; expected a bag with messages: record it again, or try `rosbag reindex`.</source>
+        <translation>%1: ist ein Bag von ROS 1 ohne Verbindung: es wurde nichts aufgezeichnet, oder es ist beschädigt; erwartet wird ein Bag mit Nachrichten: nimm es neu auf, oder versuche `rosbag reindex`.</translation>
+    </message>
+    <message>
+        <source>%1: is encrypted (%2); expected one that is not: `rosbag decrypt` of ROS writes it.</source>
+        <translation>%1: ist verschlüsselt (%2); erwartet wird ein unverschlüsseltes: `rosbag decrypt` von ROS schreibt es.</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages are of connections that are described nowhere and are left out.</source>
+        <translation>%1: %2 Nachrichten sind von Verbindungen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>it is compressed with %1, which is not read</source>
+        <translation>er ist mit %1 gepackt, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1: the chunk at byte %2 is left out: %3.</source>
+        <translation>%1: der Abschnitt ab Byte %2 bleibt weg: %3.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged at byte %2: %3 bytes up to the next chunk are left out.</source>
+        <translation>%1: ist bei Byte %2 beschädigt: %3 Byte bis zum nächsten Abschnitt bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: it is broken off or damaged at byte %2 of %3: after %4 messages the rest is lost.</source>
+        <translation>%1: sie bricht bei Byte %2 von %3 ab oder ist dort beschädigt: nach %4 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>it says that it is larger than 1 GiB</source>
+        <translation>er sagt, er sei größer als 1 GiB</translation>
+    </message>
+    <message>
+        <source>it holds less than it says</source>
+        <translation>er enthält weniger, als er sagt</translation>
+    </message>
+    <message>
+        <source>a record in it is damaged; what stands before it is read</source>
+        <translation>ein Eintrag darin ist beschädigt; was davor steht, wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1: begins as MCAP does and holds no channel: it was broken off before anything was recorded, or is damaged; expected a recording with messages: record it again, or try `mcap recover`.</source>
+        <translation>%1: beginnt wie MCAP und enthält keinen Kanal: die Aufnahme brach ab, bevor etwas aufgezeichnet war, oder sie ist beschädigt; erwartet wird eine Aufnahme mit Nachrichten: nimm sie neu auf, oder versuche `mcap recover`.</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages are of channels that are described nowhere and are left out.</source>
+        <translation>%1: %2 Nachrichten sind von Kanälen, die nirgends beschrieben sind, und bleiben weg.</translation>
+    </message>
+    <message>
+        <source>%1: its checksum does not agree: some of its bytes have changed since it was written; its messages are taken as they are.</source>
+        <translation>%1: die Prüfsumme stimmt nicht: einige Bytes haben sich geändert, seit sie geschrieben wurde; die Nachrichten werden genommen, wie sie sind.</translation>
+    </message>
+    <message>
+        <source> (%1 s to %2 s)</source>
+        <translation> (%1 s bis %2 s)</translation>
+    </message>
+    <message>
+        <source>, %1 messages</source>
+        <translation>, %1 Nachrichten</translation>
+    </message>
+    <message>
+        <source>%1: it is broken off at byte %2 of a record that begins at %3: after %4 messages the rest is lost.</source>
+        <translation>%1: sie bricht bei Byte %2 eines Eintrags ab, der bei %3 beginnt: nach %4 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>%1: at byte %2 of %3 stands no record: it is damaged, and after %4 messages the rest is lost.</source>
+        <translation>%1: bei Byte %2 von %3 steht kein Eintrag: sie ist beschädigt, und nach %4 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>its head is damaged</source>
+        <translation>sein Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its checksum does not agree</source>
+        <translation>seine Prüfsumme stimmt nicht</translation>
+    </message>
+    <message>
+        <source>%1: %2; the bag is damaged, or the message is of another type than it says.</source>
+        <translation>%1: %2; das Bag ist beschädigt, oder die Nachricht ist von anderer Art, als sie sagt.</translation>
+    </message>
+    <message>
+        <source>%1: is damaged (%2): after %3 messages the rest is lost.</source>
+        <translation>%1: ist beschädigt (%2): nach %3 Nachrichten ist der Rest verloren.</translation>
+    </message>
+    <message>
+        <source>%1: is no ROS 2 bag in sqlite3 that can be read: %2; expected what `ros2 bag record` writes: copy it again, or write it anew with `ros2 bag convert`.</source>
+        <translation>%1: ist kein ROS-2-Bag in sqlite3, das sich lesen ließe: %2; erwartet wird, was `ros2 bag record` schreibt: kopiere es noch einmal, oder schreibe es neu mit `ros2 bag convert`.</translation>
+    </message>
+    <message>
+        <source>%1: there is no room to decompress it in %2; make room there, or name another folder in TMPDIR.</source>
+        <translation>%1: in %2 ist kein Platz, um sie zu entpacken; schaffe dort Platz, oder nenne einen anderen Ordner in TMPDIR.</translation>
+    </message>
+    <message>
+        <source>it holds more than it says</source>
+        <translation>er enthält mehr, als er sagt</translation>
+    </message>
+    <message>
+        <source>it ends too early</source>
+        <translation>er endet zu früh</translation>
+    </message>
+    <message>
+        <source>its zstd blocks are damaged</source>
+        <translation>seine zstd-Blöcke sind beschädigt</translation>
+    </message>
+    <message>
+        <source>its bz2 blocks do not agree with their sums</source>
+        <translation>seine bz2-Blöcke stimmen nicht mit ihren Summen überein</translation>
+    </message>
+    <message>
+        <source>%1: is of LeRobot's older form, which holds no ranges; `lerobot-calibrate` of a newer one writes them.</source>
+        <translation>%1: ist von LeRobots älterer Form, die keine Bereiche enthält; `lerobot-calibrate` eines neueren schreibt sie.</translation>
+    </message>
+    <message>
+        <source>%1: servo %2 has no range_min below its range_max; expected LeRobot's calibration.</source>
+        <translation>%1: Servo %2 hat kein range_min unter seinem range_max; erwartet wird LeRobots Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1: no column has the name of a servo of LeRobot's calibration, which is not used.</source>
+        <translation>%1: keine Spalte heißt wie ein Servo aus LeRobots Kalibrierung, die nicht benutzt wird.</translation>
+    </message>
+    <message>
+        <source>%1: %2 columns are read as %3; 0 is the middle of each range: where the robot's URDF has another zero, joint_offset finds it.</source>
+        <translation>%1: %2 Spalten werden als %3 gelesen; 0 ist die Mitte jedes Bereichs: wo die URDF des Roboters eine andere Null hat, findet sie joint_offset.</translation>
+    </message>
+    <message>
+        <source>%1: that %2 follows %3 is left out: it is no straight line.</source>
+        <translation>%1: dass %2 %3 folgt, bleibt weg: es ist keine Gerade.</translation>
+    </message>
+    <message>
+        <source>%1: %2 stand still in the session's copy: a session has one number a joint.</source>
+        <translation>%1: %2 stehen in der Kopie der Sitzung still: eine Sitzung hat eine Zahl je Gelenk.</translation>
+    </message>
+    <message>
+        <source>%1: xacro cannot expand it (%2); expand it with the arguments that the robot's launch file gives, `xacro %3 NAME:=VALUE &gt; robot.urdf`, and name robot.urdf.</source>
+        <translation>%1: xacro kann sie nicht entfalten (%2); entfalte sie mit den Argumenten, die die Launch-Datei des Roboters gibt, `xacro %3 NAME:=VALUE &gt; robot.urdf`, und nenne robot.urdf.</translation>
+    </message>
+    <message>
+        <source>%1: is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.</source>
+        <translation>%1: ist ein Modell von MuJoCo; der Roboter der Sitzung ist eine URDF seiner Körper und Gelenke.</translation>
+    </message>
+    <message>
+        <source>The driver answered %1, which %2; the experiment stops.</source>
+        <translation>Der Treiber hat %1 geantwortet, was %2; der Versuch hält an.</translation>
+    </message>
+    <message>
+        <source>has in "%1" something else than numbers from %2 to %3</source>
+        <translation>in "%1" etwas anderes hat als Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>has in "%1" something else than a list of numbers</source>
+        <translation>in "%1" etwas anderes hat als eine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>has %1 numbers in "%2", expected %3</source>
+        <translation>%1 Zahlen in "%2" hat; erwartet werden %3</translation>
+    </message>
+    <message>
+        <source>has no text in "%1"</source>
+        <translation>keinen Text in "%1" hat</translation>
+    </message>
+    <message>
+        <source>has no list in "%1"</source>
+        <translation>keine Liste in "%1" hat</translation>
+    </message>
+    <message>
+        <source>has in "%1" something else than texts</source>
+        <translation>in "%1" etwas anderes hat als Texte</translation>
+    </message>
+    <message>
+        <source>has in "points" no list of at most %1 points</source>
+        <translation>in "points" keine Liste von höchstens %1 Punkten hat</translation>
+    </message>
+    <message>
+        <source>has marker %1, expected ascending numbers from 0 to %2</source>
+        <translation>Marker %1 hat; erwartet werden steigende Nummern von 0 bis %2</translation>
+    </message>
+    <message>
+        <source>names an image of %1, expected files of the cameras %2</source>
+        <translation>ein Bild von %1 nennt; erwartet werden Dateien der Kameras %2</translation>
+    </message>
+    <message>
+        <source>is no JSON</source>
+        <translation>kein JSON ist</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>kein JSON-Objekt ist</translation>
+    </message>
+    <message>
+        <source>says in "ok" neither true nor false</source>
+        <translation>in "ok" weder true noch false sagt</translation>
+    </message>
+    <message>
+        <source>has a target_pose without "xyz"</source>
+        <translation>eine target_pose ohne "xyz" hat</translation>
+    </message>
+    <message>
+        <source>has a quaternion whose length is not 1</source>
+        <translation>ein Quaternion hat, dessen Länge nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>has a target_pose without "quaternion" (x y z w) or "rpy"</source>
+        <translation>eine target_pose ohne "quaternion" (x y z w) oder "rpy" hat</translation>
+    </message>
+    <message>
+        <source>has "markers", which only the cameras of a session see</source>
+        <translation>"markers" hat, die nur die Kameras einer Sitzung sehen</translation>
+    </message>
+    <message>
+        <source>has a marker without "index"</source>
+        <translation>einen Marker ohne "index" hat</translation>
+    </message>
+    <message>
+        <source>has "images", which the session has no cameras for</source>
+        <translation>"images" hat, für die die Sitzung keine Kameras hat</translation>
+    </message>
+    <message>
+        <source>repeats no "id"</source>
+        <translation>keine "id" wiederholt</translation>
+    </message>
+    <message>
+        <source>does not say in "position" where the robot stands</source>
+        <translation>nicht in "position" sagt, wo der Roboter steht</translation>
+    </message>
+    <message>
+        <source>has none of "images", "points", "target_pose" and "markers"</source>
+        <translation>weder "images" noch "points", "target_pose" oder "markers" hat</translation>
+    </message>
+    <message>
+        <source>has no points in "path"</source>
+        <translation>keine Punkte in "path" hat</translation>
+    </message>
+    <message>
+        <source>The driver cannot be begun: %1</source>
+        <translation>Der Treiber lässt sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>was ended by signal %1</source>
+        <translation>wurde durch das Signal %1 beendet</translation>
+    </message>
+    <message>
+        <source>ended with exit code %1%2</source>
+        <translation>endete mit dem Rückgabewert %1%2</translation>
+    </message>
+    <message>
+        <source> (is its command there?)</source>
+        <translation> (gibt es seinen Befehl?)</translation>
+    </message>
+    <message>
+        <source>The driver has not answered "%1" for %2 s, which is the limit; it was told to stop and the experiment ends.</source>
+        <translation>Der Treiber hat auf "%1" seit %2 s nicht geantwortet, was die Grenze ist; ihm wurde Halt gesagt, und der Versuch endet.</translation>
+    </message>
+    <message>
+        <source>The driver's answer to "%1" is longer than 16 MiB without an end of line.</source>
+        <translation>Die Antwort des Treibers auf "%1" ist länger als 16 MiB ohne Zeilenende.</translation>
+    </message>
+    <message>
+        <source>The driver %1 while it was asked to "%2"; the experiment stops.</source>
+        <translation>Der Treiber %1, während ihm "%2" gesagt war; der Versuch hält an.</translation>
+    </message>
+    <message>
+        <source>closed its output</source>
+        <translation>hat seine Ausgabe geschlossen</translation>
+    </message>
+    <message>
+        <source>The driver answered message %1 where %2 ("%3") was asked: what it says belongs to something else, and the experiment stops.</source>
+        <translation>Der Treiber hat auf Nachricht %1 geantwortet, wo %2 ("%3") gefragt war: was er sagt, gehört zu etwas anderem, und der Versuch hält an.</translation>
+    </message>
+    <message>
+        <source>The experiment was interrupted; the driver was told to stop.</source>
+        <translation>Der Versuch wurde unterbrochen; dem Treiber wurde Halt gesagt.</translation>
+    </message>
+    <message>
+        <source>The driver is lost already: nothing more is asked of it.</source>
+        <translation>Der Treiber ist schon verloren: er wird nichts mehr gefragt.</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>A mesh is left out of the robot's shapes: %1</source>
+        <translation>Ein Netz bleibt aus den Formen des Roboters weg: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 pairs of links are not watched, as it says.</source>
+        <translation>%1: auf %2 Paare von Gliedern wird nicht geachtet, wie sie es sagt.</translation>
+    </message>
+    <message>
+        <source>box %1 of the cell</source>
+        <translation>Quader %1 der Zelle</translation>
+    </message>
+    <message>
+        <source>plane %1 of the cell</source>
+        <translation>Ebene %1 der Zelle</translation>
+    </message>
+    <message>
+        <source>%1 touch by their shapes where the robot has been: they are not watched.</source>
+        <translation>%1 berühren sich nach ihren Formen, wo der Roboter schon war: auf sie wird nicht geachtet.</translation>
+    </message>
+    <message>
+        <source>%1 beyond its limit</source>
+        <translation>%1 jenseits seiner Grenze</translation>
+    </message>
+    <message>
+        <source>This program was built without FCL and OMPL, with which it finds paths without collisions: install libfcl-dev and libompl-dev, configure the build again and build it.</source>
+        <translation>Dieses Programm wurde ohne FCL und OMPL gebaut, mit denen es Wege ohne Zusammenstöße findet: libfcl-dev und libompl-dev installieren, neu konfigurieren und bauen.</translation>
+    </message>
+    <message>
+        <source>has in size a length that is not above 0 m.</source>
+        <translation>hat in size eine Länge, die nicht über 0 m ist.</translation>
+    </message>
+    <message>
+        <source>has a normal of zeros, expected the direction that leads out of what is solid.</source>
+        <translation>hat eine Normale aus Nullen; erwartet wird die Richtung, die aus dem Festen hinausführt.</translation>
+    </message>
+    <message>
+        <source>is not known, expected &lt;box&gt; or &lt;plane&gt;: what stands about the robot must not be overlooked.</source>
+        <translation>ist nicht bekannt; erwartet wird &lt;box&gt; oder &lt;plane&gt;: was um den Roboter steht, darf nicht übersehen werden.</translation>
+    </message>
+    <message>
+        <source>The driver %1 does not say that it can "%2", which an experiment needs.</source>
+        <translation>Der Treiber %1 sagt nicht, dass er "%2" kann, was ein Versuch braucht.</translation>
+    </message>
+    <message>
+        <source>The %1 poses that were given have been taken.</source>
+        <translation>Die %1 vorgegebenen Posen sind aufgenommen.</translation>
+    </message>
+    <message>
+        <source>The %1 observations that were asked for are made.</source>
+        <translation>Die %1 verlangten Beobachtungen sind gemacht.</translation>
+    </message>
+    <message>
+        <source>The time that was asked for is over (%1 s).</source>
+        <translation>Die verlangte Zeit ist um (%1 s).</translation>
+    </message>
+    <message>
+        <source> %1%2 is missing (odds of %3)</source>
+        <translation> %1%2 fehlt (%3 zu 1)</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+    <message>
+        <source>%1 the hand is known to %2 mm (95 %)</source>
+        <translation>%1 die Hand ist auf %2 mm bekannt (95 %)</translation>
+    </message>
+    <message>
+        <source>, and</source>
+        <translation>, und</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>The driver has refused or shown nothing in %1 moves in a row, the last time because: %2.</source>
+        <translation>Der Treiber hat bei %1 Bewegungen nacheinander abgelehnt oder nichts gezeigt, zuletzt weil: %2.</translation>
+    </message>
+    <message>
+        <source>nothing was seen: %1</source>
+        <translation>nichts gesehen: %1</translation>
+    </message>
+    <message>
+        <source>Of %1 moves in a row none brought an observation that could be used, the last time because: %2.</source>
+        <translation>Von %1 Bewegungen nacheinander brachte keine eine brauchbare Beobachtung, zuletzt weil: %2.</translation>
+    </message>
+    <message>
+        <source>The driver does not say where the robot stands: it is taken to stand where the session's last observation was.</source>
+        <translation>Der Treiber sagt nicht, wo der Roboter steht: er gilt als dort, wo die letzte Beobachtung der Sitzung war.</translation>
+    </message>
+    <message>
+        <source>An experiment moves joints, and of this session's robot only the flange's poses are known.</source>
+        <translation>Ein Versuch bewegt Gelenke, und vom Roboter dieser Sitzung sind nur die Posen des Flansches bekannt.</translation>
+    </message>
+    <message>
+        <source> nothing is missing that these poses could show</source>
+        <translation> es fehlt nichts, das diese Posen zeigen könnten</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached:</source>
+        <translation>Was verlangt war, ist erreicht:</translation>
+    </message>
+    <message>
+        <source>no way leads there from where the robot stands now</source>
+        <translation>von dort, wo der Roboter jetzt steht, führt kein Weg dahin</translation>
+    </message>
+    <message>
+        <source>The driver moves %1 joints, not those of the session: expected %2, in any order.</source>
+        <translation>Der Treiber bewegt %1 Gelenke, nicht die der Sitzung: erwartet werden %2, in beliebiger Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>The driver says that %1 stands %2 %3 from where it was sent; more than %4 stops an experiment, and it was told to stop.</source>
+        <translation>Der Treiber sagt, dass %1 um %2 %3 von dort steht, wohin es geschickt wurde; mehr als %4 hält einen Versuch an, und ihm wurde Halt gesagt.</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>10 mm</source>
+        <translation>10 mm</translation>
+    </message>
+    <message>
+        <source>1 degree</source>
+        <translation>1 Grad</translation>
+    </message>
+    <message>
+        <source>The driver names %1 as what camera %2 saw, and there is no such file.</source>
+        <translation>Der Treiber nennt %1 als das, was Kamera %2 sah, und diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is there already and is no image of this experiment; move it away.</source>
+        <translation>%1 ist schon da und ist kein Bild dieses Versuchs; es wegräumen.</translation>
+    </message>
+    <message>
+        <source>The driver's look is not what &lt;%1&gt; of the session sees: expected %2.</source>
+        <translation>Was der Treiber gesehen hat, ist nicht, was &lt;%1&gt; der Sitzung sieht: erwartet wird %2.</translation>
+    </message>
+    <message>
+        <source>"images" or "markers"</source>
+        <translation>"images" oder "markers"</translation>
+    </message>
+    <message>
+        <source>One more hour (about %1 poses at %2 s each) would bring the body's place on the hand from +-%3 mm to +-%4 mm, as the model has it.</source>
+        <translation>Eine Stunde mehr (etwa %1 Posen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
+    </message>
+    <message>
+        <source>--until %1: expected hand=0.3mm, odds=20, count=60 or time=30min (um, mm, cm, m; s, min, h), several with | between.</source>
+        <translation>--until %1: erwartet wird hand=0.3mm, odds=20, count=60 oder time=30min (um, mm, cm, m; s, min, h), mehrere mit | dazwischen.</translation>
+    </message>
+    <message>
+        <source>--fault %1: expected one of %2.</source>
+        <translation>--fault %1: erwartet wird eines von %2.</translation>
+    </message>
+    <message>
+        <source>--fault %1: expected the number of a move after the @, from 1 on.</source>
+        <translation>--fault %1: erwartet wird nach dem @ die Nummer einer Bewegung, von 1 an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot go to %2: its limits are %3 and %4</source>
+        <translation>%1 kann nicht nach %2: seine Grenzen sind %3 und %4</translation>
+    </message>
+    <message>
+        <source>&lt;joints&gt; names %1, %2, expected joints of the robot that move by themselves.</source>
+        <translation>&lt;joints&gt; nennt %1, %2; erwartet werden Gelenke des Roboters, die sich von selbst bewegen.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file or folder, expected a session's folder or its session.xml.</source>
+        <translation>%1: eine solche Datei gibt es nicht; erwartet wird der Ordner einer Sitzung oder ihre session.xml.</translation>
+    </message>
+    <message>
+        <source>%1: the folder holds a collection of several sessions, expected one session's folder; open one of them here, or give the collection to handsight-cli fit or improve.</source>
+        <translation>%1: der Ordner enthält eine Sammlung mehrerer Sitzungen; erwartet wird der Ordner einer einzelnen Sitzung. Öffnen Sie hier eine davon, oder geben Sie die Sammlung handsight-cli fit oder improve.</translation>
+    </message>
+    <message>
+        <source>%1: the folder holds no session.xml, expected a session's folder.</source>
+        <translation>%1: der Ordner enthält keine session.xml; erwartet wird der Ordner einer Sitzung.</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; has file=%1, which leads out of the session's folder, expected a URDF file inside it, in a folder "robots" beside or above it, or in one that the environment variable %2 names.</source>
+        <translation>&lt;robot&gt; hat file=%1, was aus dem Ordner der Sitzung hinausführt; erwartet wird eine URDF-Datei in ihm, in einem Ordner "robots" daneben oder darüber oder in einem, den die Umgebungsvariable %2 nennt.</translation>
+    </message>
+    <message>
+        <source>&lt;robot&gt; has file=%1, which is not there, expected a URDF file, its path relative to the session's folder.</source>
+        <translation>&lt;robot&gt; hat file=%1, was es nicht gibt; erwartet wird eine URDF-Datei, ihr Pfad vom Ordner der Sitzung aus.</translation>
+    </message>
+    <message>
+        <source>the image %1 of observation %2 leads out of the session's folder, expected images inside it.</source>
+        <translation>das Bild %1 von Beobachtung %2 führt aus dem Ordner der Sitzung hinaus; erwartet werden Bilder in ihm.</translation>
+    </message>
+    <message>
+        <source>%1: belongs to the session and is not written over; name another file.</source>
+        <translation>%1: gehört zur Sitzung und wird nicht überschrieben; nenne eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>session "%1"</source>
+        <translation>Sitzung "%1"</translation>
+    </message>
+    <message>
+        <source>%1: nothing tells the noise of its sensor, by which it counts beside the others; declare it (sigma of &lt;%2&gt;).</source>
+        <translation>%1: nichts sagt das Rauschen ihres Sensors, nach dem sie neben den anderen zählt; es angeben (sigma von &lt;%2&gt;).</translation>
+    </message>
+    <message>
+        <source>%1: rig="%2" is that of session "%3", but the fixture %4 is of another kind; give it a name of its own.</source>
+        <translation>%1: rig="%2" ist das von Sitzung "%3", aber die Vorrichtung %4 ist von anderer Art; ihm einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>%1: gravity is %2 there and %3 in %4; one robot stands in one gravity.</source>
+        <translation>%1: die Schwerkraft ist dort %2 und %3 in %4; ein Roboter steht in einer Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>%1: together the sessions have more than %2 cameras; give sessions that share cameras the same rig="".</source>
+        <translation>%1: zusammen haben die Sitzungen mehr als %2 Kameras; Sitzungen, die sich Kameras teilen, dasselbe rig="" geben.</translation>
+    </message>
+    <message>
+        <source>%1: rig="%2" is that of session "%3", but it %4; give it a name of its own.</source>
+        <translation>%1: rig="%2" ist das der Sitzung "%3", aber hier %4; gib ihm einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>%1: body="%2" is that of session "%3", but it has %4; give it a name of its own.</source>
+        <translation>%1: body="%2" ist das der Sitzung "%3", aber hier ist %4; gib ihm einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>another TCP</source>
+        <translation>einen anderen TCP</translation>
+    </message>
+    <message>
+        <source>another number of markers</source>
+        <translation>eine andere Zahl von Markern</translation>
+    </message>
+    <message>
+        <source>--session %1: this calibration is of one session alone; leave the option out.</source>
+        <translation>--session %1: diese Kalibrierung ist von einer einzelnen Sitzung; die Option weglassen.</translation>
+    </message>
+    <message>
+        <source>--session %1: the calibration has no such session; it has %2.</source>
+        <translation>--session %1: eine solche Sitzung hat die Kalibrierung nicht; sie hat %2.</translation>
+    </message>
+    <message>
+        <source>the scatter of the hand</source>
+        <translation>die Streuung der Hand</translation>
+    </message>
+    <message>
+        <source>the covariance of the hand</source>
+        <translation>die Kovarianz der Hand</translation>
+    </message>
+    <message>
+        <source>what the choice of the effects leaves open</source>
+        <translation>was die Wahl der Effekte offenlässt</translation>
+    </message>
+    <message>
+        <source>a marker</source>
+        <translation>ein Marker</translation>
+    </message>
+    <message>
+        <source>an error of the fit</source>
+        <translation>ein Fehler der Schätzung</translation>
+    </message>
+    <message>
+        <source>joint %1 has %2 %3 in one and %4 in the other</source>
+        <translation>Gelenk %1 hat %2 %3 in der einen und %4 in der anderen</translation>
+    </message>
+    <message>
+        <source>the one has a joint %1 where the other has %2</source>
+        <translation>die eine hat ein Gelenk %1, wo die andere %2 hat</translation>
+    </message>
+    <message>
+        <source>joint %1 is of another kind or between other links</source>
+        <translation>Gelenk %1 ist von anderer Art oder zwischen anderen Gliedern</translation>
+    </message>
+    <message>
+        <source>%1 links and %2 joints in one, %3 and %4 in the other</source>
+        <translation>%1 Glieder und %2 Gelenke in der einen, %3 und %4 in der anderen</translation>
+    </message>
+    <message>
+        <source>the one has a link %1 where the other has %2</source>
+        <translation>die eine hat ein Glied %1, wo die andere %2 hat</translation>
+    </message>
+    <message>
+        <source>link %1 has a mass of %2 kg in one and %3 kg in the other</source>
+        <translation>Glied %1 hat in der einen eine Masse von %2 kg und in der anderen %3 kg</translation>
+    </message>
+    <message>
+        <source>link %1 has its centre of mass at %2 in one and %3 in the other</source>
+        <translation>Glied %1 hat seinen Schwerpunkt in der einen bei %2 und in der anderen bei %3</translation>
+    </message>
+    <message>
+        <source>its place at</source>
+        <translation>seinen Platz bei</translation>
+    </message>
+    <message>
+        <source>its link at</source>
+        <translation>sein Glied bei</translation>
+    </message>
+    <message>
+        <source>its axis along</source>
+        <translation>seine Achse entlang</translation>
+    </message>
+    <message>
+        <source>a stiffness of</source>
+        <translation>eine Steifigkeit von</translation>
+    </message>
+    <message>
+        <source>has folder="%1", expected a session's folder inside the collection's folder or beside it, its path relative to the collection.</source>
+        <translation>hat folder="%1"; erwartet wird der Ordner einer Sitzung in dem der Sammlung oder daneben, sein Pfad von der Sammlung aus.</translation>
+    </message>
+    <message>
+        <source>is a second session called "%1", expected another title="" for one of them.</source>
+        <translation>ist eine zweite Sitzung namens "%1"; erwartet wird für eine von ihnen ein anderer title="".</translation>
+    </message>
+    <message>
+        <source>%1: lies neither inside the folder of %2 nor beside it; write the collection into the folder that holds the sessions.</source>
+        <translation>%1: liegt weder im Ordner von %2 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
+    </message>
+    <message>
+        <source>has no &lt;session&gt;, expected one at least.</source>
+        <translation>hat keine &lt;session&gt;; erwartet wird mindestens eine.</translation>
+    </message>
+    <message>
+        <source>has %1=%2, expected a path relative to the session's folder and inside it.</source>
+        <translation>hat %1=%2; erwartet wird ein Pfad vom Ordner der Sitzung aus und in ihm.</translation>
+    </message>
+    <message>
+        <source>"su sv suv": two standard deviations of 1e-9 to 1e4 px, and a covariance in px^2 that is smaller than their product</source>
+        <translation>"su sv suv": zwei Standardabweichungen von 1e-9 bis 1e4 px und eine Kovarianz in px^2, die kleiner ist als ihr Produkt</translation>
+    </message>
+    <message>
+        <source>none, as that camera did not see the marker</source>
+        <translation>keines, denn diese Kamera sah den Marker nicht</translation>
+    </message>
+    <message>
+        <source>has no %1</source>
+        <translation>hat kein %1</translation>
+    </message>
+    <message>
+        <source>has neither %1</source>
+        <translation>hat weder %1</translation>
+    </message>
+    <message>
+        <source> nor </source>
+        <translation> noch </translation>
+    </message>
+    <message>
+        <source>%1%2 marker that is not seen has no element.</source>
+        <translation>%1%2 Marker, der nicht gesehen wird, hat kein Element.</translation>
+    </message>
+    <message>
+        <source>, expected at least one; a</source>
+        <translation>; erwartet wird mindestens eines; ein</translation>
+    </message>
+    <message>
+        <source>one for each of &lt;joints&gt;</source>
+        <translation>eine für jedes von &lt;joints&gt;</translation>
+    </message>
+    <message>
+        <source>has %1=%2, expected a letter and then letters, digits and _, 64 at most.</source>
+        <translation>hat %1=%2; erwartet wird ein Buchstabe und dann Buchstaben, Ziffern und _, höchstens 64.</translation>
+    </message>
+    <message>
+        <source>holds %1 characters, expected %2 at most.</source>
+        <translation>enthält %1 Zeichen; erwartet werden höchstens %2.</translation>
+    </message>
+    <message>
+        <source>is a second parameter %1, expected each name once.</source>
+        <translation>ist ein zweiter Parameter %1; erwartet wird jeder Name einmal.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 &lt;parameter&gt;, expected 1 to %3.</source>
+        <translation>%1 hat %2 &lt;parameter&gt;; erwartet werden 1 bis %3.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 &lt;moves&gt;, expected 1 to %3: the sites that it moves, and by how much.</source>
+        <translation>%1 hat %2 &lt;moves&gt;; erwartet werden 1 bis %3: die Stellen, die er bewegt, und um wie viel.</translation>
+    </message>
+    <message>
+        <source>has id=%1 a second time, expected each effect once.</source>
+        <translation>hat id=%1 ein zweites Mal; erwartet wird jeder Effekt einmal.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the effect "%3" is defined in %4 already; that one counts.</source>
+        <translation>%1, Zeile %2: der Effekt "%3" ist schon in %4 erklärt; jener zählt.</translation>
+    </message>
+    <message>
+        <source>The size of the images is not known; the %1calibration does not name it.</source>
+        <translation>Die Größe der Bilder ist nicht bekannt; die %1Kalibrierung nennt sie nicht.</translation>
+    </message>
+    <message>
+        <source>stereo </source>
+        <translation>Stereo-</translation>
+    </message>
+    <message>
+        <source>There is no link %1: a robot of poses has "base" and "flange".</source>
+        <translation>Ein Glied %1 gibt es nicht: ein Roboter aus Posen hat "base" und "flange".</translation>
+    </message>
+    <message>
+        <source>%1: has no link %2.</source>
+        <translation>%1: hat kein Glied %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no partner and is left out; observation %2 has no images.</source>
+        <translation>%1 hat keinen Partner und bleibt weg; Beobachtung %2 hat keine Bilder.</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 have the same number; one image an instant and side is wanted.</source>
+        <translation>%1: %2 und %3 haben dieselbe Nummer; gebraucht wird ein Bild je Zeitpunkt und Seite.</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be read (%2).</source>
+        <translation>%1: der Ordner lässt sich nicht lesen (%2).</translation>
+    </message>
+    <message>
+        <source>%1: has no %2images with a number in their names (PNG, JPEG, PGM, BMP or TIFF).</source>
+        <translation>%1: enthält keine %2Bilder mit einer Nummer im Namen (PNG, JPEG, PGM, BMP oder TIFF).</translation>
+    </message>
+    <message>
+        <source>has %1="0 0 0", expected a direction.</source>
+        <translation>hat %1="0 0 0"; erwartet wird eine Richtung.</translation>
+    </message>
+    <message>
+        <source>has id="%1" a second time, expected each fixture once.</source>
+        <translation>hat id="%1" ein zweites Mal; erwartet wird jede Vorrichtung einmal.</translation>
+    </message>
+    <message>
+        <source>has %1="%2", expected one of the fixtures: %3.</source>
+        <translation>hat %1="%2"; erwartet wird eine der Vorrichtungen: %3.</translation>
+    </message>
+    <message>
+        <source>does not say where it is, expected its place; only planes and points with estimate="yes" are found without.</source>
+        <translation>sagt nicht, wo sie ist; erwartet wird ihr Ort; nur Ebenen und Punkte mit estimate="yes" werden ohne ihn gefunden.</translation>
+    </message>
+    <message>
+        <source>is from a fixture to itself, expected two of them.</source>
+        <translation>ist von einer Vorrichtung zu sich selbst; erwartet werden zwei.</translation>
+    </message>
+    <message>
+        <source>holds no fixture, expected a plane, point, line, gauge or length.</source>
+        <translation>enthält keine Vorrichtung; erwartet wird plane, point, line, gauge oder length.</translation>
+    </message>
+    <message>
+        <source>is a second touch in one observation, expected one: the robot stands once.</source>
+        <translation>ist eine zweite Berührung in einer Beobachtung; erwartet wird eine: der Roboter steht einmal.</translation>
+    </message>
+    <message>
+        <source>has no value, expected the length that was read there.</source>
+        <translation>hat keinen value; erwartet wird die Länge, die dort abgelesen wurde.</translation>
+    </message>
+    <message>
+        <source>is a second camera with name="%1", expected one left and one right.</source>
+        <translation>ist eine zweite Kamera mit name="%1"; erwartet wird eine linke und eine rechte.</translation>
+    </message>
+    <message>
+        <source>has no &lt;camera name="%1"&gt;, expected one left and one right.</source>
+        <translation>hat keine &lt;camera name="%1"&gt;; erwartet wird eine linke und eine rechte.</translation>
+    </message>
+    <message>
+        <source>has name=%1, expected at most 40 letters, digits and _.</source>
+        <translation>hat name=%1; erwartet werden höchstens 40 Buchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <source>has name="%1", which markers have as an attribute already, expected another name.</source>
+        <translation>hat name="%1", was Marker schon als Attribut haben; erwartet wird ein anderer Name.</translation>
+    </message>
+    <message>
+        <source>has name="%1" beside the camera "%2", expected names that differ, and none that is another's with _sigma behind it.</source>
+        <translation>hat name="%1" neben der Kamera "%2"; erwartet werden verschiedene Namen, und keiner, der ein anderer mit _sigma dahinter ist.</translation>
+    </message>
+    <message>
+        <source>is one too many, expected at most %1.</source>
+        <translation>ist eine zu viel; erwartet werden höchstens %1.</translation>
+    </message>
+    <message>
+        <source>stands beside the &lt;%1&gt; of line %2, expected one of the two.</source>
+        <translation>steht neben dem &lt;%1&gt; von Zeile %2; erwartet wird eines von beiden.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: sigma_pixel has no meaning in a tracker session and is ignored.</source>
+        <translation>%1, Zeile %2: sigma_pixel bedeutet in einer Tracker-Sitzung nichts und wird übergangen.</translation>
+    </message>
+    <message>
+        <source>has %1 points, expected at most %2: a fit with more takes minutes and is no surer; use a board with fewer squares or tags.</source>
+        <translation>hat %1 Punkte; erwartet werden höchstens %2: eine Schätzung mit mehr dauert Minuten und ist nicht sicherer; ein Brett mit weniger Feldern oder Tags nehmen.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: this chessboard looks the same after half a turn; the robot's motion tells how it lies from one observation to the next, but not which end is the first. One of an even and an odd number of corners cannot be mistaken.</source>
+        <translation>%1, Zeile %2: dieses Schachbrett sieht nach einer halben Drehung gleich aus; die Bewegung des Roboters sagt, wie es von einer Beobachtung zur nächsten liegt, aber nicht, welches Ende das erste ist. Eines mit einer geraden und einer ungeraden Zahl von Ecken ist nicht zu verwechseln.</translation>
+    </message>
+    <message>
+        <source>stands beside the &lt;markers&gt; of line %1, expected one of the two.</source>
+        <translation>steht neben dem &lt;markers&gt; von Zeile %1; erwartet wird eines von beiden.</translation>
+    </message>
+    <message>
+        <source>%1: markers lie outside their camera's image (%2 positions).</source>
+        <translation>%1: Marker liegen außerhalb des Bilds ihrer Kamera (%2 Stellen).</translation>
+    </message>
+    <message>
+        <source>has model="fisheye" with one of p1, p2, k5, k6, expected k1 k2 k3 k4: those of Brown's model mean something else.</source>
+        <translation>hat model="fisheye" mit einem von p1, p2, k5, k6; erwartet wird k1 k2 k3 k4: die von Browns Modell bedeuten etwas anderes.</translation>
+    </message>
+    <message>
+        <source>stands in the first camera, expected none there: the first is the reference.</source>
+        <translation>steht in der ersten Kamera; erwartet wird dort keines: die erste ist der Bezug.</translation>
+    </message>
+    <message>
+        <source>has no &lt;from_first&gt;, expected where it is: X of this camera = R X of the first + t.</source>
+        <translation>hat kein &lt;from_first&gt;; erwartet wird, wo sie ist: X dieser Kamera = R X der ersten + t.</translation>
+    </message>
+    <message>
+        <source>holds no &lt;camera&gt;, expected one to eight.</source>
+        <translation>enthält keine &lt;camera&gt;; erwartet werden eine bis acht.</translation>
+    </message>
+    <message>
+        <source>has kind="pose", which needs a &lt;pose_sensor&gt; in place of cameras or a tracker.</source>
+        <translation>hat kind="pose", was einen &lt;pose_sensor&gt; anstelle von Kameras oder Tracker braucht.</translation>
+    </message>
+    <message>
+        <source>is found in images, and this session has a &lt;tracker&gt;; expected &lt;cameras&gt;, or &lt;markers count=""/&gt;.</source>
+        <translation>wird in Bildern gefunden, und diese Sitzung hat einen &lt;tracker&gt;; erwartet wird &lt;cameras&gt; oder &lt;markers count=""/&gt;.</translation>
+    </message>
+    <message>
+        <source>has order=%1, expected order="%2".</source>
+        <translation>hat order=%1; erwartet wird order="%2".</translation>
+    </message>
+    <message>
+        <source>has %1="%2", expected at least 0.</source>
+        <translation>hat %1="%2"; erwartet wird mindestens 0.</translation>
+    </message>
+    <message>
+        <source>has index="%1" a second time, expected each marker once.</source>
+        <translation>hat index="%1" ein zweites Mal; erwartet wird jeder Marker einmal.</translation>
+    </message>
+    <message>
+        <source>is a second %1 of %2, expected each parameter once.</source>
+        <translation>ist ein zweites %1 von %2; erwartet wird jeder Parameter einmal.</translation>
+    </message>
+    <message>
+        <source>has id=%1 a second time, expected each effect once, or with another number.</source>
+        <translation>hat id=%1 ein zweites Mal; erwartet wird jeder Effekt einmal, oder mit einer anderen Nummer.</translation>
+    </message>
+    <message>
+        <source>row by row</source>
+        <translation>Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>is no rigid motion, expected a rotation, a translation and the last row 0 0 0 1.</source>
+        <translation>ist keine starre Bewegung; erwartet werden eine Drehung, eine Verschiebung und die letzte Zeile 0 0 0 1.</translation>
+    </message>
+    <message>
+        <source>has a negative variance on its diagonal, expected a covariance.</source>
+        <translation>hat eine negative Varianz auf der Diagonale; erwartet wird eine Kovarianz.</translation>
+    </message>
+    <message>
+        <source>is not symmetric or has correlations beyond 1, expected a covariance.</source>
+        <translation>ist nicht symmetrisch oder hat Korrelationen über 1; erwartet wird eine Kovarianz.</translation>
+    </message>
+    <message>
+        <source>has a negative variance in some direction, expected a covariance.</source>
+        <translation>hat in einer Richtung eine negative Varianz; erwartet wird eine Kovarianz.</translation>
+    </message>
+    <message>
+        <source>has neither &lt;matrix&gt; nor xyz and rpy, expected one of them.</source>
+        <translation>hat weder &lt;matrix&gt; noch xyz und rpy; erwartet wird eines davon.</translation>
+    </message>
+    <message>
+        <source>has an xyz and rpy that are another motion than its &lt;matrix&gt;, expected them to agree to 1e-6.</source>
+        <translation>hat ein xyz und rpy, die eine andere Bewegung sind als seine &lt;matrix&gt;; erwartet wird Übereinstimmung auf 1e-6.</translation>
+    </message>
+    <message>
+        <source>holds no marker, expected at least one.</source>
+        <translation>enthält keinen Marker; erwartet wird mindestens einer.</translation>
+    </message>
+    <message>
+        <source>times in s</source>
+        <translation>Zeiten in s</translation>
+    </message>
+    <message>
+        <source>has times that go back, expected them in order.</source>
+        <translation>hat Zeiten, die zurückgehen; erwartet werden sie der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>a pose a line</source>
+        <translation>eine Pose je Zeile</translation>
+    </message>
+    <message>
+        <source>The calibrations are of other links or joints; name two of one robot.</source>
+        <translation>Die Kalibrierungen sind von anderen Gliedern oder Gelenken; zwei von einem Roboter nennen.</translation>
+    </message>
+    <message>
+        <source>The comparison was stopped.</source>
+        <translation>Der Vergleich wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe and is not written over; name a file, or - for standard output where an option takes it.</source>
+        <translation>%1: ist ein Gerät oder eine Pipe und wird nicht überschrieben; nenne eine Datei.</translation>
+    </message>
+    <message>
+        <source>%1: is write protected and is as it was; name another file.</source>
+        <translation>%1: ist schreibgeschützt und ist, wie sie war; nenne eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe and is not read; expected a regular file.</source>
+        <translation>%1: ist ein Gerät oder eine Pipe und wird nicht gelesen; erwartet wird eine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>%1: another program has changed the file since it was read; it is as that program left it. Run the command again on what it holds now.</source>
+        <translation>%1: ein anderes Programm hat die Datei geändert, seit sie gelesen wurde; sie ist, wie jenes sie hinterließ. Versuche es noch einmal mit dem, was jetzt darin steht.</translation>
+    </message>
+    <message>
+        <source>%1: no folder can be made in it: %2.</source>
+        <translation>%1: darin lässt sich kein Ordner anlegen: %2.</translation>
+    </message>
+    <message>
+        <source>attribute %1 of &lt;%2&gt;</source>
+        <translation>das Attribut %1 von &lt;%2&gt;</translation>
+    </message>
+    <message>
+        <source>element &lt;%1&gt; in &lt;%2&gt;</source>
+        <translation>das Element &lt;%1&gt; in &lt;%2&gt;</translation>
+    </message>
+    <message>
+        <source>text in &lt;%1&gt;</source>
+        <translation>Text in &lt;%1&gt;</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not known and is ignored (line %3).</source>
+        <translation>%1: %2 ist nicht bekannt und wird übergangen (Zeile %3).</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not known and is ignored (%3 times, first at line %4).</source>
+        <translation>%1: %2 ist nicht bekannt und wird übergangen (%3 Mal, zuerst in Zeile %4).</translation>
+    </message>
+    <message>
+        <source>has %1=%2</source>
+        <translation>hat %1=%2</translation>
+    </message>
+    <message>
+        <source>%1, expected %2%3.</source>
+        <translation>%1; erwartet wird %2%3.</translation>
+    </message>
+    <message>
+        <source> in %1</source>
+        <translation> in %1</translation>
+    </message>
+    <message>
+        <source>the file holds more than %1 elements and attributes, expected at most %2 and one for each %3 bytes.</source>
+        <translation>die Datei enthält mehr als %1 Elemente und Attribute; erwartet werden höchstens %2 und eines auf je %3 Bytes.</translation>
+    </message>
+    <message>
+        <source>the reference &amp;%1; stands for no character, expected text.</source>
+        <translation>der Verweis &amp;%1; steht für kein Zeichen; erwartet wird Text.</translation>
+    </message>
+    <message>
+        <source>an element has more than %1 attributes, expected far fewer.</source>
+        <translation>ein Element hat mehr als %1 Attribute; erwartet werden weit weniger.</translation>
+    </message>
+    <message>
+        <source>the file has %1 MB, expected at most %2.</source>
+        <translation>die Datei hat %1 MB; erwartet werden höchstens %2.</translation>
+    </message>
+    <message>
+        <source>the reference &amp;#0; stands for a zero byte, expected text.</source>
+        <translation>der Verweis &amp;#0; steht für ein Nullbyte; erwartet wird Text.</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>its least squares do not come to an end from the starts that were tried</source>
+        <translation>ihre kleinsten Quadrate kommen von den versuchten Startwerten aus zu keinem Ende</translation>
+    </message>
+    <message>
+        <source>Curve "%1": write JOINT: SIZE*sin(ORDERq), with sin or cos, for example "arm_3: 0.0015*sin(3q)".</source>
+        <translation>Kurve "%1": GELENK: GRÖSSE*sin(ORDNUNGq) schreiben, mit sin oder cos, zum Beispiel "arm_3: 0.0015*sin(3q)".</translation>
+    </message>
+    <message>
+        <source>Curve "%1": the robot has no moving joint "%2".</source>
+        <translation>Kurve "%1": der Roboter hat kein bewegliches Gelenk "%2".</translation>
+    </message>
+    <message>
+        <source>%1 is there already and not empty; name a new folder in --out.</source>
+        <translation>%1 ist schon da und nicht leer; in --out einen neuen Ordner nennen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2.</source>
+        <translation>%1 lässt sich nicht anlegen: %2.</translation>
+    </message>
+    <message>
+        <source>A tracker session has no images to render; leave --images out.</source>
+        <translation>Eine Tracker-Sitzung hat keine Bilder zu zeichnen; --images weglassen.</translation>
+    </message>
+    <message>
+        <source>No pose in %1 searches shows all %2 markers to %3 between %4 and %5 m; check the mount of the cameras, or widen --joint-range.</source>
+        <translation>In %1 Versuchen zeigt keine Pose alle %2 Marker für %3 zwischen %4 und %5 m; den Halter der Kameras prüfen oder --joint-range weiten.</translation>
+    </message>
+    <message>
+        <source>Disturbance of observation %1: the joint "%2" is not named in &lt;joints&gt;.</source>
+        <translation>Störung von Beobachtung %1: das Gelenk "%2" wird in &lt;joints&gt; nicht genannt.</translation>
+    </message>
+    <message>
+        <source>Disturbance of observation %1: of touches only joints can be disturbed, in observations 0 to %2.</source>
+        <translation>Störung von Beobachtung %1: bei Berührungen lassen sich nur Gelenke stören, in den Beobachtungen 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>Disturbance of observation %1: there are observations 0 to %2 and markers 0 to %3.</source>
+        <translation>Störung von Beobachtung %1: es gibt die Beobachtungen 0 bis %2 und die Marker 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>Disturbance of observation %1: right_image needs a second camera.</source>
+        <translation>Störung von Beobachtung %1: right_image braucht eine zweite Kamera.</translation>
+    </message>
+    <message>
+        <source>Disturbance "%1": write ID:joint:NAME=RAD, ID:marker:INDEX=METRES or ID:right_image:NAME=RAD.</source>
+        <translation>Störung "%1": ID:joint:NAME=RAD, ID:marker:INDEX=METER oder ID:right_image:NAME=RAD schreiben.</translation>
+    </message>
+    <message>
+        <source>Disturbance "%1": the robot has no joint "%2".</source>
+        <translation>Störung "%1": der Roboter hat kein Gelenk "%2".</translation>
+    </message>
+    <message>
+        <source>A session of touches has no image points and no sensor; leave --wrong-corners and --shift out.</source>
+        <translation>Eine Sitzung von Berührungen hat keine Bildpunkte und keinen Sensor; --wrong-corners und --shift weglassen.</translation>
+    </message>
+    <message>
+        <source>A tracker session has no image points; leave --wrong-corners out.</source>
+        <translation>Eine Tracker-Sitzung hat keine Bildpunkte; --wrong-corners weglassen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a length in m from %3 to %4.</source>
+        <translation>%1 ist %2; erwartet wird eine Länge in m von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>the dictionary "%1" is not known; expected one of OpenCV's, such as DICT_5X5_100 or DICT_APRILTAG_36h11, or AprilTag's tag36h11.</source>
+        <translation>das Wörterbuch "%1" ist nicht bekannt; erwartet wird eines von OpenCV wie DICT_5X5_100 oder DICT_APRILTAG_36h11, oder AprilTags tag36h11.</translation>
+    </message>
+    <message>
+        <source>it has %1 columns and %2 rows; expected 1 or more of each, and at most %3 tags.</source>
+        <translation>es hat %1 Spalten und %2 Zeilen; erwartet wird je 1 oder mehr, und höchstens %3 Tags.</translation>
+    </message>
+    <message>
+        <source>it has %1 tags and %2 places; expected one place a tag.</source>
+        <translation>es hat %1 Tags und %2 Plätze; erwartet wird ein Platz je Tag.</translation>
+    </message>
+    <message>
+        <source>the tags %1 and %2 lie at the same place; every tag has its own xyz or rpy.</source>
+        <translation>die Tags %1 und %2 liegen am selben Ort; jedes Tag hat sein eigenes xyz oder rpy.</translation>
+    </message>
+    <message>
+        <source>%1 ... (%2 tags)</source>
+        <translation>%1 ... (%2 Tags)</translation>
+    </message>
+    <message>
+        <source>sigma is %1; expected 0 to 1 m, or "free".</source>
+        <translation>sigma ist %1; erwartet wird 0 bis 1 m, oder "free".</translation>
+    </message>
+    <message>
+        <source>spacing is %1; expected the gap between two tags over a tag's side, 0.02 to 10.</source>
+        <translation>spacing ist %1; erwartet wird die Lücke zwischen zwei Tags durch die Seite eines Tags, 0.02 bis 10.</translation>
+    </message>
+    <message>
+        <source>border is %1; expected 1 to 4 modules.</source>
+        <translation>border ist %1; erwartet wird 1 bis 4 Module.</translation>
+    </message>
+    <message>
+        <source>ChArUco board of %1 x %2 squares of %3, tags of %4 from %5%6</source>
+        <translation>ChArUco-Brett mit %1 × %2 Feldern von %3, Tags von %4 aus %5%6</translation>
+    </message>
+    <message>
+        <source>, old layout</source>
+        <translation>, alte Anordnung</translation>
+    </message>
+    <message>
+        <source>%1: diameter is %2 m; expected more than 0 and less than the %3 m between two circles, so that they do not touch.</source>
+        <translation>%1: diameter ist %2 m; erwartet ist mehr als 0 und weniger als die %3 m zwischen zwei Kreisen, damit sie sich nicht berühren.</translation>
+    </message>
+    <message>
+        <source>%1 grid of %2 x %3 circles of %4 mm, %5 %6 mm</source>
+        <translation>%1 Gitter von %2 x %3 Kreisen von %4 mm, %5 %6 mm</translation>
+    </message>
+    <message>
+        <source>steps of</source>
+        <translation>Schritte von</translation>
+    </message>
+    <message>
+        <source>%1: %2 is %3; expected %4.</source>
+        <translation>%1: %2 ist %3; erwartet wird %4.</translation>
+    </message>
+    <message>
+        <source>%1: it has no kind; expected %2.</source>
+        <translation>%1: es hat kein kind; erwartet wird %2.</translation>
+    </message>
+    <message>
+        <source>%1: a target of kind %2 needs %3, which is missing; expected %4.</source>
+        <translation>%1: ein Ziel der Art %2 braucht %3, das fehlt; erwartet wird %4.</translation>
+    </message>
+    <message>
+        <source>%1: it has ids and &lt;tag&gt; elements; expected one of the two.</source>
+        <translation>%1: es hat ids und &lt;tag&gt;-Elemente; erwartet wird eines von beiden.</translation>
+    </message>
+    <message>
+        <source>%1: a target of kind tags needs dictionary, which is missing; expected dictionary and a &lt;tag&gt; element for every tag.</source>
+        <translation>%1: ein Ziel der Art tags braucht dictionary, das fehlt; erwartet wird dictionary und ein &lt;tag&gt;-Element für jedes Tag.</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>numbers of tags, for example "3 7 9"</source>
+        <translation>Nummern von Tags, zum Beispiel "3 7 9"</translation>
+    </message>
+    <message>
+        <source>a length in m, or "free"</source>
+        <translation>eine Länge in m, oder "free"</translation>
+    </message>
+    <message>
+        <source>symmetric or asymmetric, how the rows of circles stand</source>
+        <translation>symmetric oder asymmetric, wie die Reihen der Kreise stehen</translation>
+    </message>
+    <message>
+        <source>"old" (OpenCV before 4.6) or "new"</source>
+        <translation>"old" (OpenCV vor 4.6) oder "new"</translation>
+    </message>
+    <message>
+        <source>has no size, and neither has the target, expected the side of the black square in m.</source>
+        <translation>hat keine size, und das Ziel auch nicht; erwartet wird die Seite des schwarzen Quadrats in m.</translation>
+    </message>
+    <message>
+        <source>points of a tracker</source>
+        <translation>Punkte eines Trackers</translation>
+    </message>
+    <message>
+        <source>a file with one pose</source>
+        <translation>eine Datei mit einer Pose</translation>
+    </message>
+    <message>
+        <source>a CDATA section is not closed</source>
+        <translation>ein CDATA-Abschnitt ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source> (is this a xacro file? Make a URDF of it first)</source>
+        <translation> (ist das eine xacro-Datei? Zuerst eine URDF daraus machen)</translation>
     </message>
 </context>
 <context>

@@ -89,7 +89,7 @@ enum class Outcome { right, wrong, asked };
 Outcome outcome_of(const Recording& r, AngleKind kind, bool degrees, bool both) {
   NamedPoses flange = open_poses(r.flange, kind, degrees), target{"target.csv", "", {.poses = r.target}};
   if (both) target = open_poses(r.target, kind, degrees);
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   try {
     choose_turns(flange, target, r.eye_in_hand, notes);
   } catch (const InputError&) {

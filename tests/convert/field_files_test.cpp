@@ -16,7 +16,7 @@ const fs::path field = fs::path(HANDSIGHT_SHARED_DIR) / "field";
 TEST(FieldFiles, EveryCameraFileIsTheSameCamera) {
   if (!fs::exists(field)) GTEST_SKIP() << "no field sets on this machine";
   for (const char* name : {"ost.ini", "topic_echo.yaml", "topic_echo_ros1.yaml", "realsense.json", "camodocal.yaml"}) {
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     const Rig rig = rig_of_files({field / "cameras/camera_files" / name}, notes);
     ASSERT_EQ(rig.count(), 1) << name;
     const Camera& c = rig.at(0).camera;

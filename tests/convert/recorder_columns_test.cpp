@@ -24,7 +24,7 @@ TEST(RecorderColumns, JointsOfRostopicAreCalledByTheirNames) {
   EXPECT_THAT(names_of(*table), ElementsAre("time", "header.seq", "header.frame_id", "name0", "name1", "a1", "a2"));
   EXPECT_EQ(table->rows[1][6], 0.75);
   for (const TableColumn& column : table->columns) EXPECT_TRUE(column.words.empty()) << column.name;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const std::vector<double> times = times_of(*table, notes);
   EXPECT_NEAR(times[1] - times[0], 1, 1e-6);
 }

@@ -7,7 +7,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace handsight;
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     const PoseTable table = parse_pose_table(text, "poses.csv", {"j1", "j2"}, &notes);
     demand(!table.positions.empty(), "there is a pose");
     demand(table.velocities.empty() || table.velocities.size() == table.positions.size(), "velocities are whole");

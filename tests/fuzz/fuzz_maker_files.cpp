@@ -19,7 +19,7 @@ void demand_camera(const RosCamera& c) {
 }
 
 void read_mocap(const MocapTables& all) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   for (const MocapBody& body : all.bodies)
     for (const ReadPoses& read : read_pose_table(body.table, true, {}, notes))
       for (const Rigid& pose : read.series.poses) demand(pose.translation.allFinite(), "poses are finite");
@@ -27,7 +27,7 @@ void read_mocap(const MocapTables& all) {
 }
 
 void read_any(const std::string& text) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   if (is_motive_csv(text)) return read_mocap(read_motive_csv(text, "take.csv"));
   if (is_vicon_csv(text)) return read_mocap(read_vicon_csv(text, "take.csv"));
   if (is_ost(text)) {

@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace handsight;
   try {
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     const StereoRig rig =
         parse_stereo_calibration({{std::string(reinterpret_cast<const char*>(data), size), "stereo.yaml"}}, &notes);
     for (const Camera* camera : {&rig.left, &rig.right})

@@ -33,7 +33,7 @@ TEST(Csv, EverySeparator) {
 }
 
 TEST(Csv, HeadersGiveTheOrder) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const auto poses = parse_poses("time, \"j2\", j1\n0.1, 2, 1\n", "poses.csv", joints, &notes);
   EXPECT_THAT(poses.at(0), ElementsAre(1, 2));
   EXPECT_THAT(notes, ElementsAre(HasSubstr("1 columns are no joints")));
@@ -66,7 +66,7 @@ TEST(Csv, FilesAreRead) {
 
 TEST(Csv, TimesAndVelocitiesAreReadWhereTheyHaveColumns) {
   const std::vector<std::string> names = {"a", "b"};
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const PoseTable table =
       parse_pose_table("time,b,velocity_b,a,force\n1,0.2,-0.1,0.1,7\n2,0.4,0,0.3,8\n", "p.csv", names, &notes);
   ASSERT_EQ(table.positions.size(), 2u);

@@ -102,7 +102,7 @@ TEST(MakerCameras, TheFirstEchoedMessageCounts) {
 }
 
 TEST(MakerCameras, RealSenseAsJsonAndAsListed) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const auto json = [&](const std::string& model, const std::string& coefficients) {
     return read_realsense(parse_yaml("{\"width\": 640, \"height\": 480, \"ppx\": 321.5, \"ppy\": 238.25, \"fx\": 600, "
                                      "\"fy\": 601, \"model\": \"" +

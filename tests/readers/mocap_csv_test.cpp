@@ -38,7 +38,7 @@ std::string motive(const std::string& rotation = "Quaternion") {
 
 TEST(MocapCsv, MotivesRigidBodies) {
   ASSERT_TRUE(is_motive_csv(motive()));
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const MocapTables all = read_motive_csv(motive(), "take.csv");
   ASSERT_EQ(all.bodies.size(), 2u);
   EXPECT_EQ(all.bodies[0].name, "hand");
@@ -61,7 +61,7 @@ TEST(MocapCsv, MotivesMarkersWhereThereIsNoBody) {
       ",Name,a,a,a,Unlabeled 12,Unlabeled 12,Unlabeled 12\n,ID,1,1,1,2,2,2\n"
       ",,Position,Position,Position,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,X,Y,Z\n"
       "0,0.0,0.1,0.2,0.3,9,9,9\n1,0.01,0.1,,0.3,9,9,9\n";
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   MocapTables all = read_motive_csv(text, "take.csv");
   EXPECT_TRUE(all.bodies.empty());
   const PointSeries points = read_point_table(std::move(all.markers), notes);
@@ -76,7 +76,7 @@ TEST(MocapCsv, ViconsObjectsWithQuaternionsOrAngles) {
       "Objects\n200\n,,Global Angle wand:wand,,,,,,\nFrame,Sub Frame,RX,RY,RZ,RW,TX,TY,TZ\n,,,,,,mm,mm,mm\n"
       "1,0,0,0,0.6,0.8,100,200,300\n3,0,0,0,0,1,110,200,300\n\n";
   ASSERT_TRUE(is_vicon_csv(quaternions));
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   MocapTables all = read_vicon_csv(quaternions, "vicon.csv");
   ASSERT_EQ(all.bodies.size(), 1u);
   EXPECT_EQ(all.bodies[0].name, "wand");
@@ -98,7 +98,7 @@ TEST(MocapCsv, ViconsTrajectoriesBesideOtherSections) {
       "Devices\n1000\n,,Force\nFrame,Sub Frame,Fx\n,,N\n1,0,5\n\n"
       "Trajectories\n100\n,,hand:m1,,,hand:m2,,\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n"
       "1,0,1,2,3,4,5,6\n2,0,1,2,3,,,\n";
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   MocapTables all = read_vicon_csv(text, "vicon.csv");
   EXPECT_THAT(all.notes, Contains(HasSubstr("\"Devices\" is left out")));
   const PointSeries points = read_point_table(std::move(all.markers), notes);

@@ -84,7 +84,7 @@ TEST_F(StereoCalibration, IntrinsicsAndExtrinsicsFromTwoFiles) {
 }
 
 TEST_F(StereoCalibration, MillimetresAreNoticed) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const auto rig = read_stereo_calibration(
       {write("intrinsics.yml", yaml), write("extrinsics.yml", extrinsics, "-120., 0., 1.")}, &notes);
   EXPECT_NEAR(rig.right_from_left.translation.x(), -0.12, 1e-15);

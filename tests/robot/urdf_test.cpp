@@ -89,7 +89,7 @@ TEST(Urdf, DenavitHartenbergIsCraigsModified) {
 }
 
 TEST(Urdf, DenavitHartenbergTakesPrecedenceAndSaysSo) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const Joint joint = parse(one_joint("<dh a='1'/><origin xyz='5 5 5'/>"), &notes).joints[0];
   EXPECT_EQ(joint.parent_from_joint.translation, Vector3(1, 0, 0));
   EXPECT_THAT(notes, ElementsAre(HasSubstr("<dh>")));
@@ -184,20 +184,20 @@ TEST(Urdf, Shapes) {
 }
 
 TEST(Urdf, ShapesThatAreNotDrawnAreNoted) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   parse("<robot name='r'><link name='a'><visual><geometry><capsule/></geometry></visual></link></robot>", &notes);
   EXPECT_THAT(notes, ElementsAre(HasSubstr("robot.urdf, line 1: the <visual> is not drawn")));
 }
 
 TEST(Urdf, UnknownElementsAreNormal) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   parse(one_joint("<dynamics damping='1'/><calibration rising='0'/>"), &notes);
   parse("<robot name='r'><gazebo/><transmission name='t'/><link name='a'><collision/></link></robot>", &notes);
   EXPECT_THAT(notes, IsEmpty());
 }
 
 TEST(Urdf, AFarCentreOfMassIsNotedNotRefused) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const Robot robot = parse(
       "<robot name='r'><link name='a'><inertial><mass value='1'/><origin xyz='0 500 "
       "0'/></inertial></link></robot>",
@@ -212,7 +212,7 @@ TEST(Urdf, NamesInAnyScript) {
       "<joint name='j' type='fixed'><parent link='Schulter_\xC3\xBC'/><child "
       "link='\xE6\x89\x8B'/></joint></robot>");
   EXPECT_EQ(find_link(robot, "\xE6\x89\x8B"), 1);
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   EXPECT_EQ(
       parse("<?xml version='1.0' encoding='ISO-8859-1'?><robot><link name='\xFC'/></robot>", &notes).links[0].name,
       "\xC3\xBC");
@@ -222,7 +222,7 @@ TEST(Urdf, NamesInAnyScript) {
 TEST(UrdfFiles, SharedRobotsAreRead) {
   const std::filesystem::path shared = HANDSIGHT_SHARED_DIR;
   if (!std::filesystem::exists(shared / "examples")) GTEST_SKIP() << "no shared examples on this machine";
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   EXPECT_EQ(read_urdf(shared / "examples/sagging/robot.urdf", &notes).joints.size(), 5u);
   EXPECT_THAT(notes, IsEmpty());
   if (!std::filesystem::exists(shared / "real/justin_right_even")) GTEST_SKIP() << "no real sets on this machine";

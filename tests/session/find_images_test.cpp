@@ -31,7 +31,7 @@ class FilesInAFolder : public testing::Test {
   }
   TemporaryFolder folder;
   IsOldImage is_old = [](std::size_t, const std::filesystem::path&) { return false; };
-  std::vector<std::string> refusals;
+  std::vector<Message> refusals;
 };
 
 TEST_F(FilesInAFolder, ACamerasNameMayEndInANumberAndBePartOfAnothers) {

@@ -65,7 +65,7 @@ TEST_F(NewSessionTest, ADigitMayBeginACamerasName) {
   NewSession digits = parts();
   digits.rig.cameras[0].name = "0";
   digits.rig.cameras[1].name = "1";
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const Session made = make_session(digits, &notes);
   EXPECT_EQ(made.rig->at(0).name, "camera_0");
   EXPECT_EQ(made.rig->at(1).name, "camera_1");
@@ -90,7 +90,7 @@ TEST_F(NewSessionTest, TheSameNumberTwiceIsRefused) {
 }
 
 TEST_F(NewSessionTest, IsWrittenWholeWithItsImagesAndRobot) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const Session made = make_session(parts(), &notes);
   EXPECT_EQ(made.title, "Made");
   EXPECT_EQ(made.robot_file, "justin.urdf");

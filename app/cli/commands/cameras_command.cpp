@@ -173,8 +173,9 @@ void print_reasons(const DetectedImages& detected, const std::function<void(cons
   std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
   for (const ReadImage& image : detected.images) {
     if (image.reason.empty()) continue;
-    auto at = std::find_if(by_reason.begin(), by_reason.end(), [&](const auto& r) { return r.first == image.reason; });
-    if (at == by_reason.end()) at = by_reason.insert(at, {image.reason, {}});
+    auto at = std::find_if(by_reason.begin(), by_reason.end(),
+                           [&](const auto& r) { return r.first == image.reason.english(); });
+    if (at == by_reason.end()) at = by_reason.insert(at, {image.reason.english(), {}});
     at->second.push_back(image.file.filename().string());
   }
   for (auto& [reason, files] : by_reason) {
@@ -189,8 +190,7 @@ void print_reasons(const DetectedImages& detected, const std::function<void(cons
 }
 
 /// The calibration; where it cannot be why, of every image, and what the images show in place of the target.
-CameraCalibration calibrated(const DetectedImages& detected, const std::string& model,
-                             const std::string& in_its_place) {
+CameraCalibration calibrated(const DetectedImages& detected, const std::string& model, const Message& in_its_place) {
   try {
     return calibrate_cameras(detected.board, detected.sizes, detected.names, {model});
   } catch (const InputError& error) {
@@ -215,9 +215,9 @@ void print(const CamerasArguments& o, const CameraCalibration& c, const BoardRep
   for (std::size_t i = 0; i < detected.names.size(); ++i) print_camera(out, c, i, detected.names[i]);
   out.line(fmt::format("All: rms {:.4f} px of {} points, held out {:.4f} px", c.bundle.rms_pixel, c.bundle.points,
                        c.held_out.rms_pixel));
-  for (const std::string& sentence : board.sentences) out.line(sentence);
-  for (const std::string& warning : board.warnings) out.line("! " + warning);
-  for (const std::string& warning : c.warnings) out.line("! " + warning);
+  for (const Message& sentence : board.sentences) out.line(sentence);
+  for (const Message& warning : board.warnings) out.line("! " + warning);
+  for (const Message& warning : c.warnings) out.line("! " + warning);
 }
 
 int run(const CamerasArguments& o) {
@@ -230,12 +230,12 @@ int run(const CamerasArguments& o) {
   }
   require_output(o.out, "--out");
   o.output.require_places();
-  for (const std::string& line : grouped.notes) Output::note(line);
+  for (const Message& line : grouped.notes) Output::note(line);
   if (looks_the_same_turned(target))
     Output::note("this chessboard looks the same after half a turn: each image is taken as standing upright.");
   Progress progress("images", count);
   const DetectedImages detected = detect_in_images(grouped, target, [&](std::size_t at) { progress.at(at); });
-  const std::string in_its_place = shown_in_its_place(detected, target);
+  const Message in_its_place = shown_in_its_place(detected, target);
   CameraCalibration calibration = calibrated(detected, o.model, in_its_place);
   if (!in_its_place.empty()) calibration.warnings.push_back(in_its_place);
   const BoardReport board = board_report(detected.board, calibration, target);

@@ -23,8 +23,8 @@ void add_lost_target(const Session& session, const TargetSearch& search, Session
   if (search.looked_at == 0 || search.found > 0) return;
   const bool is_seen_elsewhere = std::any_of(session.observations.begin(), session.observations.end(),
                                              [](const Observation& o) { return !o.sightings.empty(); });
-  std::string text = fmt::format("The {} is found in none of the {} observations whose images were looked at.",
-                                 description_of(*session.target), search.looked_at);
+  Message text = message("The {} is found in none of the {} observations whose images were looked at.",
+                         description_of(*session.target), search.looked_at);
   if (!search.in_its_place.empty()) text = search.in_its_place;
   (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
 }
@@ -62,11 +62,11 @@ int run(const CheckArguments& o) {
   const Session session = open_searched_session(o.session, o.output, search);
   SessionCheck check = check_session(session);
   add_lost_target(session, search, check);
-  for (const std::string& line : check.contents) o.output.line(line);
+  for (const Message& line : check.contents) o.output.line(line);
   const auto size = check.problems.empty() ? target_size_of(session) : std::nullopt;
   if (size) check.warnings.push_back(size->text + " " + size->fix);
-  for (const std::string& line : check.warnings) o.output.line("warning: " + line);
-  for (const std::string& line : check.problems) o.output.line("PROBLEM: " + line);
+  for (const Message& line : check.warnings) o.output.line("warning: " + line);
+  for (const Message& line : check.problems) o.output.line("PROBLEM: " + line);
   o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
                 : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
@@ -79,7 +79,7 @@ int run(const CheckArguments& o) {
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
   if (o.result) *o.result = json;
-  for (const std::string& line : check.problems) Output::note(line);
+  for (const Message& line : check.problems) Output::note(line);
   return check.problems.empty() ? done : wrong_input;
 }
 

@@ -47,7 +47,7 @@ Json change_json(const Change& c) {
 }
 
 void tell(const CompareArguments& o, const Comparison& c) {
-  for (const std::string& note : c.notes) Output::note(note);
+  for (const Message& note : c.notes) Output::note(note);
   o.output.line(c.sentence);
   if (!c.changes.empty()) {
     o.output.line();

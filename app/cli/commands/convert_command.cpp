@@ -53,14 +53,14 @@ std::string summary(const std::string& folder, const Session& s) {
                      sensor_text(s));
 }
 
-void print_notes(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) Output::note(note);
+void print_notes(const std::vector<Message>& notes) {
+  for (const Message& note : notes) Output::note(note);
 }
 
 int make_session(const std::vector<std::filesystem::path>& files, const ConvertOptions& options, const Output& output) {
   const Conversion made = convert(files, options);
   print_notes(made.notes);
-  for (const std::string& file : made.took) output.line(file);
+  for (const Message& file : made.took) output.line(file);
   const Session& s = made.session;
   const std::string out = options.out.string();
   output.line(summary(out, s));
@@ -76,14 +76,14 @@ int make_session(const std::vector<std::filesystem::path>& files, const ConvertO
 }
 
 /// What is said of every session is said once.
-std::vector<std::string> said_of_each(const ConvertedCollection& made, std::vector<std::string> Conversion::*what) {
-  std::vector<std::string> all;
+std::vector<Message> said_of_each(const ConvertedCollection& made, std::vector<Message> Conversion::*what) {
+  std::vector<Message> all;
   for (const Conversion& c : made.sessions)
-    for (const std::string& sentence : c.*what) {
+    for (const Message& sentence : c.*what) {
       const bool is_of_all = std::all_of(made.sessions.begin(), made.sessions.end(), [&](const Conversion& other) {
         return std::count((other.*what).begin(), (other.*what).end(), sentence) > 0;
       });
-      const std::string text = is_of_all ? sentence : c.session.title + ": " + sentence;
+      const Message text = is_of_all ? sentence : message("{}: {}", c.session.title, sentence);
       if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
     }
   return all;
@@ -94,7 +94,7 @@ int make_collection(const std::vector<std::filesystem::path>& files, const Colle
   const ConvertedCollection made = convert_collection(files, options);
   print_notes(said_of_each(made, &Conversion::notes));
   print_notes(made.notes);
-  for (const std::string& file : said_of_each(made, &Conversion::took)) output.line(file);
+  for (const Message& file : said_of_each(made, &Conversion::took)) output.line(file);
   const std::string out = options.out.string();
   bool unlabelled = false;
   Json sessions = Json::array();

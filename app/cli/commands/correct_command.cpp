@@ -66,7 +66,7 @@ int run(const CorrectArguments& o) {
   const CalibratedRobot source = with_moved_hand(predict_source(o.source));
   require_joints(source);
   o.output.require_places();
-  for (const std::string& note : source.notes) Output::note(note);
+  for (const Message& note : source.notes) Output::note(note);
   const std::optional<Rigid> target = wanted_target(o.target);
   Json list = Json::array();
   if (o.gain > 0) {

@@ -167,7 +167,7 @@ int run(const ExperimentArguments& o) {
   const ExperimentResult result = run_experiment(session, driver, options);
   o.output.json(result_json(result));
   if (result.end == ExperimentEnd::fault) {
-    std::cerr << printable(shortened(result.reason, 600)) << '\n';
+    std::cerr << printable(shortened(result.reason.english(), 600)) << '\n';
     return wrong_input;
   }
   o.output.line();

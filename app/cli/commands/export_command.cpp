@@ -49,9 +49,9 @@ int run(const ExportArguments& o) {
   o.output.require_places();
   if (o.file == "-" && o.output.json_file == "-")
     throw InputError("--out - and --json - would both go to standard output; name a file for one of them.");
-  for (const std::string& note : robot.notes) Output::note(note);
+  for (const Message& note : robot.notes) Output::note(note);
   const ExportedFile file = exported_file(robot, o.kind, options_of(o));
-  for (const std::string& note : file.notes) Output::note(note);
+  for (const Message& note : file.notes) Output::note(note);
   o.output.json(export_json(o, file));
   if (o.file == "-") {
     std::cout << file.text;

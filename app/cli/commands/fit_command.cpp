@@ -38,13 +38,13 @@ int run(const FitArguments& o) {
   if (o.without_wrong_points && !session.robot.is_of_poses) options.smallest_step = 1e-9;  // as a diagnosis fits
   options.fix_markers = o.fix_markers;
   add_effects(o.effects, session, options.effects, options.estimated);
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   options.camera_images = camera_images_of(o.camera_images, session, notes);
   CleanFit clean{session, fit(session, options), {}};
   const auto flipped = flipped_targets(session, clean.fit);
   if (o.without_wrong_points) clean = clean_model(without_flipped(session, flipped), options);
   const Fit& result = clean.fit;
-  for (const std::string& note : notes) Output::note(note);
+  for (const Message& note : notes) Output::note(note);
   FitReport told = report(clean.session, result, options);
   told.held_out_region = held_out_by_region(clean.session, result, options);
   hold_out_sessions(clean.session, result, options, told);

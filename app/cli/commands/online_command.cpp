@@ -47,7 +47,7 @@ std::string step_line(const OnlineStep& step, const char* what) {
                                  step.accepted  ? "taken   "
                                  : step.is_open ? "open    "
                                                 : "rejected");
-  if (!step.accepted) return text + "  " + step.reason;
+  if (!step.accepted) return text + "  " + step.reason.english();
   text += fmt::format("  {} {} {}", step.sightings.size(), what, step.from_images ? "found   " : "labelled");
   if (step.has_estimate && step.tcp_from_tcp_est)
     text += fmt::format("  TCP off {:>6.2f} mm {:>5.2f} deg", 1e3 * step.tcp_from_tcp_est->translation.norm(),
@@ -55,13 +55,13 @@ std::string step_line(const OnlineStep& step, const char* what) {
   return text;
 }
 
-std::optional<ImagePair> read_images(const Session& session, const Observation& o, std::string& refusal) {
+std::optional<ImagePair> read_images(const Session& session, const Observation& o, Message& refusal) {
   if (o.images[0].empty() || o.images[1].empty() || !session.rig || !is_pair(*session.rig)) return std::nullopt;
   try {
     return ImagePair{read_image(folder(session) / o.images[0], session.rig->at(0).camera, o.images[0]),
                      read_image(folder(session) / o.images[1], session.rig->at(1).camera, o.images[1])};
   } catch (const InputError& error) {
-    refusal = error.what();
+    refusal = error.sentence();
     return std::nullopt;
   }
 }
@@ -170,7 +170,7 @@ OnlineStep decided_by_target(OnlineCalibration& online, const TargetFinder& find
 OnlineStep decided(OnlineCalibration& online, const Session& session, const Observation& observation, Steps& steps,
                    const std::optional<TargetFinder>& finder) {
   if (finder) return decided_by_target(online, *finder, observation, steps);
-  std::string refusal;
+  Message refusal;
   const auto images =
       observation.decision == Decision::excluded ? std::nullopt : read_images(session, observation, refusal);
   steps.note_images(observation.id, images.has_value(), refusal);

@@ -50,7 +50,7 @@ void print(const PlanArguments& o, const Session& session, const Plan& p) {
     for (const double q : pose.position) line += fmt::format("{:>7.4f} ", q);
     o.output.line(line);
   }
-  for (const std::string& note : p.notes) o.output.line(note);
+  for (const Message& note : p.notes) o.output.line(note);
   o.output.line(
       session.is_touch()
           ? "Come to each touch from where it was touched before, slowly: only joint limits are known, and how "

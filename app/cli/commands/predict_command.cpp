@@ -70,7 +70,7 @@ int run(const PredictArguments& o) {
   o.output.require_places();
   if (source.chain.robot.is_of_poses) return run_of_flange(o, source);
   Json list = Json::array();
-  for (const std::string& note : source.notes) Output::note(note);
+  for (const Message& note : source.notes) Output::note(note);
   if (!source.model.rotation_is_observed)
     Output::note(
         "The markers do not show how the body is turned; sigma is that of the position, and rotations have none.");

@@ -17,7 +17,7 @@ void add_camera_images_options(const CommandLine& command, CameraImagesOptions& 
 }
 
 std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOptions& options, const Session& session,
-                                                        std::vector<std::string>& notes) {
+                                                        std::vector<Message>& notes) {
   if (options.images.empty()) {
     if (is_given(options.target))
       throw InputError("--target says what --camera-images show, and there are none; name them, or leave it out.");

@@ -25,9 +25,9 @@ void say_how_driven(const PoseTable& table, const CalibratedRobot& source) {
 }
 
 std::vector<Circumstances> table_poses(const std::string& file, const CalibratedRobot& source) {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   const PoseTable table = read_pose_table(file, source.joint_names, &notes);
-  for (const std::string& note : notes) Output::note(note);
+  for (const Message& note : notes) Output::note(note);
   say_how_driven(table, source);
   std::vector<DrivenPose> poses;
   for (std::size_t i = 0; i < table.positions.size(); ++i) {

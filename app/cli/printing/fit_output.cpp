@@ -201,7 +201,7 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
     if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);
   if (!outliers.empty()) out.line("Stand out of the others: " + outliers);
   print_parts(out, session, fit, told);
-  for (const std::string& note : fit.notes) out.line("Note: " + note);
+  for (const Message& note : fit.notes) out.line("Note: " + note);
 }
 
 Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {

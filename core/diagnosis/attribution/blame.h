@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "diagnosis/outliers/snooping.h"
 
 namespace handsight {
@@ -54,7 +55,7 @@ struct SingleChange {
 SingleChange single_change(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, double noise,
                            const TypicalParts& typical, const ResidualParts& parts, char letter);
 /// "Marker 2, right image, 3.4 px further left."; empty of none. `rig` is null in a tracker session.
-std::string change_text(const SingleChange& change, const Rig* rig);
+Message change_text(const SingleChange& change, const Rig* rig);
 
 /// The error of one corner (px; of a tracker's point m) that this observation would show with odds of 4 to 1, at a
 /// false alarm in 100,000, whatever the robot does: that of its least visible corner. Nothing where some error of a

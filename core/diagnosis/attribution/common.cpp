@@ -63,27 +63,26 @@ std::vector<Common> what_is_common(const std::vector<Variable>& variables, const
   return list;
 }
 
-std::string common_text(const Common& c, const Variable& v) {
+Message common_text(const Common& c, const Variable& v) {
   const bool low = c.low > -open, high = c.high < open;
-  if (!low && !high) return fmt::format("{} does not part these from the rest.", v.name);
+  if (!low && !high) return message("{} does not part these from the rest.", v.name);
   const bool all = c.chosen == c.all_chosen;
-  const std::string who =
-      all ? fmt::format("All {}", c.all_chosen) : fmt::format("{} of these {}", c.chosen, c.all_chosen);
+  const Message who = all ? message("All {}", c.all_chosen) : message("{} of these {}", c.chosen, c.all_chosen);
   const std::string unit = v.unit.empty() || v.kind == VariableKind::order ? "" : " " + v.unit;
-  std::string what;
+  Message what;
   if (v.kind == VariableKind::approach) {
-    what = fmt::format("share the {} ({})", v.name, low ? "positive" : "negative");
+    what = message("share the {} ({})", v.name, low ? "positive" : "negative");
   } else if (low && high) {
-    what = fmt::format("have the {} between {:.3g} and {:.3g}{}", v.name, c.low, c.high, unit);
+    what = message("have the {} between {:.3g} and {:.3g}{}", v.name, c.low, c.high, unit);
   } else if (low) {
-    what = fmt::format("have the {} above {:.3g}{}", v.name, c.low, unit);
+    what = message("have the {} above {:.3g}{}", v.name, c.low, unit);
   } else {
-    what = fmt::format("have the {} below {:.3g}{}", v.name, c.high, unit);
+    what = message("have the {} below {:.3g}{}", v.name, c.high, unit);
   }
-  const std::string rest = c.others == 0                 ? "none"
-                           : 2 * c.others > c.all_others ? fmt::format("{} too", c.others)
-                                                         : fmt::format("only {}", c.others);
-  return fmt::format("{} {}; of the other {} {}.", who, what, c.all_others, rest);
+  const Message rest = c.others == 0                 ? Message("none")
+                       : 2 * c.others > c.all_others ? message("{} too", c.others)
+                                                     : message("only {}", c.others);
+  return message("{} {}; of the other {} {}.", who, what, c.all_others, rest);
 }
 
 }  // namespace handsight

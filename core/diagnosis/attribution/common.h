@@ -3,6 +3,7 @@
 // the rest.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/curves/variables.h"
 
 namespace handsight {
@@ -20,6 +21,6 @@ struct Common {
 std::vector<Common> what_is_common(const std::vector<Variable>& variables, const std::vector<char>& is_chosen);
 
 /// "All 14 have the angle of arm_4 above 1.20 rad; of the other 86 only 3."
-std::string common_text(const Common& common, const Variable& variable);
+Message common_text(const Common& common, const Variable& variable);
 
 }  // namespace handsight

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/message.h"
 #include "diagnosis/attribution/blame.h"
 #include "diagnosis/outliers/lone_observations.h"
 #include "estimation/online/second_look.h"
@@ -58,7 +59,7 @@ struct InspectionRow {
   double worst_size = 0;  // px (m), length
   Blame blame;
   bool outlier = false;                    // stands out of the other observations
-  std::string what_would_mend;             // a sentence (change_text); empty: nothing to mend
+  Message what_would_mend;                 // a sentence (change_text); empty: nothing to mend
   std::optional<double> smallest_visible;  // px (m): an error of one corner below it could not be seen here
 };
 

@@ -81,10 +81,10 @@ SingleChange best_marker(const Problem& problem, const ProblemObservation& o, co
   return best;
 }
 
-std::string direction(const Vector2& d) {
+Message direction(const Vector2& d) {
   const bool sideways = std::abs(d.x()) >= std::abs(d.y());
   const char* way = sideways ? (d.x() > 0 ? "right" : "left") : (d.y() > 0 ? "down" : "up");
-  return fmt::format("{:.1f} px further {}", sideways ? std::abs(d.x()) : std::abs(d.y()), way);
+  return message("{:.1f} px further {}", sideways ? std::abs(d.x()) : std::abs(d.y()), way);
 }
 
 }  // namespace
@@ -117,30 +117,30 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
   return change;
 }
 
-std::string change_text(const SingleChange& c, const Rig* rig) {
+Message change_text(const SingleChange& c, const Rig* rig) {
   const bool in_pixels = rig != nullptr;
   constexpr double degrees = 57.29577951308232;
   switch (c.kind) {
     case SingleChange::Kind::none:
       return {};
     case SingleChange::Kind::corner:
-      return fmt::format("Marker {}, {} image, {}.", c.marker, rig->at(c.camera).name, direction(c.shift));
+      return message("Marker {}, {} image, {}.", c.marker, rig->at(c.camera).name, direction(c.shift));
     case SingleChange::Kind::marker:
-      return fmt::format("Marker {}, {} mm from its place on the body: loose, hidden in part, or another corner.",
-                         c.marker, shown_number(1e3 * c.size));
+      return message("Marker {}, {} mm from its place on the body: loose, hidden in part, or another corner.", c.marker,
+                     number(shown_number(1e3 * c.size)));
     case SingleChange::Kind::images:
-      return fmt::format(
+      return message(
           "The {} images do not fit together ({} px across the epipolar lines): not taken at the same instant, or "
           "several wrong corners.",
-          is_pair(*rig) ? "two" : "cameras'", shown_number(c.size));
+          is_pair(*rig) ? "two" : "cameras'", number(shown_number(c.size)));
     case SingleChange::Kind::body:
-      return fmt::format(
+      return message(
           "The markers do not lie to each other as on the other images ({} {}): several are wrong, or the body is "
           "bent.",
-          shown_number(c.size * (in_pixels ? 1 : 1e3)), in_pixels ? "px" : "mm");
+          number(shown_number(c.size * (in_pixels ? 1 : 1e3))), in_pixels ? "px" : "mm");
     case SingleChange::Kind::pose:
-      return fmt::format("The whole hand, {} mm and {} deg from where the robot says.", shown_number(1e3 * c.size),
-                         shown_number(degrees * c.angle));
+      return message("The whole hand, {} mm and {} deg from where the robot says.", number(shown_number(1e3 * c.size)),
+                     number(shown_number(degrees * c.angle)));
   }
   return {};
 }

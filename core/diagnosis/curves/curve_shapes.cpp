@@ -54,8 +54,8 @@ void set_wave(const ShapeVariable& v, CurveShape& s) {
   s.values.col(1) = phase.cos();
   for (const char* function : {"sin", "cos"})
     s.formulas.push_back(fmt::format("{}({}*{})", function, short_number(factor), v.variable->formula));
-  s.text = over_time ? fmt::format("a wave of {:.3g} periods over the session", s.setting)
-                     : fmt::format("sine and cosine of {:.3g} times it", factor);
+  s.text = over_time ? message("a wave of {:.3g} periods over the session", s.setting)
+                     : message("sine and cosine of {:.3g} times it", factor);
 }
 
 void set_bend(const ShapeVariable& v, CurveShape& s) {
@@ -106,16 +106,16 @@ CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) 
     case ShapeFamily::step:
       set_one(s, (v.variable->values.array() > s.setting).cast<double>(),
               "(" + v.variable->formula + " > " + k + " ? 1 : 0)");
-      s.text = fmt::format("a step at {}{}", k, v.variable->unit.empty() ? "" : " " + v.variable->unit);
+      s.text = message("a step at {}{}", k, v.variable->unit.empty() ? std::string() : " " + v.variable->unit);
       break;
     case ShapeFamily::decay:
       set_one(s, (-share_of_session(v.variable->values) / s.setting).exp(),
               "exp(-" + v.variable->formula + "/" + k + ")");
-      s.text = fmt::format("dying away within {} % of the session", short_number(100 * s.setting));
+      s.text = message("dying away within {} % of the session", number(short_number(100 * s.setting)));
       break;
     case ShapeFamily::product:
       set_one(s, v.variable->values.array() * v.other->values.array(), v.variable->formula + "*" + v.other->formula);
-      s.text = "its product with the " + v.other->name;
+      s.text = message("its product with the {}", v.other->name);
       break;
     case ShapeFamily::bend:
       set_bend(v, s);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnosis/curves/variables.h"
 
 namespace handsight {
@@ -25,7 +26,7 @@ enum class ShapeFamily {
 struct CurveShape {
   ShapeFamily family = ShapeFamily::wave;
   double setting = 0;                 // k of the family; 0 where it has none
-  std::string text;                   // as a user reads it: "sine and cosine of 3.3 times it"
+  Message text;                       // as a user reads it: "sine and cosine of 3.3 times it"
   std::vector<std::string> formulas;  // per function, as effects.xml writes it; empty: cannot be written as one
   Eigen::MatrixXd values;             // observations x functions
   bool at_joint = true, at_rigid = true;

@@ -10,7 +10,7 @@ namespace handsight {
 namespace {
 
 template <class Value>
-void add(VariableKind kind, int joint, const std::string& name, const std::string& unit, double least,
+void add(VariableKind kind, int joint, const Message& name, const std::string& unit, double least,
          const Problem& problem, Value&& value, std::vector<Variable>& list, const std::string& formula = "") {
   Variable v{kind, joint, name, unit, Eigen::VectorXd(static_cast<Eigen::Index>(problem.observations.size())), formula};
   for (std::size_t i = 0; i < problem.observations.size(); ++i)
@@ -52,16 +52,17 @@ std::vector<Variable> variables_of(const Problem& problem, const Unknowns& u) {
     const auto i = static_cast<Eigen::Index>(j);
     const bool slides = joint.kind == JointKind::prismatic;
     add(
-        VariableKind::angle, static_cast<int>(j), slides ? "position of " + joint.name : "angle of " + joint.name,
-        slides ? "m" : "rad", slides ? 0.02 : 0.1, problem, [&](const auto& o) { return at(o).sensor[i]; }, list,
+        VariableKind::angle, static_cast<int>(j),
+        slides ? message("position of {}", joint.name) : message("angle of {}", joint.name), slides ? "m" : "rad",
+        slides ? 0.02 : 0.1, problem, [&](const auto& o) { return at(o).sensor[i]; }, list,
         "q_" + formula_name(joint.name));
     add(
-        VariableKind::torque, static_cast<int>(j), "gravity torque at " + joint.name, slides ? "N" : "N m", 0.05,
-        problem, [&](const auto& o) { return o.motion.torques[i]; }, list, "tau_" + formula_name(joint.name));
+        VariableKind::torque, static_cast<int>(j), message("gravity torque at {}", joint.name), slides ? "N" : "N m",
+        0.05, problem, [&](const auto& o) { return o.motion.torques[i]; }, list, "tau_" + formula_name(joint.name));
     if (!joint.is_mimic())
       add(
-          VariableKind::approach, static_cast<int>(j), "direction in which " + joint.name + " last moved", "sign", 0.5,
-          problem, [&](const auto& o) { return at(o).approach[i]; }, list);
+          VariableKind::approach, static_cast<int>(j), message("direction in which {} last moved", joint.name), "sign",
+          0.5, problem, [&](const auto& o) { return at(o).approach[i]; }, list);
   }
   add(
       VariableKind::time, -1, "time", "s", 1e-6, problem, [&](const auto& o) { return at(o).elapsed; }, list, "time");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnosis/evidence/linear_model.h"
 
 namespace handsight {
@@ -13,8 +14,8 @@ enum class VariableKind { angle, torque, approach, time, order, image_u, image_v
 
 struct Variable {
   VariableKind kind = VariableKind::time;
-  int joint = -1;    // of the robot, for angle, torque and approach
-  std::string name;  // as a user reads it
+  int joint = -1;  // of the robot, for angle, torque and approach
+  Message name;    // as a user reads it
   std::string unit;
   Eigen::VectorXd values;  // per observation of the problem
   /// As effects.xml writes it (q_arm_3, "(0.2 + 0.98*tcp_x)"), and what that gives where it is not `values`: places are

@@ -156,12 +156,12 @@ std::vector<Scatter> scatter_levels(const LinearModel& model, const NoiseKnowled
   return levels;
 }
 
-std::string scatter_text(const Scatter& s) {
-  std::string text;
-  if (s.joints > 0) text = fmt::format("joints that repeat to {:.2g} mrad", 1e3 * s.joints);
-  if (s.place >= least_told_place)
-    text += fmt::format("{}a hand whose place scatters by {:.2g} mm", text.empty() ? "" : " and ", 1e3 * s.place);
-  return text;
+Message scatter_text(const Scatter& s) {
+  Message text;
+  if (s.joints > 0) text = message("joints that repeat to {:.2g} mrad", 1e3 * s.joints);
+  if (!(s.place >= least_told_place)) return text;
+  const Message place = message("a hand whose place scatters by {:.2g} mm", 1e3 * s.place);
+  return text.empty() ? place : message("{} and {}", text, place);
 }
 
 }  // namespace handsight

@@ -2,6 +2,7 @@
 // How much may differ from pose to pose and follow nothing: assumptions of it under which evidence is weighed.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
@@ -21,6 +22,6 @@ inline constexpr double least_told_place = 1e-5;
 
 /// "joints that repeat to 1.3 mrad and a hand whose place scatters by 0.9 mm"; empty where there is none worth
 /// telling.
-std::string scatter_text(const Scatter& scatter);
+Message scatter_text(const Scatter& scatter);
 
 }  // namespace handsight

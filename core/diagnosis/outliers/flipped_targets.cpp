@@ -99,7 +99,7 @@ Session without_flipped(Session session, const std::vector<FlippedTarget>& flipp
   return session;
 }
 
-std::string flipped_text(const std::vector<FlippedTarget>& flipped) {
+Message flipped_text(const std::vector<FlippedTarget>& flipped) {
   if (flipped.empty()) return "";
   std::vector<std::string> ids;
   double least = 1e9, most = 0;
@@ -109,11 +109,11 @@ std::string flipped_text(const std::vector<FlippedTarget>& flipped) {
     most = std::max(most, f.turned / degree);
   }
   const bool is_one = flipped.size() == 1;
-  return fmt::format(
+  return message(
       "Observation{} {}: the flat target's pose flipped to its mirror tilt (turned by {}; with the tilt mirrored about "
       "the line of sight it is right). Leave {} out.",
       is_one ? "" : "s", shortened(fmt::format("{}", fmt::join(ids, ", ")), 300),
-      is_one ? fmt::format("{:.0f} degrees", most) : fmt::format("{:.0f} to {:.0f} degrees", least, most),
+      is_one ? message("{:.0f} degrees", most) : message("{:.0f} to {:.0f} degrees", least, most),
       is_one ? "it" : "them");
 }
 

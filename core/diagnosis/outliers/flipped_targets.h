@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "estimation/fit/fit.h"
 
 namespace handsight {
@@ -27,6 +28,6 @@ std::vector<FlippedTarget> flipped_targets(const Session& session, const Fit& fi
 Session without_flipped(Session session, const std::vector<FlippedTarget>& flipped);
 
 /// A sentence that names them; empty where there are none.
-std::string flipped_text(const std::vector<FlippedTarget>& flipped);
+Message flipped_text(const std::vector<FlippedTarget>& flipped);
 
 }  // namespace handsight

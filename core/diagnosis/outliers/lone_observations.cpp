@@ -96,7 +96,7 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
   return {};
 }
 
-std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out) {
+Message lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out) {
   if (lone.empty()) return {};
   const bool is_one = lone.size() == 1;
   std::string ids;
@@ -105,13 +105,11 @@ std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker,
     ids += fmt::format("{}{}", ids.empty() ? "" : ", ", l.id);
     least = std::min(least, l.error);
   }
-  const auto size = [&](double x) {
-    return is_tracker ? fmt::format("{:.3g} mm", 1e3 * x) : fmt::format("{:.3g} px", x);
-  };
+  const auto size = [&](double x) { return is_tracker ? message("{:.3g} mm", 1e3 * x) : message("{:.3g} px", x); };
   const char* const state = is_left_out ? is_one ? "is left out" : "are left out"
                             : is_one    ? "stands alone"
                                         : "stand alone";
-  return fmt::format(
+  return message(
       "{} {} {}: by what the others say {} off by {}{}, and the others by {} at most. Look for a wrong reading or "
       "image, correct it or exclude it.",
       is_one ? "Observation" : "Observations", ids, state, is_one ? "it is" : "they are", size(least),

@@ -2,6 +2,7 @@
 // Observations of which each alone is wrong: a reading that slipped, an image of another pose.
 #pragma once
 
+#include "base/message.h"
 #include "estimation/fit/fit.h"
 
 namespace handsight {
@@ -24,6 +25,6 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
 Session without(const Session& session, const std::vector<LoneObservation>& lone);
 
 /// "Observation 8 is left out: ...", or "stands alone: ..." where it still counts; empty where there is none.
-std::string lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out = true);
+Message lone_text(const std::vector<LoneObservation>& lone, bool is_tracker, bool is_left_out = true);
 
 }  // namespace handsight

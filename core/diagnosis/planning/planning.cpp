@@ -262,12 +262,12 @@ class Planner {
     const double total = total_.mean();
     plan.tells_apart = total >= no_difference * static_cast<double>(plan.poses.size());
     if (!plan.tells_apart) {
-      plan.notes.push_back(fmt::format(
+      plan.notes.push_back(message(
           "{} and {} cannot be told apart at any of the {} poses that this robot and these cameras allow: whatever one "
           "of them does, the other does too.",
           r.first_name, r.second_name, plan.pool));
     } else if (total < ln_20) {
-      plan.notes.push_back(fmt::format(
+      plan.notes.push_back(message(
           "These poses are not expected to settle it between {} and {}: the ln Bayes factor grows by {:.2f}, and 3 "
           "(odds of 20) is needed; plan more of them.",
           r.first_name, r.second_name, total));
@@ -284,16 +284,16 @@ class Planner {
   }
 
   void add_notes(Plan& plan) const {
-    const std::vector<std::string> unknown = undetermined_texts(base_);
+    const std::vector<Message> unknown = undetermined_texts(base_);
     plan.notes.insert(plan.notes.begin(), unknown.begin(), unknown.end());
     if (static_cast<int>(plan.poses.size()) < options_.count)
       plan.notes.push_back(
-          fmt::format("Only {} of {} poses lie {:.3f} rad or more away from the others and from those "
-                      "that were taken.",
-                      plan.poses.size(), options_.count, least_distance()));
+          message("Only {} of {} poses lie {:.3f} rad or more away from the others and from those "
+                  "that were taken.",
+                  plan.poses.size(), options_.count, least_distance()));
     if (!base_.noise)
-      plan.notes.push_back(fmt::format("The noise is neither declared nor to be estimated: {:.3g} {} is assumed.",
-                                       noise_, session_.is_tracker() ? "m" : "px"));
+      plan.notes.push_back(message("The noise is neither declared nor to be estimated: {:.3g} {} is assumed.", noise_,
+                                   session_.is_tracker() ? "m" : "px"));
     if (!options_.between && base_.covariance_kind == CovarianceKind::scatter)
       plan.notes.push_back(
           "The model does not fit down to the noise, so what it leaves is reckoned as noise; find what is missing "

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "base/message.h"
 #include "estimation/fit/fit.h"
 
 namespace handsight {
@@ -47,7 +48,7 @@ struct Plan {
   std::optional<double> ln_bayes_factor_before;  // of the first effect against the second, in the measurements so far
   bool tells_apart = true;                       // false: no pose would tell the two effects apart
   std::size_t pool = 0;                          // poses that were to choose from
-  std::vector<std::string> notes;                // a sentence each
+  std::vector<Message> notes;                    // a sentence each
 };
 
 /// Greedy: each pose the best after those before it, at least some degrees away from those and from all that were

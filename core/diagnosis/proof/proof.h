@@ -6,6 +6,7 @@
 // share of each number is that number as it was estimated.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
@@ -30,9 +31,11 @@ struct ProofNumber {
 
 /// One scalar site: what the numbers of one term do there.
 struct ProofPlot {
-  std::string of;                     // the joint, the marker, "" for the session
-  std::string quantity, unit;         // of y: "angle of arm_2" rad; a number of its own where no site is scalar
-  std::string against, against_unit;  // of x: "gravity torque at arm_2" N m
+  std::string of;            // the joint, the marker, "" for the session
+  Message quantity;          // of y: "angle of arm_2"; a number of its own where no site is scalar
+  std::string unit;          // of y: rad
+  Message against;           // of x: "gravity torque at arm_2"
+  std::string against_unit;  // of x: N m
   std::vector<ProofNumber> numbers;
   std::vector<ProofPoint> points;  // in order of time
   int left_out = 0;                // observations that say nothing of it

@@ -101,31 +101,33 @@ double moment_across(const Chain& chain, const Circumstances& c, int joint) {
 }
 
 struct Followed {
-  std::string name, unit;
+  Message name;
+  std::string unit;
   Eigen::VectorXd values;
 };
 
 Followed angle_of(const Problem& p, int joint) {
   const Joint& j = p.source->chain.robot.joints[static_cast<std::size_t>(joint)];
   const bool slides = j.kind == JointKind::prismatic;
-  return {(slides ? "position of " : "angle of ") + j.name, slides ? "m" : "rad",
+  return {slides ? message("position of {}", j.name) : message("angle of {}", j.name), slides ? "m" : "rad",
           per_observation(p, [&](const auto&, const Circumstances& c) { return c.sensor[joint]; })};
 }
 
 Followed torque_of(const Problem& p, int joint) {
   const Joint& j = p.source->chain.robot.joints[static_cast<std::size_t>(joint)];
-  return {"gravity torque at " + j.name, j.kind == JointKind::prismatic ? "N" : "N m",
+  return {message("gravity torque at {}", j.name), j.kind == JointKind::prismatic ? "N" : "N m",
           per_observation(p, [&](const ProblemObservation& o, const auto&) { return o.motion.torques[joint]; })};
 }
 
 Followed approach_of(const Problem& p, int joint) {
-  return {"direction in which " + p.source->chain.robot.joints[static_cast<std::size_t>(joint)].name + " last moved",
-          "sign", per_observation(p, [&](const auto&, const Circumstances& c) { return c.approach[joint]; })};
+  return {
+      message("direction in which {} last moved", p.source->chain.robot.joints[static_cast<std::size_t>(joint)].name),
+      "sign", per_observation(p, [&](const auto&, const Circumstances& c) { return c.approach[joint]; })};
 }
 
 Followed velocity_of(const Problem& p, int joint) {
   const Joint& j = p.source->chain.robot.joints[static_cast<std::size_t>(joint)];
-  return {"velocity of " + j.name, j.kind == JointKind::prismatic ? "m/s" : "rad/s",
+  return {message("velocity of {}", j.name), j.kind == JointKind::prismatic ? "m/s" : "rad/s",
           per_observation(p, [&](const auto&, const Circumstances& c) { return c.velocity[joint]; })};
 }
 
@@ -149,11 +151,11 @@ std::optional<Followed> place_of(const Problem& p, const Effect& effect, const s
   if (effect.is_unnamed())
     if (const auto place = followed_place(p, *effect.definition)) {
       const std::string name = followed_variable(*effect.definition);
-      return Followed{name, name.starts_with("image") ? "px" : "m", place->values};
+      return Followed{looked_up(name), name.starts_with("image") ? "px" : "m", place->values};
     }
   for (int axis = 0; axis < 3; ++axis)
     if (variable == std::string("tcp_") + "xyz"[axis])
-      return Followed{fmt::format("place of the TCP along {} of the sensor's link", "xyz"[axis]), "m",
+      return Followed{message("place of the TCP along {} of the sensor's link", "xyz"[axis]), "m",
                       per_observation(p, [&](const auto&, const Circumstances& c) {
                         return (c.tcp ? *c.tcp : nominal_tcp(p.source->chain, c.sensor))[axis];
                       })};
@@ -197,17 +199,17 @@ Followed followed(const Problem& p, const Effect& effect, int place, const Eigen
   return is_step ? order(p) : time_or_order(p);
 }
 
-std::string motion_text(const Entry& e, const Robot& robot) {
+Message motion_text(const Entry& e, const Robot& robot) {
   constexpr const char* axes = "xyz";
-  const std::string whose =
-      e.joint < 0 ? fmt::format("the {}", e.frame)
-                  : fmt::format("the {} at {}", e.frame, robot.joints[static_cast<std::size_t>(e.joint)].name);
-  return e.axis < 3 ? fmt::format("shift along {} of {}", axes[e.axis], whose)
-                    : fmt::format("turn about {} of {}", axes[e.axis - 3], whose);
+  const Message whose = e.joint < 0
+                            ? message("the {}", e.frame)
+                            : message("the {} at {}", e.frame, robot.joints[static_cast<std::size_t>(e.joint)].name);
+  return e.axis < 3 ? message("shift along {} of {}", axes[e.axis], whose)
+                    : message("turn about {} of {}", axes[e.axis - 3], whose);
 }
 
 /// What moves where this entry does, with its unit; empty: no scalar motion.
-std::pair<std::string, std::string> quantity_of(const Entry& e, const Robot& robot) {
+std::pair<Message, std::string> quantity_of(const Entry& e, const Robot& robot) {
   constexpr const char* axes = "xyz";
   const Joint* joint =
       e.joint >= 0 && e.kind != EntryKind::length ? &robot.joints[static_cast<std::size_t>(e.joint)] : nullptr;
@@ -216,15 +218,16 @@ std::pair<std::string, std::string> quantity_of(const Entry& e, const Robot& rob
     case EntryKind::angle:
     case EntryKind::compliance:
     case EntryKind::gap:
-      return {(slides ? "position of " : "angle of ") + joint->name, slides ? "m" : "rad"};
+      return {slides ? message("position of {}", joint->name) : message("angle of {}", joint->name),
+              slides ? "m" : "rad"};
     case EntryKind::bend:
-      return {"bend across the axis of " + joint->name, "rad"};
+      return {message("bend across the axis of {}", joint->name), "rad"};
     case EntryKind::motion:
       return {motion_text(e, robot), e.axis < 3 ? "m" : "rad"};
     case EntryKind::length:
-      return {fmt::format("shift along {} of marker {}", axes[e.axis], e.joint), "m"};
+      return {message("shift along {} of marker {}", axes[e.axis], e.joint), "m"};
     case EntryKind::tilt:
-      return {fmt::format("tilt of the base about {}", axes[e.axis]), "rad"};
+      return {message("tilt of the base about {}", axes[e.axis]), "rad"};
     default:
       return {};
   }
@@ -241,11 +244,11 @@ std::optional<Followed> load_of(const Problem& p, const Entry& e) {
       return torque;
     }
     case EntryKind::bend:
-      return Followed{
-          "gravity's moment across the axis of " + p.source->chain.robot.joints[static_cast<std::size_t>(e.joint)].name,
-          "N m", per_observation(p, [&](const auto&, const Circumstances& c) {
-            return moment_across(p.source->chain, c, e.joint);
-          })};
+      return Followed{message("gravity's moment across the axis of {}",
+                              p.source->chain.robot.joints[static_cast<std::size_t>(e.joint)].name),
+                      "N m", per_observation(p, [&](const auto&, const Circumstances& c) {
+                        return moment_across(p.source->chain, c, e.joint);
+                      })};
     default:
       return std::nullopt;
   }
@@ -283,7 +286,7 @@ ProofSite proof_site(const Problem& p, const EffectTerm& term, std::size_t param
     }
   }
   if (!site.entry) {
-    site.quantity = number.name;
+    site.quantity = looked_up(number.name);
     site.unit = unit_at(effect, parameter, term.joint, p.source->chain.robot);
     site.share = ones;
   }

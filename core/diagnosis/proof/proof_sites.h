@@ -3,17 +3,20 @@
 // moves, whatever it is called.
 #pragma once
 
+#include "base/message.h"
 #include "estimation/problem/problem.h"
 
 namespace handsight {
 
 struct ProofSite {
-  std::optional<std::size_t> entry;   // of Sites, as site_entries numbers them; none: the number itself is the site
-  std::string quantity, unit;         // what moves there
-  std::string against, against_unit;  // what the number follows
-  Eigen::VectorXd x;                  // per observation of the problem
-  Eigen::VectorXd load;               // of the entry by what moves: a spring's torque; 1 where they are the same
-  Eigen::VectorXd share;              // what moves per unit of the number, load included
+  std::optional<std::size_t> entry;  // of Sites, as site_entries numbers them; none: the number itself is the site
+  Message quantity;                  // what moves there
+  std::string unit;
+  Message against;  // what the number follows
+  std::string against_unit;
+  Eigen::VectorXd x;      // per observation of the problem
+  Eigen::VectorXd load;   // of the entry by what moves: a spring's torque; 1 where they are the same
+  Eigen::VectorXd share;  // what moves per unit of the number, load included
 };
 
 /// `problem` must hold torques (EffectMotion).

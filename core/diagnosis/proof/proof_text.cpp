@@ -86,14 +86,15 @@ double followed(const ProofPlot& plot) {
 std::string proof_text(const ProofPlot& plot) {
   const ProofNumber& first = plot.numbers.front();
   if (is_per_load(plot)) {
-    const bool bends = plot.quantity.starts_with("bend");
+    const bool bends = plot.quantity.english().starts_with("bend");
     const auto [unit, factor] = readable_unit(plot.unit, std::abs(first.value));
     return fmt::format("{} {} by {} {} for each {}: {} at most here, so {}.", plot.of,
                        bends ? "bends across its axis" : "gives way", with_sigma(first.value, first.sigma, factor),
                        unit, plot.against_unit, rounded(plot.largest_x, plot.against_unit), at_most(plot));
   }
   if (is_level(plot)) {
-    const std::string of = plot.of.empty() || plot.quantity.find(plot.of) != std::string::npos ? "" : " of " + plot.of;
+    const std::string of =
+        plot.of.empty() || plot.quantity.english().find(plot.of) != std::string::npos ? "" : " of " + plot.of;
     return fmt::format("{}{}: {} in every pose{}.", capital(plot.quantity), of, level_text(plot),
                        plot.hand_m > 0 ? fmt::format(", {:.2g} mm at the hand at most", 1e3 * plot.hand_m) : "");
   }

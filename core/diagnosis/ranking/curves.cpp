@@ -164,10 +164,10 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
   EffectDefinition d;
   d.id = id;
   d.unnamed = true;
-  d.title = std::string(title_of_curve) + f.variable.variable->name;
+  d.title = std::string(title_of_curve) + f.variable.variable->name.english();
   d.scope = at_joint ? "joint" : "session";
-  d.cause = fmt::format("{} moves with the {}, {}: it has no name in the catalogue.", site_text(f, robot),
-                        f.variable.variable->name, f.shape.text);
+  d.cause = message("{} moves with the {}, {}: it has no name in the catalogue.", site_text(f, robot),
+                    f.variable.variable->name, f.shape.text);
   d.cause.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(d.cause.front())));
   const bool slides = at_joint && robot.joints[static_cast<std::size_t>(f.site->joint)].kind == JointKind::prismatic;
   const std::string prefix = f.site->kind == LocaliserSite::tcp ? "hand_" : "mount_";

@@ -18,8 +18,8 @@ void add_axes(const std::string& frame, const std::vector<Matrix6>& frame_from_s
   const char* axes[] = {"x", "y", "z"};
   const std::size_t first = list.size();
   for (int k = 0; k < 6; ++k)
-    list.push_back({k < 3 ? fmt::format("shift along {} of the {}", axes[k], frame)
-                          : fmt::format("turn about {} of the {}", axes[k - 3], frame),
+    list.push_back({k < 3 ? message("shift along {} of the {}", axes[k], frame)
+                          : message("turn about {} of the {}", axes[k - 3], frame),
                     k < 3 ? "m" : "rad",
                     -1,
                     {}});
@@ -41,7 +41,8 @@ void add_joints(const Problem& problem, const LinearModel& model, std::vector<Re
   const Chain& chain = problem.source->chain;
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
     const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[j])];
-    ResidualAxis axis{"error of " + joint.name, joint.kind == JointKind::prismatic ? "m" : "rad", chain.joints[j], {}};
+    ResidualAxis axis{
+        message("error of {}", joint.name), joint.kind == JointKind::prismatic ? "m" : "rad", chain.joints[j], {}};
     bool moves = false;
     for (const LinearObservation& o : model.observations) {
       const Eigen::VectorXd column = o.by_joints.col(static_cast<Eigen::Index>(j));

@@ -2,6 +2,7 @@
 // See where a model fails: residual motions of the body that follow something, by a statistic that assumes no shape.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/curves/variables.h"
 
 namespace handsight {
@@ -9,7 +10,7 @@ namespace handsight {
 /// One residual quantity per observation: a motion of the body along an axis, or the error of one joint that would
 /// explain the residual.
 struct ResidualSeries {
-  std::string name;        // "z of the TCP", "angle of arm_2"
+  Message name;            // "z of the TCP", "angle of arm_2"
   std::string unit;        // m or rad
   int joint = -1;          // of the robot, where it is a joint's equivalent error
   Eigen::VectorXd values;  // per observation
@@ -24,7 +25,7 @@ struct Pattern {
 
 /// How a residual quantity follows from the external rows of the observations.
 struct ResidualAxis {
-  std::string name;
+  Message name;
   std::string unit;
   int joint = -1;
   std::vector<Eigen::RowVectorXd> weights;  // per observation, by its external rows; zero where it shows nothing

@@ -137,13 +137,13 @@ std::string sure_text(const std::optional<double>& probability) {
 
 }  // namespace
 
-std::string hand_text(const BillRow& row) {
+Message hand_text(const BillRow& row) {
   const double value = 1e3 * row.hand_m, sigma = 1e3 * row.hand_sigma_m;
   const auto last = [](double size) { return static_cast<int>(std::floor(std::log10(size))); };
   if (!(value > 0)) return "0 mm";
-  if (!(sigma > 0)) return fmt::format("{:.{}f} mm", value, std::max(2 - last(value), 0));
+  if (!(sigma > 0)) return message("{:.{}f} mm", value, std::max(2 - last(value), 0));
   const int digits = std::clamp(1 - last(sigma), 0, 6);
-  return fmt::format("{:.{}f} +- {:.{}f} mm", value, digits, sigma, digits);
+  return message("{:.{}f} +- {:.{}f} mm", value, digits, sigma, digits);
 }
 
 std::vector<std::string> bill_lines(const std::vector<BillRow>& rows) {
@@ -154,8 +154,8 @@ std::vector<std::string> bill_lines(const std::vector<BillRow>& rows) {
   const auto line = [&](const auto&... cells) { return fmt::format("{:<{}}  {:>20}  {:>12}  {:<40}  {}", cells...); };
   lines.push_back(line("cause", wide, "at the hand (rms)", "sure", "is it built so", "can it be told"));
   for (const BillRow& row : rows)
-    lines.push_back(
-        line(cause_text(row), wide, hand_text(row), sure_text(row.probability), doubt_of(row), told_from(row)));
+    lines.push_back(line(cause_text(row), wide, hand_text(row).english(), sure_text(row.probability), doubt_of(row),
+                         told_from(row)));
   return lines;
 }
 

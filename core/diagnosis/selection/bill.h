@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnosis/selection/certainty.h"
 
 namespace handsight {
@@ -40,7 +41,7 @@ std::vector<BillRow> bill_of(const Fit& fit, const Certainty* certainty = nullpt
 std::vector<BillRow> with_certainty(std::vector<BillRow> rows, const Certainty& certainty);
 
 /// "2.31 +- 0.04 mm": what it is worth at the hand, to two digits of its sigma and three of its own.
-std::string hand_text(const BillRow& row);
+Message hand_text(const BillRow& row);
 
 /// A table for terminals, a line a row with a head; empty where there are none.
 std::vector<std::string> bill_lines(const std::vector<BillRow>& rows);

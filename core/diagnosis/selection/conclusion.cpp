@@ -43,29 +43,30 @@ void set_shares(std::optional<double> excess, Improvement& m) {
   m.unnamed_share = (middle - left) / *excess;
 }
 
-std::string worth_text(const std::vector<BillRow>& rows, bool unnamed) {
-  std::string text;
+Message worth_text(const std::vector<BillRow>& rows, bool unnamed) {
+  std::vector<Message> texts;
   for (const BillRow& row : rows) {
     if (row.unnamed != unnamed) continue;
-    text += fmt::format("{}{}{} ({:.3g} mm at the hand)", text.empty() ? "" : "; ", unnamed ? row.follows : row.id,
-                        unnamed || row.where.empty() ? "" : " at " + listed(row.where), 1e3 * row.hand_m);
+    texts.push_back(message("{}{} ({:.3g} mm at the hand)", unnamed ? row.follows : row.id,
+                            unnamed || row.where.empty() ? Message() : message(" at {}", listed(row.where)),
+                            1e3 * row.hand_m));
   }
-  return text;
+  return joined(texts, "; ");
 }
 
-std::string refused_text(const std::vector<RefusedStep>& refused) {
+Message refused_text(const std::vector<RefusedStep>& refused) {
   if (refused.empty()) return "";
   const RefusedStep& r = refused.front();
-  return fmt::format(" {}{} passes by its evidence and was not taken: {}.", r.id,
-                     r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason);
+  return message(" {}{} passes by its evidence and was not taken: {}.", r.id,
+                 r.where.empty() ? Message() : message(" ({})", listed(r.where)), r.reason);
 }
 
-std::string no_answer_text(const Diagnosis& d) {
-  return fmt::format(
+Message no_answer_text(const Diagnosis& d) {
+  return message(
       "The fit finds no answer: {}. What the model lacks cannot be told before; check mount, cameras, "
       "joints' order and labels.",
       d.model.fit.solution.normal.in_front
-          ? "it leaves " + told_error(d.report.fitted) + ", more than any robot explains"
+          ? message("it leaves {}, more than any robot explains", told_error(d.report.fitted))
           : "a marker would lie behind a camera that saw it");
 }
 
@@ -78,12 +79,12 @@ void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refu
   set_shares(excess, m);
   const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous;
   if (passes) judge_what_is_left(weighing(d.model.fit).knowledge.known, d);
-  const std::string curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
+  const Message curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
   if (!curves.empty()) {
     d.verdict = Verdict::unexplained;
-    d.reason =
-        fmt::format("{}{} Held out {}.", names.empty() ? "" : "Named: " + names + ". ",
-                    "Without a name: " + curves + (curves.back() == '.' ? "" : "."), told_error(d.report.held_out));
+    d.reason = message("{}{} Held out {}.", names.empty() ? Message() : message("Named: {}. ", names),
+                       message("Without a name: {}{}", curves, curves.english().back() == '.' ? "" : "."),
+                       told_error(d.report.held_out));
   }
   if (passes) d.reason += refused_text(refused);
   if (has_no_answer(d.model.fit)) {

@@ -22,19 +22,19 @@ static ErrorSummary session_error(Diagnosis d) {
   return d.report.held_out_session;
 }
 
-std::string worse_elsewhere(const Diagnosis& before, Diagnosis& after) {
+Message worse_elsewhere(const Diagnosis& before, Diagnosis& after) {
   const auto size = [](const ErrorSummary& e) { return e.rms_pixel ? e.rms_pixel : e.rms_m; };
   after.report.held_out_region = region_error(after);
   const ErrorSummary was = region_error(before), &is = after.report.held_out_region;
   if (size(was) && size(is) && *size(is) > most_elsewhere * *size(was))
-    return fmt::format("where a whole region of poses is held out, the error rises from {} to {}", error_text(was),
-                       error_text(is));
+    return message("where a whole region of poses is held out, the error rises from {} to {}", error_text(was),
+                   error_text(is));
   if (after.model.session.parts.empty()) return "";
   set_errors_elsewhere(after);
   const ErrorSummary before_it = session_error(before), &with_it = after.report.held_out_session;
   if (!size(before_it) || !size(with_it) || *size(with_it) <= most_elsewhere * *size(before_it)) return "";
-  return fmt::format("where a whole session is held out, the error rises from {} to {}", error_text(before_it),
-                     error_text(with_it));
+  return message("where a whole session is held out, the error rises from {} to {}", error_text(before_it),
+                 error_text(with_it));
 }
 
 }  // namespace handsight

@@ -2,6 +2,7 @@
 // The error where the robot has not been measured decides what a change of a model is worth.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
@@ -10,7 +11,7 @@ namespace handsight {
 /// in one that is held out? What time seems to explain where poses come region by
 /// region, and what only bends to the poses at hand, shows there. Why a change is refused then; empty where it is not.
 /// Works the regions' errors of `after` out.
-std::string worse_elsewhere(const Diagnosis& before, Diagnosis& after);
+Message worse_elsewhere(const Diagnosis& before, Diagnosis& after);
 
 /// Works FitReport::held_out_region of a model out, and of several sessions together held_out_session, where that is
 /// not done yet.

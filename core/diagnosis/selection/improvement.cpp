@@ -71,7 +71,7 @@ void take_back(Improvement& settled, Improvement& m) {
 
 /// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
 /// in random order. Why one is refused; empty where it is not, and for everything else.
-std::string unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
+Message unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
   if (candidate.unnamed) return "";
   if (is_change_between_sessions(candidate.terms.front()))
     return candidate.ln_bayes_factor >= model.threshold + ln_odds_against_change
@@ -81,12 +81,12 @@ std::string unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& c
   const double least = model.threshold + ln_odds_against_time(candidate.terms.front());
   const char* kind = slip_order(candidate.terms) ? "slips" : "drifts";
   if (candidate.ln_bayes_factor < least)
-    return fmt::format("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
-                       candidate.ln_bayes_factor, least);
+    return message("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
+                   candidate.ln_bayes_factor, least);
   const Weighing by = weighing(model.model.fit);
   const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.scatter, by);
   if (beside >= least) return "";
-  return fmt::format(
+  return message(
       "what follows the posture may explain as much: beside that its evidence is ln {:.1f}, below the "
       "ln {:.1f} that is asked of {}",
       beside, least, kind);
@@ -120,7 +120,7 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
                           const DiagnosisCandidate& candidate) {
   ModelChange change;
   const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
-  if (const std::string why = unlikely_in_time(model, candidate); !why.empty()) {
+  if (const Message why = unlikely_in_time(model, candidate); !why.empty()) {
     change.refused.push_back({id, candidate.where, why});
     return change;
   }
@@ -138,7 +138,7 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
     change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
     return change;
   }
-  if (const std::string why = worse_elsewhere(model, next); !why.empty()) {
+  if (const Message why = worse_elsewhere(model, next); !why.empty()) {
     change.refused.push_back({id, candidate.where, why});
     return change;
   }
@@ -218,7 +218,7 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
       change.refused.push_back({likely.name.id, likely.name.where, "the held-out error does not fall"});
       continue;
     }
-    if (const std::string why = worse_elsewhere(model, next); !why.empty()) {
+    if (const Message why = worse_elsewhere(model, next); !why.empty()) {
       change.refused.push_back({likely.name.id, likely.name.where, why});
       continue;
     }

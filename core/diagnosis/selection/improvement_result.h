@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnosis/selection/bill.h"
 #include "diagnosis/selection/certainty.h"
 #include "diagnosis/verdict/diagnosis_result.h"
@@ -32,7 +33,7 @@ struct ImprovementStep {
 struct RefusedStep {
   std::string id;
   std::vector<std::string> where;
-  std::string reason;
+  Message reason;
 };
 
 struct ImprovementOptions {

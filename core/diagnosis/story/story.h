@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 #include "diagnosis/verdict/stand_in.h"
 
@@ -113,9 +114,9 @@ Story story_of(const StoryBasis& basis);
 Story story_of(const Diagnosis& diagnosis);
 
 /// "3.4 px", "23 mm": an error as every place tells it, to two digits. From px or m.
-std::string story_size_text(double error, bool in_pixels);
+Message story_size_text(double error, bool in_pixels);
 
 /// The story in English for terminals and files: one to three sentences.
-std::string story_text(const Story& story, const Diagnosis& diagnosis);
+Message story_text(const Story& story, const Diagnosis& diagnosis);
 
 }  // namespace handsight

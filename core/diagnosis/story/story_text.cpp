@@ -9,25 +9,25 @@
 namespace handsight {
 namespace {
 
-std::string size_or_unknown(std::optional<double> size, bool in_pixels) {
-  return size ? story_size_text(*size, in_pixels) : "unknown";
+Message size_or_unknown(std::optional<double> size, bool in_pixels) {
+  return size ? story_size_text(*size, in_pixels) : Message("unknown");
 }
 
-std::string named(const std::string& id, const std::vector<std::string>& where) {
+Message named(const std::string& id, const std::vector<std::string>& where) {
   const Effect* effect = find_effect(id);
-  const std::string title = effect ? effect->title : id;
-  return where.empty() ? title : fmt::format("{} ({})", title, listed(where));
+  const Message title = effect ? looked_up(effect->title) : verbatim(id);
+  return where.empty() ? title : message("{} ({})", title, listed(where));
 }
 
-std::string both(const Story& s) {
-  return fmt::format("{}{} where the noise is {}", size_or_unknown(s.error.error, s.error.in_pixels),
-                     s.error.held_out ? " held out" : "", size_or_unknown(s.error.noise, s.error.in_pixels));
+Message both(const Story& s) {
+  return message("{}{} where the noise is {}", size_or_unknown(s.error.error, s.error.in_pixels),
+                 s.error.held_out ? " held out" : "", size_or_unknown(s.error.noise, s.error.in_pixels));
 }
 
-std::string of_lead(const Story& s, const Diagnosis& d) {
+Message of_lead(const Story& s, const Diagnosis& d) {
   const DiagnosisCandidate& c = d.candidates[s.causes.front().candidate];
   if (c.unnamed) return d.reason;
-  std::string text = missing_text(c, s.state == StoryState::ambiguous, d);
+  Message text = missing_text(c, s.state == StoryState::ambiguous, d);
   if (s.state == StoryState::implausible)
     text +=
         " It is larger than robots are built, or pushes back where springs give way: it probably stands in for "
@@ -35,30 +35,30 @@ std::string of_lead(const Story& s, const Diagnosis& d) {
   return text;
 }
 
-std::string of_scatter(const Story& s, const Diagnosis& d) {
-  const std::string size = scatter_text(d.scatter);
-  return fmt::format(
+Message of_scatter(const Story& s, const Diagnosis& d) {
+  const Message size = scatter_text(d.scatter);
+  return message(
       "What is left, {}, differs from pose to pose and follows nothing that was measured{}: no effect "
       "can remove it.",
-      both(s), size.empty() ? "" : ", as of " + size);
+      both(s), size.empty() ? Message() : message(", as of {}", size));
 }
 
-std::string of_part(const Story& s) {
-  return fmt::format(
+Message of_part(const Story& s) {
+  return message(
       "Something real is left, {}: {} explains a part of it, and nothing in the catalogue explains the "
       "rest.",
       both(s), named(s.causes.front().id, s.causes.front().where));
 }
 
-std::string of_stand_ins(const Story& s) {
-  std::vector<std::string> names;
+Message of_stand_ins(const Story& s) {
+  std::vector<Message> names;
   for (const StandIn& one : s.stands_in) names.push_back(named(one.id, one.where));
   if (names.empty()) return "";
-  return fmt::format(" {} in the model {} in for another cause: no robot is built so.", listed(names),
-                     names.size() == 1 ? "stands" : "stand");
+  return message(" {} in the model {} in for another cause: no robot is built so.", joined(names, ", ", " and "),
+                 names.size() == 1 ? "stands" : "stand");
 }
 
-std::string of_state(const Story& s, const Diagnosis& d) {
+Message of_state(const Story& s, const Diagnosis& d) {
   switch (s.state) {
     case StoryState::missing:
     case StoryState::ambiguous:
@@ -69,7 +69,7 @@ std::string of_state(const Story& s, const Diagnosis& d) {
     case StoryState::unexplained:
       return s.lead() && !s.lead()->unnamed ? of_part(s) : d.reason;
     case StoryState::refused:
-      return fmt::format(
+      return message(
           "Something is left, {}, and what would explain it does not lower the error on observations "
           "that the fit has not seen.",
           both(s));
@@ -80,8 +80,8 @@ std::string of_state(const Story& s, const Diagnosis& d) {
 
 }  // namespace
 
-std::string story_size_text(double error, bool in_pixels) { return told_size(error, in_pixels); }
+Message story_size_text(double error, bool in_pixels) { return told_size(error, in_pixels); }
 
-std::string story_text(const Story& s, const Diagnosis& d) { return of_state(s, d) + of_stand_ins(s); }
+Message story_text(const Story& s, const Diagnosis& d) { return of_state(s, d) + of_stand_ins(s); }
 
 }  // namespace handsight

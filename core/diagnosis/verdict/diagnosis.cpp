@@ -257,8 +257,9 @@ class Work {
   void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
     const Refit r = refitted({curve.term});
     if (stopped_ || !r.fit.converged()) return;
-    const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(),
-                                   [&](const auto& l) { return l.localiser.variable->name == curve.variable; });
+    const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(), [&](const auto& l) {
+      return l.localiser.variable->name.english() == curve.variable;
+    });
     if (same != ranking_.localisers.end()) c.unnamed = *same;
     take_refit(r, curve.ln_ways - odds_of_unnamed_, d_, weighing_, session_, c);
     c.where = {curve.where};

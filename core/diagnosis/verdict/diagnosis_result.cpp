@@ -49,7 +49,7 @@ std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const C
         places.push_back(chain.robot.joints[static_cast<std::size_t>(*other)].name);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty())
-        places.push_back(fmt::format("from observation {:g} on", term.values[p]));
+        places.push_back(message("from observation {:g} on", term.values[p]));
   }
   return places;
 }

@@ -2,6 +2,7 @@
 // What a diagnosis finds.
 #pragma once
 
+#include "base/message.h"
 #include "diagnosis/attribution/blame.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/ranking/ranking.h"
@@ -21,7 +22,7 @@ struct FitIteration {
 
 /// What a check with the real robot is predicted to read, on top of the model as it is (robot_check.h).
 struct CheckPrediction {
-  std::string before, after;                // the sentence round the number
+  Message before, after;                    // the sentence round the number
   double value = 0, sigma = 0;              // in `unit`
   std::string unit;                         // as in the catalogue: m, rad, kg, px, 1
   std::optional<std::int64_t> observation;  // whose pose is to be taken
@@ -66,7 +67,7 @@ struct SampleCheck {
 
 struct Diagnosis {
   Verdict verdict = Verdict::adequate;
-  std::string reason;
+  Message reason;
   CleanFit model;            // the model as it is, without wrong points
   FitOptions model_options;  // that give it again
   FitReport report;

@@ -149,7 +149,8 @@ class Prediction {
     if (!best) return std::nullopt;
     const EffectParameter& p = effect.parameters[numbers[*best].parameter];
     const std::string place = place_name(effect, c_.terms[numbers[*best].term].joint, chain_.robot);
-    return CheckPrediction{fmt::format("The {}{} differs by", in_words(p.name), place.empty() ? "" : " of " + place),
+    return CheckPrediction{message("The {}{} differs by", looked_up(in_words(p.name)),
+                                   place.empty() ? Message() : message(" of {}", place)),
                            "from the model's",
                            value(*best),
                            sigma(*best),
@@ -177,7 +178,7 @@ class Prediction {
     const auto part = best ? predicted(reading_at(*best), model_, c_) : std::nullopt;
     if (!part) return std::nullopt;
     const std::int64_t id = id_of(observations[*best]);
-    return CheckPrediction{before, fmt::format("{} (pose {})", after, id), part->value, part->sigma, "m", id};
+    return CheckPrediction{before, message("{} (pose {})", after, id), part->value, part->sigma, "m", id};
   }
 
   /// Between the two angles, of those that the session has seen, that the candidate parts most.
@@ -197,8 +198,8 @@ class Prediction {
       const bool slides = j.kind == JointKind::prismatic;
       constexpr double degrees = 57.29577951308232;
       best = CheckPrediction{
-          slides ? fmt::format("{}, moved from {:.0f} to {:.0f} mm, moves", j.name, 1e3 * from, 1e3 * to)
-                 : fmt::format("{}, turned from {:.0f} to {:.0f} degrees, turns", j.name, degrees * from, degrees * to),
+          slides ? message("{}, moved from {:.0f} to {:.0f} mm, moves", j.name, 1e3 * from, 1e3 * to)
+                 : message("{}, turned from {:.0f} to {:.0f} degrees, turns", j.name, degrees * from, degrees * to),
           "further than it reads",
           part->value,
           part->sigma,
@@ -254,7 +255,7 @@ class Prediction {
     const auto part = best ? predicted(reading_at(*best), model_, c_) : std::nullopt;
     if (!part) return std::nullopt;
     const std::int64_t id = id_of(*best->observation);
-    return CheckPrediction{fmt::format("Where marker {} is in observation {}, matched points lie", best->marker, id),
+    return CheckPrediction{message("Where marker {} is in observation {}, matched points lie", best->marker, id),
                            after,
                            part->value,
                            part->sigma,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/message.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
@@ -16,14 +17,14 @@ namespace handsight {
 std::optional<CheckPrediction> predicted_check(const Diagnosis& model, const DiagnosisCandidate& candidate);
 
 /// "Hang 1 kg on the hand: it should sag 1.40 +- 0.20 mm further (pose 37)."
-std::string prediction_text(const CheckPrediction& prediction);
+Message prediction_text(const CheckPrediction& prediction);
 
 /// What was measured, in the prediction's unit, against the prediction.
 struct CheckAnswer {
   bool is_inside = false;         // within two sigma, of prediction and measurement together
   double sigmas = 0;              // how many lie between the two
   bool could_be_nothing = false;  // within two sigma of the measurement of 0: without the candidate it would read that
-  std::string text;               // a sentence or two: inside or outside, how far, what it says of the candidate
+  Message text;                   // a sentence or two: inside or outside, how far, what it says of the candidate
 };
 CheckAnswer answer_check(const CheckPrediction& prediction, double measured, double measured_sigma);
 

@@ -25,18 +25,18 @@ Shown shown(const std::string& unit) {
 }
 
 /// Two digits of the sigma, and the value to the same place.
-std::string with_sigma(double value, double sigma) {
-  if (!(sigma > 0)) return fmt::format("{:.3g}", value);
+Message with_sigma(double value, double sigma) {
+  if (!(sigma > 0)) return message("{:.3g}", value);
   const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
-  return fmt::format("{:.{}f} +- {:.{}f}", value, places, sigma, places);
+  return message("{:.{}f} +- {:.{}f}", value, places, sigma, places);
 }
 
 }  // namespace
 
-std::string prediction_text(const CheckPrediction& p) {
+Message prediction_text(const CheckPrediction& p) {
   const Shown unit = shown(p.unit);
-  return fmt::format("{} {}{}{}.", p.before, with_sigma(unit.scale * p.value, unit.scale * p.sigma), unit.unit,
-                     p.after.empty() ? "" : " " + p.after);
+  return message("{} {}{}{}.", p.before, with_sigma(unit.scale * p.value, unit.scale * p.sigma), unit.unit,
+                 p.after.empty() ? Message() : message(" {}", p.after));
 }
 
 CheckAnswer answer_check(const CheckPrediction& p, double measured, double measured_sigma) {
@@ -45,14 +45,15 @@ CheckAnswer answer_check(const CheckPrediction& p, double measured, double measu
   answer.sigmas = std::abs(measured - p.value) / both;
   answer.is_inside = answer.sigmas <= sigmas_inside;
   answer.could_be_nothing = std::abs(measured) <= sigmas_inside * measured_sigma;
-  const std::string far = fmt::format("{:.{}f} sigma from the prediction", answer.sigmas, answer.sigmas < 9.95 ? 1 : 0);
+  const Message far = message("{:.{}f} sigma from the prediction", answer.sigmas, answer.sigmas < 9.95 ? 1 : 0);
   if (answer.is_inside)
     answer.text = answer.could_be_nothing
-                      ? "Inside: " + far + ", but so would nothing be. The check was too coarse to tell."
-                      : "Inside: " + far + ". That speaks for this cause.";
+                      ? message("Inside: {}, but so would nothing be. The check was too coarse to tell.", far)
+                      : message("Inside: {}. That speaks for this cause.", far);
   else
-    answer.text = answer.could_be_nothing ? "Outside: " + far + ", and nothing shows. That speaks against this cause."
-                                          : "Outside: " + far + ". It is another cause, or not this one alone.";
+    answer.text = answer.could_be_nothing
+                      ? message("Outside: {}, and nothing shows. That speaks against this cause.", far)
+                      : message("Outside: {}. It is another cause, or not this one alone.", far);
   return answer;
 }
 

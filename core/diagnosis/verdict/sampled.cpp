@@ -71,7 +71,7 @@ void check_on_the_others(const Session& session, const Sample& sample, Diagnosis
                   error_on_the_others(session, sample, d.model.fit)};
   d.report.observations = static_cast<int>(session.observations.size());
   const bool is_worse = size_of(d.sample->others) > clearly_worse * size_of(d.report.held_out);
-  d.reason += fmt::format(
+  d.reason += message(
       " Judged by {} of the {} observations, evenly over the session; the model meets the others to "
       "{}{}",
       d.sample->taken, d.sample->all, told_error(d.sample->others),

@@ -67,9 +67,9 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
   for (const Vector3& x : fit.solution.unknowns.markers_in_tcp) fit.markers_in_body.push_back(body_from_tcp * x);
   if (!fit.rotation_is_observed)
     fit.notes.push_back(
-        fmt::format("With {} the rotation of tcp_from_body is {} observable; what is not is left at its start value.",
-                    fit.sides.markers.size() == 1 ? "one marker" : "two markers",
-                    fit.sides.markers.size() == 1 ? "not" : "only partly"));
+        message("With {} the rotation of tcp_from_body is {} observable; what is not is left at its start value.",
+                fit.sides.markers.size() == 1 ? "one marker" : "two markers",
+                fit.sides.markers.size() == 1 ? "not" : "only partly"));
 }
 
 /// Directions of the fixtures' frames that mean nothing: a plane turned and shifted in itself.
@@ -98,22 +98,22 @@ void add_notes(const Session& session, Fit& fit) {
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
   if (unseen.size() == 1)
-    fit.notes.push_back(fmt::format("Marker {} is seen in no used observation and has no position.", unseen.front()));
+    fit.notes.push_back(message("Marker {} is seen in no used observation and has no position.", unseen.front()));
   if (unseen.size() > 1)
     fit.notes.push_back(
-        fmt::format("Markers {} are seen in no used observation and have no position.", fmt::join(unseen, ", ")));
+        message("Markers {} are seen in no used observation and have no position.", fmt::join(unseen, ", ")));
   if (fit.sightings_left_out > 0)
-    fit.notes.push_back(fmt::format(
-        "{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
-        fit.sightings_left_out));
-  std::vector<std::string> undetermined = undetermined_texts(fit);
+    fit.notes.push_back(
+        message("{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
+                fit.sightings_left_out));
+  std::vector<Message> undetermined = undetermined_texts(fit);
   if (session.is_touch() && fit.effects.empty()) undetermined = touch_unknown_texts(session, fit);
   fit.notes.insert(fit.notes.end(), undetermined.begin(), undetermined.end());
   if (fit.solution.unobservable > no_matter(session) && undetermined.empty())
     fit.notes.push_back(
-        fmt::format("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
-                    fit.solution.unobservable - no_matter(session),
-                    fit.solution.unobservable - no_matter(session) == 1 ? "" : "s"));
+        message("{} direction{} of the unknowns cannot be observed in these poses and stay as they were.",
+                fit.solution.unobservable - no_matter(session),
+                fit.solution.unobservable - no_matter(session) == 1 ? "" : "s"));
   if (!fit.solution.normal.in_front)
     fit.notes.push_back(
         "A marker would lie behind a camera that saw it: this is no answer; check the mount, the cameras and the "
@@ -128,18 +128,17 @@ void add_notes(const Session& session, Fit& fit) {
         "is "
         "used.");
   else if (!fit.solution.converged)
-    fit.notes.push_back(fmt::format("The fit did not converge in {} iterations.", fit.solution.iterations));
+    fit.notes.push_back(message("The fit did not converge in {} iterations.", fit.solution.iterations));
   for (std::size_t t = 0; t < fit.problem.terms.size(); ++t)
     if (const double times = widened_by(fit.problem, t); times > 1.5)
-      fit.notes.push_back(fmt::format(
-          "{}: the measurements say more than 5 times what is plausible; its plausible sizes were taken {:.0f} "
-          "times as large.",
-          fit.problem.terms[t].id, times));
+      fit.notes.push_back(
+          message("{}: the measurements say more than 5 times what is plausible; its plausible sizes were taken {:.0f} "
+                  "times as large.",
+                  fit.problem.terms[t].id, times));
   for (const ProblemObservation& o : fit.problem.observations) {
     const Observation& observation = session.observations[static_cast<std::size_t>(o.index)];
     if (!o.springs_hold)
-      fit.notes.push_back(
-          fmt::format("Observation {}: the declared springs are too soft for the load.", observation.id));
+      fit.notes.push_back(message("Observation {}: the declared springs are too soft for the load.", observation.id));
   }
 }
 
@@ -163,9 +162,9 @@ void require_use_of_camera_images(const Session& session, const FitOptions& opti
         message("{}: images of a board say something of the cameras, and no number of theirs is estimated; add "
                 "--effects camera_intrinsics (also lens_distortion{}).",
                 session_name(session),
-                !session.rig || session.rig->count() == 1 ? ""
-                : session.rig->count() == 2               ? ", stereo_rig"
-                                                          : ", rig"));
+                verbatim(!session.rig || session.rig->count() == 1 ? ""
+                         : session.rig->count() == 2               ? ", stereo_rig"
+                                                                   : ", rig")));
 }
 
 /// Does a term move the body or its markers on the hand, in the body's own frame?
@@ -253,12 +252,12 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   if (images.observations.empty())
     throw InputError(
         session.target
-            ? fmt::format("{}: the target is found in none of the {} observations that may be used; look at an image "
-                          "and at what <target> says of it.",
-                          session_name(session), session.observations.size())
-            : fmt::format("{}: none of the {} observations has a labelled marker that may be used; label one first "
-                          "(handsight-cli label).",
-                          session_name(session), session.observations.size()));
+            ? message("{}: the target is found in none of the {} observations that may be used; look at an image "
+                      "and at what <target> says of it.",
+                      session_name(session), session.observations.size())
+            : message("{}: none of the {} observations has a labelled marker that may be used; label one first "
+                      "(handsight-cli label).",
+                      session_name(session), session.observations.size()));
   auto start = start_for(session, options, images);
   if (start) start->effects = effect_values(images);
   if (!start)

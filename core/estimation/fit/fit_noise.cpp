@@ -81,14 +81,15 @@ double loss_noise(const Session& session, const Problem& images, const Problem& 
   return usual.value_or(session.is_tracker() ? 1e-3 : 0.3) * unit;
 }
 
-static std::string text_of_a_wrong_declaration(double declared, const NoiseEstimate& seen, bool of_tracker) {
+static Message text_of_a_wrong_declaration(double declared, const NoiseEstimate& seen, bool of_tracker) {
   const double scale = of_tracker ? 1e3 : 1;
-  return fmt::format(
+  return message(
       "The declared noise, {0} {3}, and the noise seen in the measurements, {1} +- {2} {3}, differ by more than 3 "
       "sigma; "
       "check the declaration, or look for wrong {4}.",
-      shown_number(scale * declared), shown_number(scale * seen.sigma), shown_number(scale * seen.error, 1),
-      of_tracker ? "mm" : "px", of_tracker ? "points of the tracker" : "corners and camera errors");
+      number(shown_number(scale * declared)), number(shown_number(scale * seen.sigma)),
+      number(shown_number(scale * seen.error, 1)), of_tracker ? "mm" : "px",
+      of_tracker ? "points of the tracker" : "corners and camera errors");
 }
 
 /// Of a session that was computed without noise what is left is rounding and the priors' pull: asking what is missing
@@ -107,16 +108,16 @@ void set_noise(const Session& session, const Problem& images, Fit& fit) {
     fit.noise = finest_noise(session);
     fit.noise_estimate.reset();
     fit.notes.push_back(
-        fmt::format("What is left is finer than any sensor measures, as in a session that was computed without noise; "
-                    "{:g} {} are taken for its noise.",
-                    *fit.noise, unit));
+        message("What is left is finer than any sensor measures, as in a session that was computed without noise; "
+                "{:g} {} are taken for its noise.",
+                *fit.noise, unit));
     return;
   }
   if (fit.noise_estimate && are_rigid_by_construction(images, fit.solution.unknowns, *fit.noise_estimate)) {
     fit.notes.push_back(
-        fmt::format("The markers stand against each other to {:.1g} {}, as no sensor measures: they are rigid by "
-                    "construction, like a tracker's virtual points, and do not tell the noise.",
-                    fit.noise_estimate->sigma, unit));
+        message("The markers stand against each other to {:.1g} {}, as no sensor measures: they are rigid by "
+                "construction, like a tracker's virtual points, and do not tell the noise.",
+                fit.noise_estimate->sigma, unit));
     fit.noise_estimate.reset();
   }
   const auto& declared = declared_noise(session);
@@ -126,13 +127,13 @@ void set_noise(const Session& session, const Problem& images, Fit& fit) {
   } else if (fit.noise_estimate) {
     fit.noise = fit.noise_estimate->sigma;
     if (fit.noise_estimate->from_repeats)
-      fit.notes.push_back(fmt::format(
+      fit.notes.push_back(message(
           "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
           *fit.noise, unit));
   }
   if (const double told = usual_sigma(session); !fit.noise && told > 0) {
     fit.noise = told;
-    fit.notes.push_back(fmt::format(
+    fit.notes.push_back(message(
         "Nothing but the measurements' own sigmas (usually {:.3g} {}) tells the noise; they are taken at their word.",
         told, unit));
   }

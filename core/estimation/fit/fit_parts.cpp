@@ -104,7 +104,7 @@ Unknowns start_of_parts(const Session& joined, const Problem& problem,
         start.markers_in_tcp[static_cast<std::size_t>(part.first_marker + m)] =
             estimate(alone).markers_in_tcp[static_cast<std::size_t>(m)];
     } catch (const InputError& e) {
-      throw InputError(message("session \"{}\" of {}: {}", part.title, joined.title, e.what()));
+      throw InputError(message("session \"{}\" of {}: {}", part.title, joined.title, e.sentence()));
     }
     mount_is_known = body_is_known = 1;
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "chain/body_frame.h"
 #include "estimation/fit/fit_options.h"
 #include "estimation/fit/noise.h"
@@ -49,7 +50,7 @@ struct Fit {
   std::optional<double> chi2_per_dof;
   double angle_axis_sigma_m = 0, angle_axis_sigma_rad = 0;  // the weights of the angle-axis objective
   int sightings_left_out = 0;                               // seen by one camera only, where the objective needs points
-  std::vector<std::string> notes;                           // a sentence each
+  std::vector<Message> notes;                               // a sentence each
 
   bool converged() const { return solution.converged; }
 };

@@ -152,13 +152,13 @@ FlangeError likely_flange_error(const Problem& problem, const Solution& solution
   return is_a_robots && best.ln > likelihood.ln({}) + clearly_likelier ? best.error : FlangeError{};
 }
 
-std::string flange_error_text(const FlangeError& e, bool has_joints) {
+Message flange_error_text(const FlangeError& e, bool has_joints) {
   const std::string place = shown_number(1e3 * e.place), turn = shown_number(1e3 * e.turn);
-  const std::string sizes = !has_joints    ? fmt::format("its flange by {} mm and {} mrad", place, turn)
-                            : e.place == 0 ? fmt::format("its joints by {} mrad", turn)
-                            : e.turn == 0  ? fmt::format("its flange by {} mm", place)
-                                           : fmt::format("its joints by {} mrad and its flange by {} mm", turn, place);
-  return fmt::format(
+  const Message sizes = !has_joints    ? message("its flange by {} mm and {} mrad", place, turn)
+                        : e.place == 0 ? message("its joints by {} mrad", turn)
+                        : e.turn == 0  ? message("its flange by {} mm", place)
+                                       : message("its joints by {} mrad and its flange by {} mm", turn, place);
+  return message(
       "From pose to pose the robot is off by more than the noise of the images: {} (one standard deviation of each "
       "number). Images and robot are weighed by that.",
       sizes);

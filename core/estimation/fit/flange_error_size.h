@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {
@@ -16,6 +17,6 @@ namespace handsight {
 FlangeError likely_flange_error(const Problem& problem, const Solution& solution);
 
 /// A sentence of what was found, for people.
-std::string flange_error_text(const FlangeError& error, bool has_joints);
+Message flange_error_text(const FlangeError& error, bool has_joints);
 
 }  // namespace handsight

@@ -249,8 +249,8 @@ int part_named(const Session& joined, const std::string& title) {
     known += (known.empty() ? "" : ", ") + joined.parts[p].title;
   }
   throw InputError(known.empty()
-                       ? fmt::format("--session {}: this is one session by itself; leave the option out.", title)
-                       : fmt::format("--session {}: the collection has no such session; it has {}.", title, known));
+                       ? message("--session {}: this is one session by itself; leave the option out.", title)
+                       : message("--session {}: the collection has no such session; it has {}.", title, known));
 }
 
 }  // namespace handsight

@@ -107,22 +107,22 @@ bool is_one_plane(const Session& session) {
 
 }  // namespace
 
-std::vector<std::string> touch_unknown_texts(const Session& session, const Fit& fit) {
-  std::vector<std::string> texts;
+std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit) {
+  std::vector<Message> texts;
   const Eigen::MatrixXd untold = untold_directions(fit);
   const int tip = moved_numbers(untold.topRows(3 * fit.problem.marker_count));
   if (tip > 0)
-    texts.push_back(fmt::format(
-        "Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
-        "than one axis while it touches.",
-        tip, 3 * fit.problem.marker_count));
+    texts.push_back(
+        message("Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
+                "than one axis while it touches.",
+                tip, 3 * fit.problem.marker_count));
   if (const auto names = untold_fixtures(session, fit, untold); !names.empty())
     texts.push_back(
-        fmt::format("Where {} stands is not determined by these touches; touch it more often, farther apart and with "
-                    "the hand turned.",
-                    fmt::join(names, ", ")));
+        message("Where {} stands is not determined by these touches; touch it more often, farther apart and with "
+                "the hand turned.",
+                fmt::join(names, ", ")));
   if (const auto names = hidden_zeros(session, fit); !names.empty())
-    texts.push_back(fmt::format(
+    texts.push_back(message(
         "The zero of {} cannot be known from these touches: another one does what another place of the tip or of the "
         "fixtures does.",
         fmt::join(names, ", ")));

@@ -2,12 +2,13 @@
 // What touches cannot tell, in words.
 #pragma once
 
+#include "base/message.h"
 #include "estimation/fit/fit_result.h"
 
 namespace handsight {
 
 /// Sentences for people, of a session of touches: what of the tip and of the fixtures no touch determines, and which
 /// joints' zeros another place of tip or fixtures would hide. Empty where all of it is told.
-std::vector<std::string> touch_unknown_texts(const Session& session, const Fit& fit);
+std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit);
 
 }  // namespace handsight

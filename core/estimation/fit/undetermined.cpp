@@ -128,36 +128,36 @@ Matrix6 mount_covariance_at_origin(const Fit& fit) {
 
 namespace {
 
-std::string axis_text(Vector3 axis, bool of_tcp) {
+Message axis_text(Vector3 axis, bool of_tcp) {
   constexpr double along = 0.9999;
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   if (axis[largest] > along || axis[largest] < -along)
-    return fmt::format(fmt::runtime(of_tcp ? "the TCP's {}" : "the {} of the mount's link"), "xyz"[largest]);
+    return of_tcp ? message("the TCP's {}", "xyz"[largest]) : message("the {} of the mount's link", "xyz"[largest]);
   if (axis[largest] < 0) axis = -axis;
   const std::string numbers = fmt::format("{:.2f} {:.2f} {:.2f}", axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0);
-  return fmt::format(fmt::runtime(of_tcp ? "({}) of the TCP" : "({}) of the mount's link"), numbers);
+  return of_tcp ? message("({}) of the TCP", numbers) : message("({}) of the mount's link", numbers);
 }
 
 /// As what is across the third, where there are two.
-std::string across_text(const std::vector<Vector3>& axes, bool of_tcp) {
+Message across_text(const std::vector<Vector3>& axes, bool of_tcp) {
   return axis_text(axes[0].cross(axes[1]).normalized(), of_tcp);
 }
 
-std::string place_text(const std::vector<Vector3>& axes, bool of_tcp) {
+Message place_text(const std::vector<Vector3>& axes, bool of_tcp) {
   if (axes.size() >= 3) return "its place";
-  return axes.size() == 1 ? fmt::format("its place along {}", axis_text(axes[0], of_tcp))
-                          : fmt::format("its place across {}", across_text(axes, of_tcp));
+  return axes.size() == 1 ? message("its place along {}", axis_text(axes[0], of_tcp))
+                          : message("its place across {}", across_text(axes, of_tcp));
 }
 
-std::string turn_text(const std::vector<Vector3>& axes, bool of_tcp) {
+Message turn_text(const std::vector<Vector3>& axes, bool of_tcp) {
   if (axes.size() >= 3) return "its turn";
-  return axes.size() == 1 ? fmt::format("its turn about {}", axis_text(axes[0], of_tcp))
-                          : fmt::format("its turn but about {}", across_text(axes, of_tcp));
+  return axes.size() == 1 ? message("its turn about {}", axis_text(axes[0], of_tcp))
+                          : message("its turn but about {}", across_text(axes, of_tcp));
 }
 
 /// "its place along the TCP's z", "its turn about the TCP's z".
-std::vector<std::string> motions_texts(const UndeterminedMotions& motions, bool of_tcp) {
+std::vector<Message> motions_texts(const UndeterminedMotions& motions, bool of_tcp) {
   constexpr double turns = 0.1;
   std::vector<Vector3> shifts, axes;
   for (Eigen::Index i = 0; i < motions.directions.cols(); ++i) {
@@ -167,7 +167,7 @@ std::vector<std::string> motions_texts(const UndeterminedMotions& motions, bool 
     else
       shifts.push_back(shift.normalized());
   }
-  std::vector<std::string> texts;
+  std::vector<Message> texts;
   if (!shifts.empty()) texts.push_back(place_text(shifts, of_tcp));
   if (!axes.empty()) texts.push_back(turn_text(axes, of_tcp));
   return texts;
@@ -196,7 +196,7 @@ HandMotion hand_motion(const Problem& problem) {
   return motion;
 }
 
-std::string reason_text(const Problem& problem) {
+Message reason_text(const Problem& problem) {
   const HandMotion motion = hand_motion(problem);
   if (motion.turned_axes == 0 && !motion.shifts) return "the hand stands in one and the same pose in all observations";
   if (motion.turned_axes == 0) return "no pose turns the hand";
@@ -206,21 +206,21 @@ std::string reason_text(const Problem& problem) {
 
 }  // namespace
 
-std::vector<std::string> undetermined_texts(const Fit& fit) {
-  std::vector<std::string> texts;
+std::vector<Message> undetermined_texts(const Fit& fit) {
+  std::vector<Message> texts;
   if (is_of_parts(fit)) return texts;
   const bool has_mount = fit.problem.mount_is_estimated && fit.parameter_covariance.cols() > 0;
   const UndeterminedMotions body =
       fit.rotation_is_observed ? undetermined_motions(body_covariance_at_origin(fit)) : UndeterminedMotions{};
   const UndeterminedMotions mount =
       has_mount ? undetermined_motions(mount_covariance_at_origin(fit)) : UndeterminedMotions{};
-  const std::string reason =
+  const Message reason =
       reason_text(fit.problem) + (mount.is_any() ? "; the sensor's mount and the body can move together" : "");
-  for (const std::string& what : motions_texts(body, true))
+  for (const Message& what : motions_texts(body, true))
     texts.push_back(
-        fmt::format("TCP->Body is not determined in {}: {}. Its numbers there are where the fit began.", what, reason));
-  for (const std::string& what : motions_texts(mount, false))
-    texts.push_back(fmt::format(
+        message("TCP->Body is not determined in {}: {}. Its numbers there are where the fit began.", what, reason));
+  for (const Message& what : motions_texts(mount, false))
+    texts.push_back(message(
         "The sensor's mount is not determined in {}: {}. Its numbers there are where the fit began.", what, reason));
   return texts;
 }

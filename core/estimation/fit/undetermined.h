@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "base/message.h"
 #include "estimation/fit/fit_result.h"
 
 namespace handsight {
@@ -33,7 +34,7 @@ Matrix6 mount_covariance_at_origin(const Fit& fit);
 
 /// Sentences for people: what of TCP->Body and of the mount is not determined, along which axes, and why. Empty where
 /// all of it is, and for one or two markers, whose rotation is a convention.
-std::vector<std::string> undetermined_texts(const Fit& fit);
+std::vector<Message> undetermined_texts(const Fit& fit);
 
 /// Did the hand stand still against the sensor in all observations of the fit, though where the sensor sits is asked
 /// for? Then nothing of either is determined.

@@ -87,8 +87,8 @@ KnownMarkers OnlineCalibration::known_markers() const {
   return known;
 }
 
-std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
-                                            const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
+Message OnlineCalibration::find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
+                                        const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
   const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns());
   const Match match = match_markers(stereo_of(*problem_.rig), left, right, known_markers(), prediction, options_.match);
@@ -105,7 +105,7 @@ std::string OnlineCalibration::find_markers(const std::vector<Corner>& left, con
 }
 
 /// Labels say which marker is which; what can still be wrong is a corner that is not the marker's.
-std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sightings) const {
+Message OnlineCalibration::label_refusal(const std::vector<Sighting>& sightings) const {
   if (sightings.empty()) return "no marker is labelled and there are no images";
   if (sightings.size() < 4 && static_cast<int>(sightings.size()) < markers_needed(problem_.marker_count)) return {};
   const auto start = body_pose_from_points(problem_.rig_or_null(), sightings, body_in_tcp());
@@ -128,19 +128,19 @@ std::string OnlineCalibration::label_refusal(const std::vector<Sighting>& sighti
     const double miss = (measured - *start * *known.in_body[static_cast<std::size_t>(s.marker)]).norm();
     const double limit = options_.match.marker_gate + 3 * sigma;
     if (miss > limit)
-      return fmt::format("marker {} is {:.1f} mm from where it must be on the body (limit {:.1f})", s.marker,
-                         1e3 * miss, 1e3 * limit);
+      return message("marker {} is {:.1f} mm from where it must be on the body (limit {:.1f})", s.marker, 1e3 * miss,
+                     1e3 * limit);
   }
   return {};
 }
 
 /// Empty when the calibration has started; else why it has not yet.
-std::string OnlineCalibration::start(const ProblemObservation& first) {
+Message OnlineCalibration::start(const ProblemObservation& first) {
   const auto needed = static_cast<std::size_t>(markers_needed(problem_.marker_count));
   std::size_t points = 0;
   for (const Sighting& s : first.sightings) points += s.point || s.in_cameras.size() > 1 ? 1 : 0;
   if (points < needed)
-    return fmt::format("the first observation needs {} labelled markers seen as points, and has {}", needed, points);
+    return message("the first observation needs {} labelled markers seen as points, and has {}", needed, points);
   waiting_.push_back(first);
   Problem known = problem_;
   known.observations = waiting_;
@@ -240,8 +240,7 @@ void OnlineCalibration::describe(const ProblemObservation& o, OnlineStep& step) 
     step.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
 }
 
-OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePair* images,
-                                  const std::string& not_found) {
+OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePair* images, const Message& not_found) {
   if (target_) return target_->add(observation, not_found);
   const auto began = std::chrono::steady_clock::now();
   OnlineStep step;
@@ -251,7 +250,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
   ProblemObservation posture{.root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount};
   const bool first = !fit_;
   if (observation.decision == Decision::excluded) {
-    step.reason = "excluded by the user" + (observation.reason.empty() ? "" : ": " + observation.reason);
+    step.reason = excluded_text(observation);
   } else {
     if (last_id_ >= 0) step.reason = motion_refusal(chain_, options_, last_position_, observation.position, last_id_);
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "estimation/online/online_target.h"
 #include "estimation/problem/running_shape.h"
 #include "estimation/solvers/incremental_fit.h"
@@ -33,7 +34,7 @@ class OnlineCalibration {
   explicit OnlineCalibration(const Session& session, OnlineOptions options = {});
 
   /// `images` null: the labels of the observation are used. `not_found`: why a target is not among them.
-  OnlineStep add(const Observation& observation, const ImagePair* images, const std::string& not_found = {});
+  OnlineStep add(const Observation& observation, const ImagePair* images, const Message& not_found = {});
 
   /// Earlier observations that were decided after all since the last call, in their order; each replaces its step of
   /// before.
@@ -65,8 +66,8 @@ class OnlineCalibration {
     bool is_labelled = false;
   };
 
-  std::string find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
-                           const ProblemObservation& posture, std::vector<Sighting>& sightings) const;
+  Message find_markers(const std::vector<Corner>& left, const std::vector<Corner>& right,
+                       const ProblemObservation& posture, std::vector<Sighting>& sightings) const;
   bool searches_mount(const Observation& observation, const ImagePair* images) const;
   void leave_open(const Observation& observation, const ImagePair* images, const ProblemObservation& posture,
                   OnlineStep& step);
@@ -75,9 +76,9 @@ class OnlineCalibration {
   KnownMarkers labelled_markers() const;
   void try_again();
   OnlineStep tried_again(const Open& open);
-  std::string open_reason() const;
-  std::string label_refusal(const std::vector<Sighting>& sightings) const;
-  std::string start(const ProblemObservation& first);
+  Message open_reason() const;
+  Message label_refusal(const std::vector<Sighting>& sightings) const;
+  Message start(const ProblemObservation& first);
   void start_from(const std::vector<ProblemObservation>& observations, const Unknowns& values);
   std::vector<Vector3> body_in_tcp() const;
   KnownMarkers known_markers() const;

@@ -72,14 +72,14 @@ KnownMarkers OnlineCalibration::labelled_markers() const {
   return known;
 }
 
-std::string OnlineCalibration::open_reason() const {
+Message OnlineCalibration::open_reason() const {
   const auto progress = mount_progress();
   if (!progress || progress->labelled == 0)
     return "left open: nothing is known of the cameras' mount, and no observation is labelled yet";
-  std::string text = fmt::format(
+  Message text = message(
       "left open until the cameras' mount is known: {} labelled and {} open observations do not agree on one yet",
       progress->labelled, progress->open);
-  if (progress->label_next) text += fmt::format("; observation {} would tell most if labelled", *progress->label_next);
+  if (progress->label_next) text += message("; observation {} would tell most if labelled", *progress->label_next);
   return text;
 }
 

@@ -13,8 +13,13 @@ bool moved_enough(const Joint& joint, double change, const OnlineOptions& option
 
 }  // namespace
 
-std::string motion_refusal(const Chain& chain, const OnlineOptions& options, const Eigen::VectorXd& last,
-                           const Eigen::VectorXd& position, std::int64_t last_id) {
+Message excluded_text(const Observation& observation) {
+  if (observation.reason.empty()) return "excluded by the user";
+  return message("excluded by the user: {}", looked_up(observation.reason));
+}
+
+Message motion_refusal(const Chain& chain, const OnlineOptions& options, const Eigen::VectorXd& last,
+                       const Eigen::VectorXd& position, std::int64_t last_id) {
   double largest = 0;
   for (Eigen::Index j = 0; j < position.size(); ++j) {
     const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
@@ -22,8 +27,8 @@ std::string motion_refusal(const Chain& chain, const OnlineOptions& options, con
     if (moved_enough(joint, change, options)) return {};
     if (joint.kind != JointKind::prismatic) largest = std::max(largest, std::abs(change));
   }
-  return fmt::format("joints moved {:.1f} deg since observation {}; {:.0f} deg count as new", 57.29578 * largest,
-                     last_id, 57.29578 * options.new_pose_rad);
+  return message("joints moved {:.1f} deg since observation {}; {:.0f} deg count as new", 57.29578 * largest, last_id,
+                 57.29578 * options.new_pose_rad);
 }
 
 void keep_step(const OnlineStep& step, Observation& observation) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "base/message.h"
 #include "chain/body_frame.h"
 #include "chain/chain.h"
 #include "effects/effect.h"
@@ -26,7 +27,7 @@ struct OnlineOptions {
 struct OnlineStep {
   std::int64_t id = 0;
   bool accepted = false;
-  std::string reason;         // why it was rejected, or what is to be said of an accepted one
+  Message reason;             // why it was rejected, or what is to be said of an accepted one
   bool from_images = false;   // its markers were found in its images
   bool is_open = false;       // not decided: it is tried again when the mount is known
   double milliseconds = 0;    // spent on it, detection included, reading of files not
@@ -40,9 +41,12 @@ struct OnlineStep {
   std::size_t kept = 0;                   // observations in the estimate; none is retired
 };
 
+/// That the user has excluded it, and why.
+Message excluded_text(const Observation& observation);
+
 /// Why an observation at `position` shows nothing new after one at `last`: no joint has moved enough. Empty: it is new.
-std::string motion_refusal(const Chain& chain, const OnlineOptions& options, const Eigen::VectorXd& last,
-                           const Eigen::VectorXd& position, std::int64_t last_id);
+Message motion_refusal(const Chain& chain, const OnlineOptions& options, const Eigen::VectorXd& last,
+                       const Eigen::VectorXd& position, std::int64_t last_id);
 
 /// Writes into the observation what a step decided: the decision with its reason, and the markers found in its images.
 void keep_step(const OnlineStep& step, Observation& observation);

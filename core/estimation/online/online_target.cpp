@@ -44,7 +44,7 @@ std::optional<double> OnlineTarget::noise() const {
 }
 
 /// Do the points lie as the target has them? What has a wrong number does not.
-std::string OnlineTarget::target_refusal(const ProblemObservation& posture) {
+Message OnlineTarget::target_refusal(const ProblemObservation& posture) {
   bool any = false;
   double squares = 0;
   int rows = 0;
@@ -56,13 +56,13 @@ std::string OnlineTarget::target_refusal(const ProblemObservation& posture) {
     rows += found->pose.rows - 6;
   }
   if (!any)
-    return fmt::format("{} point{} of the target {} not enough to say where it is", posture.sightings.size(),
-                       posture.sightings.size() == 1 ? "" : "s", posture.sightings.size() == 1 ? "is" : "are");
+    return message("{} point{} of the target {} not enough to say where it is", posture.sightings.size(),
+                   posture.sightings.size() == 1 ? "" : "s", posture.sightings.size() == 1 ? "is" : "are");
   const double limit = 10 * noise().value_or(usual_noise(problem_));
   const double rms = rows > 0 ? std::sqrt(squares / rows) : 0.0;
   if (rms > limit)
-    return fmt::format("the points do not lie to each other as on the target: {:.2g} {} rms beside the best pose",
-                       problem_.rig ? rms : 1e3 * rms, problem_.rig ? "px" : "mm");
+    return message("the points do not lie to each other as on the target: {:.2g} {} rms beside the best pose",
+                   problem_.rig ? rms : 1e3 * rms, problem_.rig ? "px" : "mm");
   internal_squares_ += squares;
   internal_rows_ += rows;
   return {};
@@ -146,7 +146,7 @@ void OnlineTarget::describe(const ProblemObservation& o, OnlineStep& step) const
     step.tcp_from_tcp_est = inverse(sensor_from_tcp) * pose->sensor_from_body;
 }
 
-OnlineStep OnlineTarget::add(const Observation& observation, const std::string& refusal) {
+OnlineStep OnlineTarget::add(const Observation& observation, const Message& refusal) {
   const auto began = std::chrono::steady_clock::now();
   OnlineStep step;
   step.id = observation.id;
@@ -157,8 +157,7 @@ OnlineStep OnlineTarget::add(const Observation& observation, const std::string& 
       .root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount, .sightings = observation.sightings};
   for (Sighting& s : posture.sightings) s.usual_sigma = usual_sigma_;
   step.sightings = observation.sightings;
-  if (observation.decision == Decision::excluded)
-    step.reason = "excluded by the user" + (observation.reason.empty() ? "" : ": " + observation.reason);
+  if (observation.decision == Decision::excluded) step.reason = excluded_text(observation);
   if (step.reason.empty() && last_id_ >= 0)
     step.reason = motion_refusal(chain_, options_, last_position_, observation.position, last_id_);
   if (step.reason.empty()) step.reason = refusal;

@@ -16,12 +16,12 @@ class OnlineTarget {
   OnlineTarget(const Session& session, const OnlineOptions& options);
 
   /// The sightings of the observation count, found in images or measured; `refusal`: why there are none.
-  OnlineStep add(const Observation& observation, const std::string& refusal = {});
+  OnlineStep add(const Observation& observation, const Message& refusal = {});
 
   std::optional<double> noise() const;
 
  private:
-  std::string target_refusal(const ProblemObservation& posture);
+  Message target_refusal(const ProblemObservation& posture);
   void undo_half_turn(ProblemObservation& posture, OnlineStep& step) const;
   void start();
   void start_anew();

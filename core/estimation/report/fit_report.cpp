@@ -223,9 +223,10 @@ std::vector<Unused> unused(const Session& session) {
                                                                           : "no marker is labelled";
   for (const Observation& o : session.observations) {
     if (is_used(o)) continue;
-    std::string reason = shows_nothing;
-    if (o.decision == Decision::rejected) reason = "rejected: " + (o.reason.empty() ? "no reason given" : o.reason);
-    if (o.decision == Decision::excluded) reason = "excluded: " + (o.reason.empty() ? "no reason given" : o.reason);
+    const Message why = o.reason.empty() ? "no reason given" : looked_up(o.reason);
+    Message reason = shows_nothing;
+    if (o.decision == Decision::rejected) reason = message("rejected: {}", why);
+    if (o.decision == Decision::excluded) reason = message("excluded: {}", why);
     list.push_back({o.id, reason});
   }
   return list;

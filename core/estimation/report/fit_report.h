@@ -2,6 +2,7 @@
 // What a fit says to its user: residuals of every observation, what was not used and why, the held-out error.
 #pragma once
 
+#include "base/message.h"
 #include "estimation/fit/fit.h"
 #include "estimation/report/residuals.h"
 
@@ -24,7 +25,7 @@ struct ObservationReport {
 
 struct Unused {
   std::int64_t id = 0;
-  std::string reason;
+  Message reason;
 };
 
 struct FitReport {

@@ -16,32 +16,32 @@
 namespace handsight {
 namespace {
 
-std::string device_of(const Session& session) {
+Message device_of(const Session& session) {
   if (session.pose_sensor) return "A pose sensor";
   if (!session.rig) return "A tracker";
   if (is_left_and_right(*session.rig)) return "Two cameras";
   constexpr const char* counts[] = {"One camera",   "Two cameras", "Three cameras", "Four cameras",
                                     "Five cameras", "Six cameras", "Seven cameras", "Eight cameras"};
-  return fmt::format("{} ({})", counts[session.rig->count() - 1], listed_names(*session.rig));
+  return message("{} ({})", counts[session.rig->count() - 1], listed_names(*session.rig));
 }
 
 /// What the sensor looks at, beside the numbers of it.
-std::string target_of(const Session& session) {
+Message target_of(const Session& session) {
   if (session.pose_sensor) return "poses of a target";
-  if (session.target) return fmt::format("the {} points of a target", session.marker_count);
-  return fmt::format("{} marker{}", session.marker_count, session.marker_count == 1 ? "" : "s");
+  if (session.target) return message("the {} points of a target", session.marker_count);
+  return message("{} marker{}", session.marker_count, session.marker_count == 1 ? "" : "s");
 }
 
-std::string print_of(const Target& target) {
+Message print_of(const Target& target) {
   if (has_places(target) && !are_places_exact(target)) {
     double most = 0;
     for (const TagPlace& place : target.places) most = std::max(most, place.sigma);
-    return fmt::format("its tags are placed to {:.2g} mm", 1e3 * most);
+    return message("its tags are placed to {:.2g} mm", 1e3 * most);
   }
   if (!target.places.empty() && !target.sigma) return "the places of its tags are estimated";
   if (!target.sigma) return "its points are estimated";
   return *target.sigma == 0 ? "its points are held as described"
-                            : fmt::format("its points are known to {:.2g} mm", 1e3 * *target.sigma);
+                            : message("its points are known to {:.2g} mm", 1e3 * *target.sigma);
 }
 
 /// Images that every camera of the rig has of this observation; cameras without one.
@@ -60,13 +60,13 @@ void list_fixtures(const Session& session, SessionCheck& check) {
     const auto touches = std::count_if(session.observations.begin(), session.observations.end(), [&](const auto& o) {
       return o.part == static_cast<int>(f) && !o.sightings.empty();
     });
-    check.contents.push_back(fmt::format("Fixture {} on {}, a {}: {} touches{}; its place is {}.", fixture.id,
-                                         mount.link, fixture_tag(fixture.kind), touches,
-                                         fixture.sigma ? fmt::format(", {:g} m each", *fixture.sigma) : std::string(),
-                                         !mount.estimate       ? std::string("known")
-                                         : fixture.place_sigma ? fmt::format("known to {:g} m", *fixture.place_sigma)
-                                         : mount.known         ? std::string("guessed, part of the fit")
-                                                               : std::string("unknown, part of the fit")));
+    check.contents.push_back(message("Fixture {} on {}, a {}: {} touches{}; its place is {}.", fixture.id, mount.link,
+                                     fixture_tag(fixture.kind), touches,
+                                     fixture.sigma ? message(", {:g} m each", *fixture.sigma) : Message(),
+                                     !mount.estimate       ? Message("known")
+                                     : fixture.place_sigma ? message("known to {:g} m", *fixture.place_sigma)
+                                     : mount.known         ? Message("guessed, part of the fit")
+                                                           : Message("unknown, part of the fit")));
   }
 }
 
@@ -80,15 +80,15 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
         "offered.");
   else
     check.contents.push_back(
-        fmt::format("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
-                    chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
+        message("Robot {}: {} links ({} with mass), {} moving joints, {} of them measured; TCP is {}.",
+                chain.robot.name, chain.robot.links.size(), masses, moving, chain.joints.size(), session.tcp));
   if (session.is_touch()) {
     list_fixtures(session, check);
   } else {
-    check.contents.push_back(fmt::format("{} on {}, mount {}.", device_of(session), session.mount.link,
-                                         !session.mount.estimate ? "known"
-                                         : session.mount.known   ? "guessed, part of the fit"
-                                                                 : "unknown, part of the fit"));
+    check.contents.push_back(message("{} on {}, mount {}.", device_of(session), session.mount.link,
+                                     !session.mount.estimate ? "known"
+                                     : session.mount.known   ? "guessed, part of the fit"
+                                                             : "unknown, part of the fit"));
     check.contents.push_back(arrangement_sentence(session, chain));
   }
   int labelled = 0, with_images = 0, unused = 0;
@@ -97,20 +97,19 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
     with_images += has_images(o) && missing_images(session, o) == 0 ? 1 : 0;
     unused += o.decision == Decision::rejected || o.decision == Decision::excluded ? 1 : 0;
   }
-  check.contents.push_back(fmt::format("{} observations: {} {}, {} with images, {} rejected or excluded; {}.",
-                                       session.observations.size(), labelled,
-                                       session.pose_sensor ? "measured"
-                                       : session.target    ? "show the target"
-                                                           : "labelled",
-                                       with_images, unused, target_of(session)));
+  check.contents.push_back(message("{} observations: {} {}, {} with images, {} rejected or excluded; {}.",
+                                   session.observations.size(), labelled,
+                                   session.pose_sensor ? "measured"
+                                   : session.target    ? "show the target"
+                                                       : "labelled",
+                                   with_images, unused, target_of(session)));
   if (session.target)
-    check.contents.push_back(
-        fmt::format("Target: {}; {}.", description_of(*session.target), print_of(*session.target)));
+    check.contents.push_back(message("Target: {}; {}.", description_of(*session.target), print_of(*session.target)));
   if (session.is_touch()) return;
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
-      declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
-               : std::string("The noise is not declared; it is estimated where three markers are seen."));
+      declared ? message("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
+               : "The noise is not declared; it is estimated where three markers are seen."));
 }
 
 void check_images(const Session& session, SessionCheck& check) {
@@ -120,7 +119,7 @@ void check_images(const Session& session, SessionCheck& check) {
     try {
       read_image(folder(session) / file, camera, file);
     } catch (const InputError& error) {
-      check.problems.push_back(fmt::format("Observation {}: {}", id, error.what()));
+      check.problems.push_back(message("Observation {}: {}", id, error.sentence()));
     }
   };
   for (const Observation& o : session.observations) {
@@ -128,7 +127,7 @@ void check_images(const Session& session, SessionCheck& check) {
       look(o.images[static_cast<std::size_t>(c)], session.rig->at(c).camera, o.id);
     if (is_pair(*session.rig) && !session.target && has_images(o) && missing_images(session, o) > 0)
       check.warnings.push_back(
-          fmt::format("Observation {} has an image of one camera only; it is not looked for markers.", o.id));
+          message("Observation {} has an image of one camera only; it is not looked for markers.", o.id));
   }
 }
 
@@ -144,7 +143,7 @@ void check_limits(const Session& session, const Chain& chain, SessionCheck& chec
     }
     if (outside > 0)
       check.warnings.push_back(
-          fmt::format("Joint {} is outside its limits in {} observations, first in {}.", joint.name, outside, first));
+          message("Joint {} is outside its limits in {} observations, first in {}.", joint.name, outside, first));
   }
 }
 
@@ -158,12 +157,12 @@ void check_markers(const Session& session, SessionCheck& check) {
     for (const Sighting& s : o.sightings) {
       const auto is_outside = [&](const CameraPoint& p) { return !inside(session.rig->at(p.camera).camera, p.pixel); };
       if (std::any_of(s.in_cameras.begin(), s.in_cameras.end(), is_outside))
-        check.warnings.push_back(fmt::format("Observation {}: marker {} lies outside the image.", o.id, s.marker));
+        check.warnings.push_back(message("Observation {}: marker {} lies outside the image.", o.id, s.marker));
       if (s.in_cameras.size() > 1 && !triangulate_unweighed(*session.rig, s))
         check.warnings.push_back(
-            fmt::format("Observation {}: marker {} cannot be triangulated; its {} image points are not one point in "
-                        "front of the cameras.",
-                        o.id, s.marker, s.in_cameras.size() == 2 ? "two" : "several"));
+            message("Observation {}: marker {} cannot be triangulated; its {} image points are not one point in "
+                    "front of the cameras.",
+                    o.id, s.marker, s.in_cameras.size() == 2 ? "two" : "several"));
     }
 }
 
@@ -175,8 +174,8 @@ void check_torques(const Session& session, const Chain& chain, SessionCheck& che
     const Posture posture =
         solve_posture(chain.robot, joint_values(chain.robot, chain.joints, o.position), chain.gravity);
     if (!posture.converged)
-      check.problems.push_back(fmt::format(
-          "Observation {}: the declared springs are too soft for the load; no equilibrium is found.", o.id));
+      check.problems.push_back(
+          message("Observation {}: the declared springs are too soft for the load; no equilibrium is found.", o.id));
     if (o.torque.size() == 0) continue;
     ++with_torque;
     for (Eigen::Index j = 0; j < count; ++j) {
@@ -189,12 +188,12 @@ void check_torques(const Session& session, const Chain& chain, SessionCheck& che
     }
   }
   if (with_torque == 0) return;
-  check.contents.push_back(fmt::format("{} observations have measured torques.", with_torque));
+  check.contents.push_back(message("{} observations have measured torques.", with_torque));
   for (Eigen::Index j = 0; j < count; ++j) {
     const double size = std::sqrt(measured[j] / with_torque),
                  off = std::sqrt(std::min(held[j], pulled[j]) / with_torque);
     if (off > 2 && off > 0.2 * size)
-      check.warnings.push_back(fmt::format(
+      check.warnings.push_back(message(
           "Joint {}: measured torques ({:.1f} N m rms) differ from gravity's moments by {:.1f} N m rms; check masses, "
           "gravity and units.",
           chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])].name, size, off));

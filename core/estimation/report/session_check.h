@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/session.h"
 
 namespace handsight {
 
 /// Sentences for people.
 struct SessionCheck {
-  std::vector<std::string> contents;  // what is there
-  std::vector<std::string> warnings;  // works, but ought to be looked at
-  std::vector<std::string> problems;  // would not work
+  std::vector<Message> contents;  // what is there
+  std::vector<Message> warnings;  // works, but ought to be looked at
+  std::vector<Message> problems;  // would not work
 };
 
 /// Reads every image; poses every observation; compares measured torques with the moments of gravity of the nominal

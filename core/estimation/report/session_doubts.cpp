@@ -19,7 +19,7 @@ bool is_inside(const Vector2& px, int width, int height) {
   return px.x() >= -0.5 && px.y() >= -0.5 && px.x() <= width - 0.5 && px.y() <= height - 0.5;
 }
 
-void doubt_points(const Session& session, std::vector<std::string>& doubts) {
+void doubt_points(const Session& session, std::vector<Message>& doubts) {
   if (!session.rig) return;
   int outside = 0, outside_turned = 0;
   std::int64_t first = -1;
@@ -33,14 +33,14 @@ void doubt_points(const Session& session, std::vector<std::string>& doubts) {
       for (const CameraPoint& p : s.in_cameras) look(p.pixel, session.rig->at(p.camera).camera, o.id);
   if (outside == 0) return;
   const Camera& camera = session.rig->at(0).camera;
-  std::string text = fmt::format("{} image points lie outside the image of {} x {} px, first in observation {}",
-                                 outside, camera.width, camera.height, first);
+  Message text = message("{} image points lie outside the image of {} x {} px, first in observation {}", outside,
+                         camera.width, camera.height, first);
   text += outside_turned == 0 ? ": are width and height of the cameras swapped?"
                               : "; look whether they are px of these cameras, and relabel or exclude them.";
   doubts.push_back(text);
 }
 
-void doubt_markers(const Session& session, std::vector<std::string>& doubts) {
+void doubt_markers(const Session& session, std::vector<Message>& doubts) {
   std::vector<char> seen(static_cast<std::size_t>(session.marker_count), 0);
   bool any = false;
   for (const Observation& o : session.observations)
@@ -54,11 +54,11 @@ void doubt_markers(const Session& session, std::vector<std::string>& doubts) {
   for (std::size_t m = 0; m < seen.size(); ++m)
     if (!seen[m]) names += fmt::format("{}{}", names.empty() ? "" : ", ", m);
   doubts.push_back(
-      fmt::format("Of {} markers {} {} never seen: count=\"{}\" in session.xml is enough, or labels are missing.",
-                  session.marker_count, names, unseen == 1 ? "is" : "are", session.marker_count - unseen));
+      message("Of {} markers {} {} never seen: count=\"{}\" in session.xml is enough, or labels are missing.",
+              session.marker_count, names, unseen == 1 ? "is" : "are", session.marker_count - unseen));
 }
 
-void doubt_angles(const Session& session, const Chain& chain, std::vector<std::string>& doubts) {
+void doubt_angles(const Session& session, const Chain& chain, std::vector<Message>& doubts) {
   std::string worst;
   double largest = 0;
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
@@ -72,11 +72,11 @@ void doubt_angles(const Session& session, const Chain& chain, std::vector<std::s
   }
   if (largest > most_of_a_turn)
     doubts.push_back(
-        fmt::format("Joint {} stands at {:.4g} rad, which is {:.0f} turns: are the angles degrees? Sessions hold rad.",
-                    worst, largest, largest / (2 * std::numbers::pi)));
+        message("Joint {} stands at {:.4g} rad, which is {:.0f} turns: are the angles degrees? Sessions hold rad.",
+                worst, largest, largest / (2 * std::numbers::pi)));
 }
 
-void doubt_joints(const Session& session, const Chain& chain, std::vector<std::string>& doubts) {
+void doubt_joints(const Session& session, const Chain& chain, std::vector<Message>& doubts) {
   const Robot& robot = chain.robot;
   const std::vector<int> hand = joints_to(robot, chain.tcp_link), camera = joints_to(robot, chain.mount_link);
   std::string missing;
@@ -93,13 +93,13 @@ void doubt_joints(const Session& session, const Chain& chain, std::vector<std::s
   look(camera, hand);
   if (!missing.empty())
     doubts.push_back(
-        fmt::format("Between camera and hand {} can move, but the session has no angles of it: it is taken to stand at "
-                    "0. Add it to "
-                    "the joints, or fix it in the robot's file.",
-                    missing));
+        message("Between camera and hand {} can move, but the session has no angles of it: it is taken to stand at "
+                "0. Add it to "
+                "the joints, or fix it in the robot's file.",
+                missing));
 }
 
-void doubt_masses(const Session& session, const Chain& chain, std::vector<std::string>& doubts) {
+void doubt_masses(const Session& session, const Chain& chain, std::vector<Message>& doubts) {
   const auto& links = chain.robot.links;
   if (chain.robot.is_of_poses || session.gravity.isZero() ||
       std::any_of(links.begin(), links.end(), [](const Link& l) { return l.mass > 0; }))
@@ -109,7 +109,7 @@ void doubt_masses(const Session& session, const Chain& chain, std::vector<std::s
 }
 
 /// Arms turn by less than a whole turn to either side; a few joints may turn on and on.
-void doubt_turns(const Session& session, std::vector<std::string>& doubts) {
+void doubt_turns(const Session& session, std::vector<Message>& doubts) {
   int large = 0, all = 0;
   double largest = 0;
   for (const Observation& o : session.observations)
@@ -123,29 +123,29 @@ void doubt_turns(const Session& session, std::vector<std::string>& doubts) {
     }
   if (5 * large > all)
     doubts.push_back(
-        fmt::format("{} of {} joint positions are beyond a whole turn (up to {:.4g} rad): are they in degrees?", large,
-                    all, largest));
+        message("{} of {} joint positions are beyond a whole turn (up to {:.4g} rad): are they in degrees?", large, all,
+                largest));
 }
 
-void doubt_poses(const Session& session, std::vector<std::string>& doubts) {
+void doubt_poses(const Session& session, std::vector<Message>& doubts) {
   if (session.observations.size() > 1 && never_moved(session))
     doubts.emplace_back("All observations have the same joint positions: nothing can be told from one pose.");
 }
 
-void doubt_camera(const std::string& name, const Camera& c, std::vector<std::string>& doubts) {
+void doubt_camera(const std::string& name, const Camera& c, std::vector<Message>& doubts) {
   const double view = 2 * 180 / std::numbers::pi * std::atan(0.5 * c.width / c.fx);
   if (view < 1 || view > 170)
-    doubts.push_back(fmt::format("The {} camera sees {:.3g} degrees across (fx {:g} px, {} px wide): is fx in px?",
-                                 name, view, c.fx, c.width));
+    doubts.push_back(message("The {} camera sees {:.3g} degrees across (fx {:g} px, {} px wide): is fx in px?", name,
+                             view, c.fx, c.width));
   if (const double ratio = c.fx / c.fy; ratio < 0.5 || ratio > 2)
-    doubts.push_back(fmt::format("The {} camera's fx {:g} and fy {:g} are far from each other.", name, c.fx, c.fy));
+    doubts.push_back(message("The {} camera's fx {:g} and fy {:g} are far from each other.", name, c.fx, c.fy));
   if (c.cx < 0 || c.cy < 0 || c.cx > c.width || c.cy > c.height)
     doubts.push_back(
-        fmt::format("The {} camera's principal point {:g}, {:g} lies outside of its image.", name, c.cx, c.cy));
+        message("The {} camera's principal point {:g}, {:g} lies outside of its image.", name, c.cx, c.cy));
 }
 
 /// The first camera and another one.
-void doubt_pair(const Session& session, int camera, std::vector<std::string>& doubts) {
+void doubt_pair(const Session& session, int camera, std::vector<Message>& doubts) {
   const Rig& rig = *session.rig;
   const std::string &first = rig.at(0).name, &other = rig.at(camera).name;
   int pairs = 0, equal = 0, files = 0;
@@ -158,21 +158,20 @@ void doubt_pair(const Session& session, int camera, std::vector<std::string>& do
     }
   }
   if (2 * equal > pairs)
-    doubts.push_back(fmt::format("In {} of {} sightings the {} point is the {} one: is one column copied?", equal,
-                                 pairs, first, other));
-  if (files > 0) doubts.push_back(fmt::format("In {} observations the {} image is the {} one.", files, first, other));
+    doubts.push_back(
+        message("In {} of {} sightings the {} point is the {} one: is one column copied?", equal, pairs, first, other));
+  if (files > 0) doubts.push_back(message("In {} observations the {} image is the {} one.", files, first, other));
   const double baseline = rig.at(camera).camera_from_first.translation.norm();
   if (baseline >= 2e-3 && baseline <= 10) return;
   if (is_left_and_right(rig))
-    doubts.push_back(fmt::format("The cameras are {:.4g} m apart: is right_from_left in m?", baseline));
+    doubts.push_back(message("The cameras are {:.4g} m apart: is right_from_left in m?", baseline));
   else
-    doubts.push_back(
-        fmt::format("The cameras {} and {} are {:.4g} m apart: is from_first in m?", first, other, baseline));
+    doubts.push_back(message("The cameras {} and {} are {:.4g} m apart: is from_first in m?", first, other, baseline));
 }
 
-void doubt_gravity(const Session& session, std::vector<std::string>& doubts) {
+void doubt_gravity(const Session& session, std::vector<Message>& doubts) {
   if (const double g = session.gravity.norm(); std::abs(g - 9.81) > 0.2)
-    doubts.push_back(fmt::format("Gravity is {:.4g} m/s^2; on Earth it is 9.78 to 9.83.", g));
+    doubts.push_back(message("Gravity is {:.4g} m/s^2; on Earth it is 9.78 to 9.83.", g));
 }
 
 }  // namespace
@@ -187,8 +186,8 @@ bool never_moved(const Session& session) {
   });
 }
 
-std::vector<std::string> session_doubts(const Session& session) {
-  std::vector<std::string> doubts;
+std::vector<Message> session_doubts(const Session& session) {
+  std::vector<Message> doubts;
   const Chain chain = chain_of(session);
   doubt_points(session, doubts);
   doubt_markers(session, doubts);
@@ -204,16 +203,16 @@ std::vector<std::string> session_doubts(const Session& session) {
     for (int c = 1; session.parts.empty() && c < session.rig->count(); ++c) doubt_pair(session, c, doubts);
   }
   doubt_gravity(session, doubts);
-  const std::vector<std::string> old = standstill_doubts(session);
+  const std::vector<Message> old = standstill_doubts(session);
   doubts.insert(doubts.end(), old.begin(), old.end());
   return doubts;
 }
 
-std::string body_doubt(const Rigid& tcp_from_body) {
+Message body_doubt(const Rigid& tcp_from_body) {
   constexpr double longest = 1.5;  // m
   const double distance = tcp_from_body.translation.norm();
   if (distance <= longest) return {};
-  return fmt::format(
+  return message(
       "The marker body would be {:.2g} m from the TCP: look whether the TCP is the hand's link, and whether lengths "
       "are m.",
       distance);

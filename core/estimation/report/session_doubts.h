@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/session.h"
 
 namespace handsight {
@@ -14,12 +15,12 @@ namespace handsight {
 /// between camera and hand that is not measured, masses of nothing, cameras that see nothing or everything, a camera's
 /// points or images that are another's, a baseline of no rig, gravity of another planet,
 /// readings that were not made anew. Empty where nothing is.
-std::vector<std::string> session_doubts(const Session& session);
+std::vector<Message> session_doubts(const Session& session);
 
 /// Does the robot stand in one and the same pose in all observations?
 bool never_moved(const Session& session);
 
 /// The same of what a fit found: a body farther from the TCP than any hand is long, m. Empty where it is not.
-std::string body_doubt(const Rigid& tcp_from_body);
+Message body_doubt(const Rigid& tcp_from_body);
 
 }  // namespace handsight

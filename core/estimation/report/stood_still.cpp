@@ -64,9 +64,7 @@ Way seen_way(const Observation& a, const Observation& b) {
   return all;
 }
 
-std::string listed(const std::vector<std::string>& pairs) {
-  return shortened(fmt::format("{}", fmt::join(pairs, ", ")), 150);
-}
+Message listed(const std::vector<Message>& pairs) { return at_most(joined(pairs), 150); }
 
 /// A socket is where it was.
 bool is_touch(const Session& session, const Observation& o) {
@@ -75,15 +73,15 @@ bool is_touch(const Session& session, const Observation& o) {
 
 }  // namespace
 
-std::vector<std::string> standstill_doubts(const Session& session) {
-  std::vector<std::string> robot_stood, sight_stood, doubts;
+std::vector<Message> standstill_doubts(const Session& session) {
+  std::vector<Message> robot_stood, sight_stood, doubts;
   if (session.joints.empty() || session.is_touch()) return doubts;
   for (std::size_t i = 1; i < session.observations.size(); ++i) {
     const Observation &a = session.observations[i - 1], &b = session.observations[i];
     if (!is_used(a) || !is_used(b) || is_touch(session, a) || is_touch(session, b)) continue;
     const Way robot = robot_way(session, a, b), seen = seen_way(a, b);
     if (!seen.is_known) continue;
-    const std::string pair = fmt::format("{} and {}", a.id, b.id);
+    const Message pair = message("{} and {}", a.id, b.id);
     if (robot.is_none && seen.size > 1) robot_stood.push_back(pair);
     if (seen.is_none && robot.size > 1) sight_stood.push_back(pair);
   }
@@ -91,17 +89,17 @@ std::vector<std::string> standstill_doubts(const Session& session) {
   if (!robot_stood.empty())
     doubts.push_back(
         session.robot.is_of_poses
-            ? fmt::format("The pose of the flange is the same in observations {}, while what was seen moved: the "
-                          "reading of one is old, or something slipped between them; leave out what is wrong.",
-                          listed(robot_stood))
-            : fmt::format("The joint readings are the same in observations {}, while what was seen moved: the reading "
-                          "of one is old, or something slipped between them; leave out what is wrong.",
-                          listed(robot_stood)));
+            ? message("The pose of the flange is the same in observations {}, while what was seen moved: the "
+                      "reading of one is old, or something slipped between them; leave out what is wrong.",
+                      listed(robot_stood))
+            : message("The joint readings are the same in observations {}, while what was seen moved: the reading "
+                      "of one is old, or something slipped between them; leave out what is wrong.",
+                      listed(robot_stood)));
   if (!sight_stood.empty())
     doubts.push_back(
-        fmt::format("What was seen is the same in observations {}, while the robot moved: the measurement of one is "
-                    "old. Leave it out.",
-                    listed(sight_stood)));
+        message("What was seen is the same in observations {}, while the robot moved: the measurement of one is "
+                "old. Leave it out.",
+                listed(sight_stood)));
   return doubts;
 }
 

@@ -33,23 +33,23 @@ ChildDriver::~ChildDriver() {
 }
 
 void ChildDriver::fail(LineEnd end, const char* what, double seconds) {
-  const std::string ending = end == LineEnd::ended ? process_.ending() : std::string();
+  const Message ending = end == LineEnd::ended ? process_.ending() : Message();
   is_lost_ = end == LineEnd::ended;
   stop();
   switch (end) {
     case LineEnd::interrupted:
       throw DriverFault("The experiment was interrupted; the driver was told to stop.");
     case LineEnd::timed_out:
-      throw DriverFault(fmt::format(
+      throw DriverFault(message(
           "The driver has not answered \"{}\" for {:.3g} s, which is the limit; it was told to stop and the experiment "
           "ends.",
-          what, seconds));
+          verbatim(what), seconds));
     case LineEnd::too_long:
       throw DriverFault(
-          fmt::format("The driver's answer to \"{}\" is longer than 16 MiB without an end of line.", what));
+          message("The driver's answer to \"{}\" is longer than 16 MiB without an end of line.", verbatim(what)));
     default:
-      throw DriverFault(fmt::format("The driver {} while it was asked to \"{}\"; the experiment stops.",
-                                    ending.empty() ? "closed its output" : ending, what));
+      throw DriverFault(message("The driver {} while it was asked to \"{}\"; the experiment stops.",
+                                ending.empty() ? Message("closed its output") : ending, verbatim(what)));
   }
 }
 
@@ -67,10 +67,10 @@ std::string ChildDriver::asked(const std::string& line, const char* what, double
   };
   try {
     if (const std::int64_t answered = answered_id(answer); answered != id)
-      throw DriverFault(fmt::format(
+      throw DriverFault(message(
           "The driver answered message {} where {} (\"{}\") was asked: what it says belongs to something else, and the "
           "experiment stops.",
-          answered, id, what));
+          answered, id, verbatim(what)));
   } catch (const DriverFault& fault) {
     stopped(fault);
   }

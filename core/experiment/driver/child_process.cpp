@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace handsight {
 namespace {
@@ -36,10 +37,10 @@ Clock::time_point after(double seconds) {
 
 ChildProcess::ChildProcess(const std::string& command) {
   std::array<int, 2> in{}, out{};
-  if (pipe2(in.data(), O_CLOEXEC) != 0) throw InputError(std::string("The driver cannot be begun: ") + strerror(errno));
+  if (pipe2(in.data(), O_CLOEXEC) != 0) throw InputError(message("The driver cannot be begun: {}", system_text(errno)));
   if (pipe2(out.data(), O_CLOEXEC) != 0) {
     close(in[0]), close(in[1]);
-    throw InputError(std::string("The driver cannot be begun: ") + strerror(errno));
+    throw InputError(message("The driver cannot be begun: {}", system_text(errno)));
   }
   process_ = fork();
   if (process_ == 0) {
@@ -55,7 +56,7 @@ ChildProcess::ChildProcess(const std::string& command) {
   from_child_ = out[0];
   if (process_ < 0) {
     close(to_child_), close(from_child_);
-    throw InputError(std::string("The driver cannot be begun: ") + strerror(errno));
+    throw InputError(message("The driver cannot be begun: {}", system_text(errno)));
   }
   setpgid(process_, process_);
   fcntl(to_child_, F_SETFL, O_NONBLOCK);
@@ -84,11 +85,11 @@ bool ChildProcess::has_ended(double within_seconds) {
   return is_over_;
 }
 
-std::string ChildProcess::ending() {
+Message ChildProcess::ending() {
   if (!has_ended(0.2)) return {};
-  if (WIFSIGNALED(status_)) return fmt::format("was ended by signal {}", WTERMSIG(status_));
+  if (WIFSIGNALED(status_)) return message("was ended by signal {}", WTERMSIG(status_));
   const int code = WEXITSTATUS(status_);
-  return fmt::format("ended with exit code {}{}", code, code == 127 ? " (is its command there?)" : "");
+  return message("ended with exit code {}{}", code, code == 127 ? " (is its command there?)" : "");
 }
 
 LineEnd ChildProcess::write_line(const std::string& line, double seconds, const std::function<bool()>& is_interrupted) {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <string>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// What became of reading or writing a line.
@@ -27,7 +29,7 @@ class ChildProcess {
   LineEnd read_line(std::string& line, double seconds, const std::function<bool()>& is_interrupted = {});
 
   /// "ended with exit code 3", "was ended by signal 9"; empty while it runs.
-  std::string ending();
+  Message ending();
 
  private:
   bool has_ended(double within_seconds);

@@ -15,7 +15,7 @@ namespace handsight {
 /// A driver that died, hangs, lies or sends nonsense: one sentence. Nothing more is asked of it.
 class DriverFault : public InputError {
  public:
-  explicit DriverFault(const std::string& sentence) : InputError(sentence) {}
+  explicit DriverFault(const Message& sentence) : InputError(sentence) {}
 };
 
 struct DriverHello {
@@ -27,7 +27,7 @@ struct DriverHello {
 
 struct MoveAnswer {
   bool ok = false;
-  std::string why;                   // of a move that was refused
+  Message why;                       // of a move that was refused
   Eigen::VectorXd position, torque;  // rad or m; N m (N), empty where not measured
   std::optional<double> time;        // s, on the driver's clock
 };
@@ -35,7 +35,7 @@ struct MoveAnswer {
 /// What a look saw: one of images, points, a pose or markers in the images.
 struct LookAnswer {
   bool ok = false;
-  std::string why;                            // where nothing could be seen
+  Message why;                                // where nothing could be seen
   std::map<std::string, std::string> images;  // by camera: file
   std::vector<Sighting> sightings;            // points of a tracker, or markers in the images
   std::optional<Rigid> target_pose;           // of a pose sensor

@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void bad(const std::string& line, const std::string& what) {
-  throw DriverFault(fmt::format("The driver answered {}, which {}; the experiment stops.", in_quotes(line, 120), what));
+[[noreturn]] void bad(const std::string& line, const Message& what) {
+  throw DriverFault(message("The driver answered {}, which {}; the experiment stops.", in_quotes(line, 120), what));
 }
 
 Json object_of(const std::string& line) {
@@ -27,13 +27,13 @@ Json list_of(const Eigen::VectorXd& v) { return std::vector<double>(v.data(), v.
 
 double number_in(const Json& value, const std::string& line, const char* key, const Bounds& within) {
   if (!value.is_number() || !within.hold(value.get<double>()))
-    bad(line,
-        fmt::format("has in \"{}\" something else than numbers from {} to {}", key, within.lowest, within.highest));
+    bad(line, message("has in \"{}\" something else than numbers from {} to {}", verbatim(key), within.lowest,
+                      within.highest));
   return value.get<double>();
 }
 
 std::vector<double> numbers_in(const Json& list, const std::string& line, const char* key, const Bounds& within) {
-  if (!list.is_array()) bad(line, fmt::format("has in \"{}\" something else than a list of numbers", key));
+  if (!list.is_array()) bad(line, message("has in \"{}\" something else than a list of numbers", verbatim(key)));
   std::vector<double> numbers;
   for (const Json& one : list) numbers.push_back(number_in(one, line, key, within));
   return numbers;
@@ -43,30 +43,30 @@ Eigen::VectorXd vector_in(const Json& list, const std::string& line, const char*
                           const Bounds& within) {
   const std::vector<double> numbers = numbers_in(list, line, key, within);
   if (numbers.size() != count)
-    bad(line, fmt::format("has {} numbers in \"{}\", expected {}", numbers.size(), key, count));
+    bad(line, message("has {} numbers in \"{}\", expected {}", numbers.size(), verbatim(key), count));
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(count));
 }
 
 std::string text_in(const Json& answer, const std::string& line, const char* key) {
-  if (!answer.contains(key) || !answer[key].is_string()) bad(line, fmt::format("has no text in \"{}\"", key));
+  if (!answer.contains(key) || !answer[key].is_string()) bad(line, message("has no text in \"{}\"", verbatim(key)));
   return answer[key].get<std::string>();
 }
 
 std::vector<std::string> texts_in(const Json& answer, const std::string& line, const char* key) {
-  if (!answer.contains(key) || !answer[key].is_array()) bad(line, fmt::format("has no list in \"{}\"", key));
+  if (!answer.contains(key) || !answer[key].is_array()) bad(line, message("has no list in \"{}\"", verbatim(key)));
   std::vector<std::string> texts;
   for (const Json& one : answer[key]) {
-    if (!one.is_string()) bad(line, fmt::format("has in \"{}\" something else than texts", key));
+    if (!one.is_string()) bad(line, message("has in \"{}\" something else than texts", verbatim(key)));
     texts.push_back(one.get<std::string>());
   }
   return texts;
 }
 
 /// Whether the answer says that it went well; else its reason in `why`.
-bool is_ok(const Json& answer, const std::string& line, std::string& why) {
+bool is_ok(const Json& answer, const std::string& line, Message& why) {
   if (!answer.contains("ok") || !answer["ok"].is_boolean()) bad(line, "says in \"ok\" neither true nor false");
   if (answer["ok"].get<bool>()) return true;
-  why = shortened(text_in(answer, line, "why"), 200);
+  why = verbatim(shortened(text_in(answer, line, "why"), 200));
   return false;
 }
 
@@ -88,7 +88,7 @@ Rigid pose_in(const Json& pose, const std::string& line) {
 
 void read_points(const Json& points, const std::string& line, int markers, LookAnswer& look) {
   if (!points.is_array() || points.size() > static_cast<std::size_t>(markers))
-    bad(line, fmt::format("has in \"points\" no list of at most {} points", markers));
+    bad(line, message("has in \"points\" no list of at most {} points", markers));
   for (std::size_t m = 0; m < points.size(); ++m) {
     if (points[m].is_null()) continue;  // not seen
     Sighting sighting{.marker = static_cast<int>(m)};
@@ -105,7 +105,7 @@ void read_markers(const Json& list, const std::string& line, const Rig* rig, int
       bad(line, "has a marker without \"index\"");
     Sighting sighting{.marker = one["index"].get<int>()};
     if (sighting.marker <= last || sighting.marker >= markers)
-      bad(line, fmt::format("has marker {}, expected ascending numbers from 0 to {}", sighting.marker, markers - 1));
+      bad(line, message("has marker {}, expected ascending numbers from 0 to {}", sighting.marker, markers - 1));
     last = sighting.marker;
     for (int c = 0; c < rig->count(); ++c)
       if (one.contains(rig->at(c).name))
@@ -121,7 +121,7 @@ void read_images(const Json& images, const std::string& line, const Rig* rig, Lo
     for (int c = 0; c < rig->count(); ++c) is_known = is_known || rig->at(c).name == camera;
     if (!is_known || !file.is_string() || file.get<std::string>().empty())
       bad(line,
-          fmt::format("names an image of {}, expected files of the cameras {}", in_quotes(camera), listed_names(*rig)));
+          message("names an image of {}, expected files of the cameras {}", in_quotes(camera), listed_names(*rig)));
     look.images[camera] = file.get<std::string>();
   }
 }

@@ -17,8 +17,8 @@ std::string brought_image(const Session& session, std::int64_t id, const RigCame
   const fs::path from = fs::path(file).is_absolute() ? fs::path(file) : folder(session) / file;
   std::error_code error;
   if (!fs::is_regular_file(from, error))
-    throw DriverFault(fmt::format("The driver names {} as what camera {} saw, and there is no such file.",
-                                  shown_path(from), camera.name));
+    throw DriverFault(message("The driver names {} as what camera {} saw, and there is no such file.", shown_path(from),
+                              camera.name));
   std::string name = fmt::format("images/{:04}_{}{}", id, camera.name, from.extension().string());
   const fs::path to = folder(session) / name;
   if (fs::equivalent(from, to, error)) return name;
@@ -56,11 +56,11 @@ Observation observation_of(const Session& session, std::int64_t id, double time,
                      : session.rig       ? !seen.target_pose && (seen.sightings.empty() || !seen.sightings[0].point)
                                          : seen.images.empty() && !seen.target_pose;
   if (!suits)
-    throw DriverFault(fmt::format("The driver's look is not what <{}> of the session sees: expected {}.",
-                                  device_tag(session),
-                                  session.pose_sensor ? "\"target_pose\""
-                                  : session.rig       ? "\"images\" or \"markers\""
-                                                      : "\"points\""));
+    throw DriverFault(message("The driver's look is not what <{}> of the session sees: expected {}.",
+                              device_tag(session),
+                              session.pose_sensor ? verbatim("\"target_pose\"")
+                              : session.rig       ? Message("\"images\" or \"markers\"")
+                                                  : verbatim("\"points\"")));
   if (session.pose_sensor) {
     o.target_pose = seen.target_pose;
     show_pose(o, pose_lever(*session.pose_sensor));

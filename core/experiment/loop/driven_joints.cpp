@@ -34,10 +34,8 @@ JointOrder joint_order(const Session& session, const DriverHello& hello) {
   }
   if (order.place_in_driver.size() == session.joints.size() && hello.joints.size() == session.joints.size())
     return order;
-  std::string joints;
-  for (const std::string& name : session.joints) joints += " " + name;
-  throw DriverFault(fmt::format("The driver moves {} joints, not those of the session: expected{}, in any order.",
-                                hello.joints.size(), shortened(joints, 300)));
+  throw DriverFault(message("The driver moves {} joints, not those of the session: expected {}, in any order.",
+                            hello.joints.size(), shortened(fmt::format("{}", fmt::join(session.joints, " ")), 299)));
 }
 
 void require_arrival(const Chain& chain, const std::vector<std::string>& joints, const Eigen::VectorXd& sent,
@@ -47,7 +45,7 @@ void require_arrival(const Chain& chain, const std::vector<std::string>& joints,
     const bool slides = chain.robot.joints[static_cast<std::size_t>(joint)].kind == JointKind::prismatic;
     const double off = position[j] - sent[j];
     if (std::abs(off) <= (slides ? most_off_slide : most_off)) continue;
-    throw DriverFault(fmt::format(
+    throw DriverFault(message(
         "The driver says that {} stands {:.3g} {} from where it was sent; more than {} stops an experiment, and it was "
         "told to stop.",
         joints[static_cast<std::size_t>(j)], slides ? 1e3 * off : off * 180 / M_PI, slides ? "mm" : "degrees",

@@ -27,7 +27,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// The experiment is over; why, as the user reads it.
 struct Ended {
   ExperimentEnd end;
-  std::string reason;
+  Message reason;
 };
 
 class Experiment {
@@ -45,7 +45,7 @@ class Experiment {
     } catch (const DriverFault& fault) {
       robot_.stop();
       result_.end = is_interrupted() ? ExperimentEnd::interrupted : ExperimentEnd::fault;
-      result_.reason = fault.what();
+      result_.reason = fault.sentence();
     } catch (...) {
       robot_.stop();
       throw;
@@ -99,8 +99,8 @@ void Experiment::meet_driver() {
   const DriverHello hello = robot_.hello();
   for (const char* what : {"move", "look"})
     if (std::find(hello.can.begin(), hello.can.end(), what) == hello.can.end())
-      throw DriverFault(fmt::format("The driver {} does not say that it can \"{}\", which an experiment needs.",
-                                    in_quotes(hello.name), what));
+      throw DriverFault(message("The driver {} does not say that it can \"{}\", which an experiment needs.",
+                                in_quotes(hello.name), what));
   order_ = joint_order(session_, hello);
   at_ = session_.observations.back().position;
   if (hello.position)
@@ -117,7 +117,7 @@ void Experiment::make_reach() {
   taken.push_back(at_);
   const Chain chain = chain_of(session_);
   CollisionWorld world(chain, robot_solids(session_), options_.cell, taken);
-  for (const std::string& text : world.notes()) note(text);
+  for (const Message& text : world.notes()) note(text);
   JointRanges ranges = joint_ranges(chain, taken);
   reach_.emplace(Reach{chain, std::move(world), std::move(ranges), {}, options_.box});
 }
@@ -161,7 +161,7 @@ void Experiment::round() {
     drive(move);
   }
   if (!options_.given.empty())
-    throw Ended{ExperimentEnd::reached, fmt::format("The {} poses that were given have been taken.", moves.size())};
+    throw Ended{ExperimentEnd::reached, message("The {} poses that were given have been taken.", moves.size())};
   learn(true);
   check_goals();
 }
@@ -185,10 +185,10 @@ void Experiment::check_limits() const {
   if (is_interrupted()) throw Ended{ExperimentEnd::interrupted, "The experiment was interrupted between two moves."};
   if (options_.until.count && result_.observations >= *options_.until.count)
     throw Ended{ExperimentEnd::count,
-                fmt::format("The {} observations that were asked for are made.", result_.observations)};
+                message("The {} observations that were asked for are made.", result_.observations)};
   if (options_.until.seconds && seconds_since(start_) >= *options_.until.seconds)
     throw Ended{ExperimentEnd::time,
-                fmt::format("The time that was asked for is over ({:.0f} s).", *options_.until.seconds)};
+                message("The time that was asked for is over ({:.0f} s).", *options_.until.seconds)};
 }
 
 /// By odds; that nothing is missing is said of what two diagnoses in a row find so, from twenty observations on.
@@ -214,18 +214,18 @@ void Experiment::check_goals() {
   const bool has_odds = !until.odds || result_.settled;
   const bool has_hand = !until.hand || (result_.known.hand_limit && *result_.known.hand_limit <= *until.hand);
   if (until.wants_something() && has_odds && has_hand) {
-    std::string reason = "What was asked for is reached:";
+    Message reason = "What was asked for is reached:";
     if (until.odds)
-      reason += result_.settled->id.empty()
-                    ? std::string(" nothing is missing that these poses could show")
-                    : fmt::format(" {}{}{} is missing (odds of {:.3g})", result_.settled->id,
-                                  result_.settled->where.empty() ? "" : " of ",
-                                  result_.settled->where.empty() ? "" : result_.settled->where.front(),
-                                  result_.settled->odds);
+      reason +=
+          result_.settled->id.empty()
+              ? Message(" nothing is missing that these poses could show")
+              : message(" {}{} is missing (odds of {:.3g})", result_.settled->id,
+                        result_.settled->where.empty() ? Message() : message(" of {}", result_.settled->where.front()),
+                        result_.settled->odds);
     if (until.hand)
-      reason += fmt::format("{} the hand is known to {:.3g} mm (95 %)", until.odds ? ", and" : "",
-                            1e3 * *result_.known.hand_limit);
-    throw Ended{ExperimentEnd::reached, reason + "."};
+      reason += message("{} the hand is known to {:.3g} mm (95 %)", until.odds ? ", and" : "",
+                        1e3 * *result_.known.hand_limit);
+    throw Ended{ExperimentEnd::reached, message("{}.", reason)};
   }
   check_limits();
 }
@@ -306,12 +306,12 @@ void Experiment::drive(const PlannedMove& move) {
   }
   const MoveAnswer stood = moved(step.move);
   if (!stood.ok) {
-    step.reason = "refused: " + stood.why;
+    step.reason = message("refused: {}", stood.why);
     reach_->refused.push_back(move.pose.position);
     if (++in_vain_ >= most_in_vain)
       throw DriverFault(
-          fmt::format("The driver has refused or shown nothing in {} moves in a row, the last time because: {}.",
-                      most_in_vain, stood.why));
+          message("The driver has refused or shown nothing in {} moves in a row, the last time because: {}.",
+                  most_in_vain, stood.why));
     return told(step);
   }
   step.reached = true;
@@ -328,7 +328,7 @@ void Experiment::look(ExperimentStep& step, const MoveAnswer& stood) {
   }
   const double time = stood.time && has_offset_ ? time_offset_ + *stood.time : last_time_ + 1;
   if (!seen.ok) {
-    step.reason = "nothing was seen: " + seen.why;
+    step.reason = message("nothing was seen: {}", seen.why);
   } else {
     std::int64_t id = 0;
     for (const Observation& o : session_.observations) id = std::max(id, o.id + 1);
@@ -350,9 +350,9 @@ void Experiment::look(ExperimentStep& step, const MoveAnswer& stood) {
   if (session_.observations.back().sightings.empty() || !seen.ok) reach_->refused.push_back(step.move.pose.position);
   if (++in_vain_ >= most_in_vain)
     throw DriverFault(
-        fmt::format("Of {} moves in a row none brought an observation that could be used, the last time "
-                    "because: {}.",
-                    most_in_vain, shortened(step.reason, 200)));
+        message("Of {} moves in a row none brought an observation that could be used, the last time "
+                "because: {}.",
+                most_in_vain, at_most(step.reason, 200)));
 }
 
 /// Whole on disk before anything moves on.

@@ -2,6 +2,7 @@
 // The loop: choose poses, drive there, look, decide, fit, and stop when enough is known.
 #pragma once
 
+#include "base/message.h"
 #include "estimation/online/online_step.h"
 #include "experiment/driver/driven_robot.h"
 #include "experiment/loop/choice.h"
@@ -21,7 +22,7 @@ struct ExperimentStep {
   std::int64_t id = -1;  // of the observation; -1: none was made
   PlannedMove move;
   bool reached = false, accepted = false;
-  std::string reason;                     // why it was not reached or not accepted
+  Message reason;                         // why it was not reached or not accepted
   std::optional<double> hand_limit, rms;  // m; px or m: after it
 };
 
@@ -53,8 +54,8 @@ struct ExperimentOptions {
 struct ExperimentResult {
   Session session;  // with what was measured
   ExperimentEnd end = ExperimentEnd::reached;
-  std::string reason;  // a sentence: why it ended
-  std::string more;    // a sentence: what more poses would bring; empty where that is not known
+  Message reason;    // a sentence: why it ended
+  std::string more;  // a sentence: what more poses would bring; empty where that is not known
   int moves = 0, observations = 0, accepted = 0;
   std::vector<ExperimentStep> steps;
   std::vector<PlannedMove> planned;  // of a dry run

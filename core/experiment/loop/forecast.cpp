@@ -6,8 +6,8 @@
 
 namespace handsight {
 
-std::string forecast(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
-                     double seconds_a_pose) {
+Message forecast(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
+                 double seconds_a_pose) {
   constexpr int asked = 12;
   constexpr double usual_seconds = 20;
   if (!known.fit || known.used < 2) return {};
@@ -30,7 +30,7 @@ std::string forecast(const Session& session, const ExperimentModel& model, const
     const double before = size(planned.sigma_before), after = size(planned.poses.back().sigma);
     const double information = std::pow(before, -2), added = (std::pow(after, -2) - information) / count;
     const double then = 1 / std::sqrt(information + in_an_hour * std::max(added, 0.0));
-    return fmt::format(
+    return message(
         "One more hour (about {} poses at {:.0f} s each) would bring the body's place on the hand from +-{:.3g} mm to "
         "+-{:.3g} mm, as the model has it.",
         in_an_hour, seconds, 1e3 * before, 1e3 * then);

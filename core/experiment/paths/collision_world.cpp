@@ -19,7 +19,7 @@
 
 namespace handsight {
 
-std::optional<std::string> what_paths_need() {
+std::optional<Message> what_paths_need() {
 #ifdef HANDSIGHT_HAS_PATHS
   return std::nullopt;
 #else
@@ -93,7 +93,7 @@ struct CollisionWorld::Parts {
   std::vector<Pair> pairs;
   std::vector<double> reach_of_joint;  // m (1 for sliding ones), by Chain::joints: how far its farthest point is
   double clearance = usual_clearance;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 
   std::vector<Rigid> root_from_links(const Eigen::VectorXd& position, Eigen::VectorXd* values = nullptr) const {
     Posture posture =
@@ -157,7 +157,7 @@ void CollisionWorld::Parts::add_cell(const Cell& cell) {
   for (const CellBox& box : cell.boxes) {
     const RobotSolid solid{RobotSolidKind::box, -1, box.root_from_box, 0.5 * box.size};
     add({solid, -1, solid.reach(), geometry_of(solid, 0), geometry_of(solid, 0.5 * clearance),
-         fmt::format("box {} of the cell", ++number)});
+         message("box {} of the cell", ++number)});
   }
   std::vector<CellPlane> planes = cell.planes;
   const bool has_floor = planes.empty() && chain.gravity.norm() > 0;
@@ -166,7 +166,7 @@ void CollisionWorld::Parts::add_cell(const Cell& cell) {
   for (const CellPlane& plane : planes)
     add({RobotSolid{.link = -1}, -1, INFINITY, std::make_shared<fcl::Halfspaced>(plane.normal, plane.offset),
          std::make_shared<fcl::Halfspaced>(plane.normal, plane.offset + 0.5 * clearance),
-         has_floor ? "the floor" : fmt::format("plane {} of the cell", ++number)});
+         has_floor ? "the floor" : message("plane {} of the cell", ++number)});
 }
 
 void CollisionWorld::Parts::add_pairs(const RobotSolids& solids) {
@@ -230,7 +230,7 @@ void CollisionWorld::Parts::set_watches(const std::vector<Eigen::VectorXd>& take
       pairs[i].watch = Watch::not_at_all;
       if (touched[i] && !is_near)
         notes.push_back(
-            fmt::format("{} touch by their shapes where the robot has been: they are not watched.", name_of(pairs[i])));
+            message("{} touch by their shapes where the robot has been: they are not watched.", name_of(pairs[i])));
     } else if (is_near || near[i]) {
       pairs[i].watch = Watch::tightly;
     }
@@ -290,18 +290,19 @@ CollisionWorld::~CollisionWorld() = default;
 CollisionWorld::CollisionWorld(CollisionWorld&&) noexcept = default;
 CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
 
-std::optional<std::string> CollisionWorld::touching(const Eigen::VectorXd& position, bool with_clearance) const {
+std::optional<Message> CollisionWorld::touching(const Eigen::VectorXd& position, bool with_clearance) const {
   const Parts& p = *parts_;
   Eigen::VectorXd values;
   const std::vector<Rigid> links = p.root_from_links(position, &values);
   for (std::size_t j = 0; j < p.chain.robot.joints.size(); ++j) {
     const Joint& joint = p.chain.robot.joints[j];
     const double value = values[static_cast<Eigen::Index>(j)];
-    if (joint.is_mimic() && (value < joint.lower || value > joint.upper)) return joint.name + " beyond its limit";
+    if (joint.is_mimic() && (value < joint.lower || value > joint.upper))
+      return message("{} beyond its limit", joint.name);
   }
   const std::vector<Place> at = p.places(links);
   for (const Pair& pair : p.pairs)
-    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance)) return p.name_of(pair);
+    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance)) return verbatim(p.name_of(pair));
   return std::nullopt;
 }
 
@@ -351,13 +352,13 @@ void CollisionWorld::carry(const RobotSolid& solid) {
   if (is_new) group.pop_back(), p.things.pop_back();  // a body without shapes has no pairs
 }
 
-const std::vector<std::string>& CollisionWorld::notes() const { return parts_->notes; }
+const std::vector<Message>& CollisionWorld::notes() const { return parts_->notes; }
 std::size_t CollisionWorld::watched_pairs() const { return parts_->pairs.size(); }
 
 #else
 
 struct CollisionWorld::Parts {
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 CollisionWorld::CollisionWorld(const Chain&, const RobotSolids&, const Cell&, const std::vector<Eigen::VectorXd>&,
@@ -368,11 +369,11 @@ CollisionWorld::~CollisionWorld() = default;
 CollisionWorld::CollisionWorld(CollisionWorld&&) noexcept = default;
 CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
 // Never reached: there is no world.
-std::optional<std::string> CollisionWorld::touching(const Eigen::VectorXd&, bool) const { return what_paths_need(); }
+std::optional<Message> CollisionWorld::touching(const Eigen::VectorXd&, bool) const { return what_paths_need(); }
 bool CollisionWorld::is_hidden(const Eigen::VectorXd&, const Vector3&, const Vector3&) const { return true; }
 double CollisionWorld::farthest_way(const Eigen::VectorXd&) const { return 0; }
 void CollisionWorld::carry(const RobotSolid&) {}
-const std::vector<std::string>& CollisionWorld::notes() const { return parts_->notes; }
+const std::vector<Message>& CollisionWorld::notes() const { return parts_->notes; }
 std::size_t CollisionWorld::watched_pairs() const { return 0; }
 
 #endif

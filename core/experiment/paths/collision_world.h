@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "chain/chain.h"
 #include "experiment/paths/cell.h"
 #include "experiment/paths/robot_solids.h"
@@ -16,7 +17,7 @@ namespace handsight {
 inline constexpr double usual_clearance = 0.02;  // m
 
 /// Was the program built with FCL and OMPL? Where not, a sentence that says what is needed.
-std::optional<std::string> what_paths_need();
+std::optional<Message> what_paths_need();
 
 /// Links that are fixed to each other are one body; neighbours by a joint are not watched against each other, nor are
 /// pairs of an SRDF file, nor those that touch in nearly all postures (95 of 100 drawn ones; 10 where they are always
@@ -35,7 +36,7 @@ class CollisionWorld {
 
   /// What stands in the way of this posture, "l3 and hand": nothing where it is free. Springs are left out.
   /// `with_clearance` false: only what really touches.
-  std::optional<std::string> touching(const Eigen::VectorXd& position, bool with_clearance = true) const;
+  std::optional<Message> touching(const Eigen::VectorXd& position, bool with_clearance = true) const;
 
   /// Does a link other than those that carry the ends, or something of the cell, stand between two points of them? The
   /// points in the frames of their links, m.
@@ -47,7 +48,7 @@ class CollisionWorld {
   /// A thing that the TCP's link carries beside its shapes: the target. It joins the link's body.
   void carry(const RobotSolid& solid);
 
-  const std::vector<std::string>& notes() const;
+  const std::vector<Message>& notes() const;
   std::size_t watched_pairs() const;
 
  private:

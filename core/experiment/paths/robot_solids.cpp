@@ -93,11 +93,11 @@ void add_shape(const Shape& shape, int link, const fs::path& robot_folder, Robot
     case ShapeKind::mesh:
       try {
         const auto file = find_mesh(shape.mesh_file, robot_folder);
-        if (!file) throw InputError(in_quotes(shape.mesh_file) + " is not there");
+        if (!file) throw InputError(message("{} is not there", in_quotes(shape.mesh_file)));
         for (const RobotSolid& box : boxes_of(read_mesh(*file), shape.size, link, shape.link_from_shape))
           all.solids.push_back(box);
       } catch (const InputError& error) {
-        all.notes.push_back(fmt::format("A mesh is left out of the robot's shapes: {}", error.what()));
+        all.notes.push_back(message("A mesh is left out of the robot's shapes: {}", error.what()));
       }
       return;
   }
@@ -142,8 +142,7 @@ void read_srdf(const fs::path& robot_file, RobotSolids& all) {
       const std::string a = required_name(pair, "link1"), b = required_name(pair, "link2");
       all.never_watched.insert({std::min(a, b), std::max(a, b)});
     }
-    all.notes.push_back(
-        fmt::format("{}: {} pairs of links are not watched, as it says.", name, all.never_watched.size()));
+    all.notes.push_back(message("{}: {} pairs of links are not watched, as it says.", name, all.never_watched.size()));
   }
 }
 

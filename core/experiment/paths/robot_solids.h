@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "robot/mesh_types.h"
 #include "session/session.h"
 
@@ -30,7 +31,7 @@ struct RobotSolid {
 struct RobotSolids {
   std::vector<RobotSolid> solids;
   std::set<std::pair<std::string, std::string>> never_watched;  // pairs of links that an SRDF file leaves out
-  std::vector<std::string> notes;                               // a sentence each
+  std::vector<Message> notes;                                   // a sentence each
 };
 
 /// Boxes that together hold every triangle of a mesh: halves of halves along the longest side, as long as that saves

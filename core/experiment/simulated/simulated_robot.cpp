@@ -46,8 +46,8 @@ MoveAnswer SimulatedRobot::move(const std::vector<Eigen::VectorXd>& path, double
       const std::string& name = like_.joints[static_cast<std::size_t>(j)];
       const Joint& joint = like_.robot.joints[static_cast<std::size_t>(find_joint(like_.robot, name))];
       if (point[j] < joint.lower || point[j] > joint.upper)
-        return {.why = fmt::format("{} cannot go to {:.4g}: its limits are {:.4g} and {:.4g}", name, point[j],
-                                   joint.lower, joint.upper)};
+        return {.why = message("{} cannot go to {:.4g}: its limits are {:.4g} and {:.4g}", name, point[j], joint.lower,
+                               joint.upper)};
     }
     time_ += (point - position_).cwiseAbs().maxCoeff() / std::max(speed, 1e-3);
     position_ = point;

@@ -53,7 +53,7 @@ std::string comment_of(const CalibratedRobot& robot, const UrdfFile& file) {
   std::string text = fmt::format("Calibrated by Handsight from {}. {} is the hand, {} the marker body",
                                  in_quotes(robot.calibration.session, 200), file.hand_link, file.body_link);
   text += file.sensor_link.empty() ? "." : fmt::format(", {} the sensor.", file.sensor_link);
-  for (const std::string& s : file.not_said) text += "\n  Not in this file: " + printable(s) + ".";
+  for (const Message& s : file.not_said) text += "\n  Not in this file: " + printable(s.english()) + ".";
   if (const std::string left = left_sentence(file.fit); !left.empty()) text += "\n  " + left;
   for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- -");
   return text;
@@ -97,17 +97,17 @@ std::optional<std::string> mesh_reference(const DescribedRobot& robot, const std
   return std::filesystem::weakly_canonical(*mesh).lexically_relative(from).generic_string();
 }
 
-std::string left_sentence(const RigidFit& fit) {
+Message left_sentence(const RigidFit& fit) {
   if (fit.left.largest < 1e-9) return "";
   const double rms = 1e3 * fit.left.rms, largest = 1e3 * fit.left.largest, nominal = 1e3 * fit.nominal.rms;
   if (fit.are_measured)
-    return fmt::format(
+    return message(
         "What this kind of file cannot hold was left out and the rest fitted again without it: over the {} poses of "
         "the "
         "session the hand is {:.3f} mm rms and {:.3f} mm at most from where the whole calibration has it; without "
         "calibration it is {:.3f} mm rms.",
         fit.poses, rms, largest, nominal);
-  return fmt::format(
+  return message(
       "What this kind of file cannot hold was left out and the rest fitted again without it: over {} poses drawn "
       "within "
       "the joints' limits, for the calibration does not say where it was measured, the hand is {:.3f} mm rms and "

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/message.h"
 #include "export/rigid/urdf_file.h"
 
 namespace handsight {
@@ -41,6 +42,6 @@ std::optional<std::string> mesh_reference(const DescribedRobot& robot, const std
                                           const std::filesystem::path& out_folder);
 
 /// "What this kind of file cannot hold ...": a sentence with the millimetres that are left. Empty where nothing is.
-std::string left_sentence(const RigidFit& fit);
+Message left_sentence(const RigidFit& fit);
 
 }  // namespace handsight

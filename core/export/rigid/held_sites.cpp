@@ -79,11 +79,11 @@ std::string numbers_of(const EffectTerm& term, const Robot& robot) {
 void add_springs(const Robot& robot, HeldSites& held) {
   for (const Joint& joint : robot.joints) {
     if (joint.stiffness > 0)
-      held.left_out.push_back(fmt::format("the spring of {} ({:.4g} {})", joint.name, joint.stiffness,
-                                          joint.kind == JointKind::prismatic ? "N/m" : "N m/rad"));
+      held.left_out.push_back(message("the spring of {} ({:.4g} {})", joint.name, joint.stiffness,
+                                      joint.kind == JointKind::prismatic ? "N/m" : "N m/rad"));
     if (joint.mimics.size() > 1)
-      held.remarks.push_back(fmt::format("{} follows {} joints: other readers may take one of its <mimic> alone",
-                                         joint.name, joint.mimics.size()));
+      held.remarks.push_back(message("{} follows {} joints: other readers may take one of its <mimic> alone",
+                                     joint.name, joint.mimics.size()));
   }
 }
 
@@ -100,8 +100,8 @@ HeldSites held_sites(const CalibratedRobot& robot) {
     if (is_constant) constant.push_back(term);
     if (is_constant && !has_more_than_is_held(moved_sites(c, {term}))) continue;
     const std::string where = place_name(effect_of(term), term.joint, robot.chain.robot);
-    held.left_out.push_back(fmt::format("{}{} ({})", term.id, where.empty() ? "" : " of " + where,
-                                        shortened(numbers_of(term, robot.chain.robot), 300)));
+    held.left_out.push_back(message("{}{} ({})", term.id, where.empty() ? Message() : message(" of {}", where),
+                                    shortened(numbers_of(term, robot.chain.robot), 300)));
   }
   held.sites = moved_sites(c, constant);
   held.sites.robot.joints.resize(robot.chain.robot.joints.size());

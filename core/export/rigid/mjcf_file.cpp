@@ -44,7 +44,7 @@ class Writer {
  public:
   Writer(const DescribedRobot& robot, const std::filesystem::path& out_folder) : d_(robot), out_folder_(out_folder) {}
 
-  std::string text(const Vector3& gravity, std::vector<std::string>& notes) {
+  std::string text(const Vector3& gravity, std::vector<Message>& notes) {
     document_.InsertEndChild(document_.NewComment((" " + d_.comment + " ").c_str()));
     XMLElement& root = *document_.NewElement("mujoco");
     document_.InsertEndChild(&root);
@@ -58,9 +58,9 @@ class Writer {
     write_equalities(root);
     if (left_out_ > 0)
       notes.push_back(
-          fmt::format("{} meshes are not in the file: they are not beside the robot, or of a kind that MuJoCo does not "
-                      "open (it reads OBJ and binary STL).",
-                      left_out_));
+          message("{} meshes are not in the file: they are not beside the robot, or of a kind that MuJoCo does not "
+                  "open (it reads OBJ and binary STL).",
+                  left_out_));
     return xml_text(document_);
   }
 
@@ -172,11 +172,11 @@ class Writer {
 }  // namespace
 
 std::string mjcf_file(const DescribedRobot& robot, const Vector3& gravity, const std::filesystem::path& out_folder,
-                      std::vector<std::string>& notes) {
+                      std::vector<Message>& notes) {
   for (const Joint& j : robot.robot.joints)
     if (j.mimics.size() > 1)
-      notes.push_back(fmt::format("MuJoCo has no equality for {}, which follows {} joints: set it from your program.",
-                                  j.name, j.mimics.size()));
+      notes.push_back(message("MuJoCo has no equality for {}, which follows {} joints: set it from your program.",
+                              j.name, j.mimics.size()));
   return Writer(robot, out_folder).text(gravity, notes);
 }
 

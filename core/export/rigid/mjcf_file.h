@@ -2,6 +2,7 @@
 // The calibrated robot as a model of MuJoCo (MJCF).
 #pragma once
 
+#include "base/message.h"
 #include "export/rigid/described_robot.h"
 
 namespace handsight {
@@ -11,6 +12,6 @@ namespace handsight {
 /// named relative to `out_folder`; those that MuJoCo 2.2 does not open (Collada, STL as text) and those that are not
 /// there are left out, and `notes` says so.
 std::string mjcf_file(const DescribedRobot& robot, const Vector3& gravity, const std::filesystem::path& out_folder,
-                      std::vector<std::string>& notes);
+                      std::vector<Message>& notes);
 
 }  // namespace handsight

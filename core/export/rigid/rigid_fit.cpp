@@ -235,10 +235,10 @@ Missed missed_with(const CalibratedRobot& robot, const RobotChange& change) {
   return missed(task_of(robot, export_poses(robot), Rigid{}), change);
 }
 
-std::string missed_text(const RigidFit& fit) {
-  return fmt::format("{:.3f} mm rms and {:.3f} mm at most over {}", 1e3 * fit.left.rms, 1e3 * fit.left.largest,
-                     fit.are_measured ? fmt::format("the {} poses of the session", fit.poses)
-                                      : fmt::format("{} poses drawn within the joints' limits", fit.poses));
+Message missed_text(const RigidFit& fit) {
+  return message("{:.3f} mm rms and {:.3f} mm at most over {}", 1e3 * fit.left.rms, 1e3 * fit.left.largest,
+                 fit.are_measured ? message("the {} poses of the session", fit.poses)
+                                  : message("{} poses drawn within the joints' limits", fit.poses));
 }
 
 }  // namespace handsight

@@ -3,6 +3,7 @@
 // fitted again without it, to where the whole model has the hand.
 #pragma once
 
+#include "base/message.h"
 #include "export/rigid/held_sites.h"
 
 namespace handsight {
@@ -20,10 +21,10 @@ struct Missed {
 };
 
 struct RigidFit {
-  RobotChange change;                 // the rigid robot's numbers: angles, frames, multipliers
-  Sites sites;                        // with `change` in it: hand, body and mount too
-  std::vector<std::string> left_out;  // of HeldSites
-  std::vector<std::string> remarks;
+  RobotChange change;             // the rigid robot's numbers: angles, frames, multipliers
+  Sites sites;                    // with `change` in it: hand, body and mount too
+  std::vector<Message> left_out;  // of HeldSites
+  std::vector<Message> remarks;
   Missed left;     // over the poses
   Missed nominal;  // of the robot as it was written, its springs left out
   int poses = 0;
@@ -39,6 +40,6 @@ RigidFit rigid_fit(const CalibratedRobot& robot, Holds holds = Holds::origins);
 Missed missed_with(const CalibratedRobot& robot, const RobotChange& change);
 
 /// "0.123 mm rms and 0.456 mm at most over the 36 poses of the session".
-std::string missed_text(const RigidFit& fit);
+Message missed_text(const RigidFit& fit);
 
 }  // namespace handsight

@@ -38,7 +38,7 @@ class Writer {
  public:
   Writer(const DescribedRobot& robot, const std::filesystem::path& out_folder) : d_(robot), out_folder_(out_folder) {}
 
-  std::string text(std::vector<std::string>& notes) {
+  std::string text(std::vector<Message>& notes) {
     document_.InsertEndChild(document_.NewDeclaration());
     document_.InsertEndChild(document_.NewComment((" " + d_.comment + " ").c_str()));
     XMLElement& root = *document_.NewElement("sdf");
@@ -56,7 +56,7 @@ class Writer {
         write_joint(model, j);
     if (missing_ > 0)
       notes.push_back(
-          fmt::format("{} meshes were not found beside the robot; the file names them as the URDF does.", missing_));
+          message("{} meshes were not found beside the robot; the file names them as the URDF does.", missing_));
     return xml_text(document_);
   }
 
@@ -174,12 +174,12 @@ class Writer {
 }  // namespace
 
 std::string sdf_file(const DescribedRobot& robot, const std::filesystem::path& out_folder,
-                     std::vector<std::string>& notes) {
+                     std::vector<Message>& notes) {
   for (const Joint& j : robot.robot.joints)
     if (j.is_mimic())
-      notes.push_back(fmt::format(
-          "SDFormat 1.7 has no joint that follows others: {} moves by itself in the file, command it as well.",
-          j.name));
+      notes.push_back(
+          message("SDFormat 1.7 has no joint that follows others: {} moves by itself in the file, command it as well.",
+                  j.name));
   return Writer(robot, out_folder).text(notes);
 }
 

@@ -2,6 +2,7 @@
 // The calibrated robot as SDFormat 1.7 (Gazebo).
 #pragma once
 
+#include "base/message.h"
 #include "export/rigid/described_robot.h"
 
 namespace handsight {
@@ -11,7 +12,6 @@ namespace handsight {
 /// called as a link gets
 /// "_joint" after its name. SDFormat 1.7 has no
 /// joint that follows others; `notes` names those.
-std::string sdf_file(const DescribedRobot& robot, const std::filesystem::path& out_folder,
-                     std::vector<std::string>& notes);
+std::string sdf_file(const DescribedRobot& robot, const std::filesystem::path& out_folder, std::vector<Message>& notes);
 
 }  // namespace handsight

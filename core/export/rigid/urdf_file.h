@@ -13,7 +13,7 @@ struct UrdfFile {
   std::string text;
   std::string hand_link;               // whose frame is the hand's, where a URDF can say it: the tcp link or a new one
   std::string body_link, sensor_link;  // new links; the sensor's is empty where its mount is not known
-  std::vector<std::string> not_said;   // what a URDF cannot say, a phrase each; a comment in the text holds them too
+  std::vector<Message> not_said;       // what a URDF cannot say, a phrase each; a comment in the text holds them too
   RigidFit fit;                        // what it says of the joints, and what it misses
 };
 

@@ -93,29 +93,28 @@ class DecompressedBag : public BagFile {
   DecompressedBag(const fs::path& file, const std::string& name) {
     folder_.path = make_temporary_folder(fs::temp_directory_path());
     const fs::path plain = folder_.path / file.stem().filename();
-    const std::string fault = decompress_file(file, plain);
+    const Message fault = decompress_file(file, plain);
     if (!fault.empty())
-      lost_ =
-          fmt::format("{}: its zstd is damaged ({}): what comes after the damage is lost.", name, shortened(fault, 80));
+      lost_ = message("{}: its zstd is damaged ({}): what comes after the damage is lost.", name, at_most(fault, 80));
     try {
       inner_ = open_plain(plain, name);
       inner_->topics();
     } catch (const InputError&) {
       if (fault.empty()) throw;
       throw InputError(message("{}: is compressed with zstd, and damaged ({}); expected a whole file: copy it again.",
-                               name, shortened(fault, 80)));
+                               name, at_most(fault, 80)));
     }
   }
 
   std::vector<BagTopic> topics() override { return inner_->topics(); }
-  void read(const Wanted& wanted, const Take& take, std::vector<std::string>& lost) override {
+  void read(const Wanted& wanted, const Take& take, std::vector<Message>& lost) override {
     if (!lost_.empty()) lost.push_back(lost_);
     inner_->read(wanted, take, lost);
   }
 
  private:
   TemporaryFolder folder_;
-  std::string lost_;
+  Message lost_;
   std::unique_ptr<BagFile> inner_;
 };
 
@@ -165,9 +164,9 @@ Bag open_bag(const fs::path& path) {
   return bag;
 }
 
-std::vector<std::string> read_bag(const Bag& bag, const BagFile::Wanted& wanted, const BagFile::Take& take) {
+std::vector<Message> read_bag(const Bag& bag, const BagFile::Wanted& wanted, const BagFile::Take& take) {
   constexpr std::size_t most_told = 5;
-  std::vector<std::string> lost;
+  std::vector<Message> lost;
   std::size_t damaged = 0;
   for (const auto& file : bag.files)
     file->read(
@@ -177,11 +176,11 @@ std::vector<std::string> read_bag(const Bag& bag, const BagFile::Wanted& wanted,
         },
         lost);
   if (damaged > 0)
-    lost.push_back(fmt::format("{}: {} messages whose compression is damaged are left out.", bag.name, damaged));
+    lost.push_back(message("{}: {} messages whose compression is damaged are left out.", bag.name, damaged));
   if (lost.size() > most_told) {
     const std::size_t more = lost.size() - most_told;
     lost.resize(most_told);
-    lost.push_back(fmt::format("{}: {} more places are damaged.", bag.name, more));
+    lost.push_back(message("{}: {} more places are damaged.", bag.name, more));
   }
   return lost;
 }

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 inline constexpr std::size_t longest_topic = 200;  // bytes of a name that are kept, as sentences show it
@@ -34,7 +36,7 @@ class BagFile {
   using Wanted = std::function<bool(const BagTopic&)>;
   using Take = std::function<void(const BagTopic&, std::int64_t nanoseconds, std::string_view bytes)>;
   virtual std::vector<BagTopic> topics() = 0;
-  virtual void read(const Wanted& wanted, const Take& take, std::vector<std::string>& lost) = 0;
+  virtual void read(const Wanted& wanted, const Take& take, std::vector<Message>& lost) = 0;
 };
 
 /// Each opens one file; `name` is what sentences call it. InputError where it is of another kind, or holds nothing.
@@ -58,6 +60,6 @@ Bag open_bag(const std::filesystem::path& path);
 /// Calls `take` with every message of the wanted topics, file by file and, within one, as they were recorded: roughly
 /// in order of time, and in the same order at every call. The bytes hold until it returns; no more than one chunk of a
 /// file is in memory. Returns what was lost, a sentence each.
-std::vector<std::string> read_bag(const Bag& bag, const BagFile::Wanted& wanted, const BagFile::Take& take);
+std::vector<Message> read_bag(const Bag& bag, const BagFile::Wanted& wanted, const BagFile::Take& take);
 
 }  // namespace handsight

@@ -20,7 +20,7 @@ namespace {
 struct Step {
   std::size_t taken = 0, made = 0;
   bool at_end = false;  // of a frame
-  std::string fault = {};
+  Message fault = {};
 };
 
 class ZstdStream {
@@ -111,7 +111,7 @@ Decompressed pumped(std::string_view in, std::size_t most, Stream&& stream) {
 }
 
 Decompressed as_they_are(std::string_view bytes, std::size_t most) {
-  return {std::string(bytes.substr(0, most)), bytes.size() > most ? "it holds more than it says" : ""};
+  return {std::string(bytes.substr(0, most)), bytes.size() > most ? Message("it holds more than it says") : Message()};
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ Decompressed decompressed(Compression compression, std::string_view bytes, std::
 
 bool begins_as_zstd(std::string_view bytes) { return bytes.starts_with("\x28\xB5\x2F\xFD"); }
 
-std::string decompress_file(const std::filesystem::path& from, const std::filesystem::path& into) {
+Message decompress_file(const std::filesystem::path& from, const std::filesystem::path& into) {
   std::ifstream in(from, std::ios::binary);
   std::ofstream out(into, std::ios::binary);
   ZstdStream stream;

@@ -42,7 +42,7 @@ class McapBag : public BagFile {
     return list;
   }
 
-  void read(const Wanted& wanted, const Take& take, std::vector<std::string>& lost) override {
+  void read(const Wanted& wanted, const Take& take, std::vector<handsight::Message>& lost) override {
     wanted_ = wanted;
     take_ = take;
     lost_ = &lost;
@@ -51,7 +51,7 @@ class McapBag : public BagFile {
 
  private:
   void count_messages() {
-    std::vector<std::string> lost;
+    std::vector<handsight::Message> lost;
     std::map<std::uint16_t, std::int64_t> counts;
     counts_ = &counts;
     lost_ = &lost;
@@ -68,8 +68,8 @@ class McapBag : public BagFile {
     add_to_crc(file_.view(0, magic_size));
     for (std::uint64_t at = magic_size; at != 0;) at = after_record_at(at);
     if (nameless_ > 0)
-      lost_->push_back(fmt::format("{}: {} messages are of channels that are described nowhere and are left out.",
-                                   name_, nameless_));
+      lost_->push_back(
+          message("{}: {} messages are of channels that are described nowhere and are left out.", name_, nameless_));
   }
 
   /// The next record's place; 0 at the end.
@@ -100,10 +100,10 @@ class McapBag : public BagFile {
   void end_of_data(std::uint64_t begin) {
     const auto told = Fields(file_.view(begin, 4)).number<std::uint32_t>();
     if (told != 0 && crc_is_whole_ && !counts_ && told != crc_ && lost_->empty())
-      lost_->push_back(fmt::format(
-          "{}: its checksum does not agree: some of its bytes have changed since it was written; its messages "
-          "are taken as they are.",
-          name_));
+      lost_->push_back(
+          message("{}: its checksum does not agree: some of its bytes have changed since it was written; its messages "
+                  "are taken as they are.",
+                  name_));
   }
 
   void take_record(const Record& record, std::uint64_t at) {
@@ -132,8 +132,8 @@ class McapBag : public BagFile {
     if (!chunk) return lose_chunk(at, "its head is damaged", {});
     const auto compression = compression_of(chunk->compression);
     if (!compression)
-      return lose_chunk(
-          at, fmt::format("it is compressed with {}, which is not read", in_quotes(chunk->compression, 20)), chunk);
+      return lose_chunk(at, message("it is compressed with {}, which is not read", in_quotes(chunk->compression, 20)),
+                        chunk);
     if (chunk->size > largest_record) return lose_chunk(at, "it says that it is larger than 1 GiB", chunk);
     const Decompressed plain = decompressed(*compression, chunk->records, chunk->size);
     if (whole) {
@@ -153,13 +153,13 @@ class McapBag : public BagFile {
       channels_.take(record);
   }
 
-  void lose_chunk(std::uint64_t at, const std::string& why, const std::optional<Chunk>& chunk) {
+  void lose_chunk(std::uint64_t at, const handsight::Message& why, const std::optional<Chunk>& chunk) {
     const std::uint64_t count = messages_indexed_behind(at);
-    std::string told = shortened(why, 100);
+    handsight::Message told = at_most(why, 100);
     if (chunk && chunk->end >= chunk->begin && chunk->end < 1e11)
-      told += fmt::format(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end);
-    if (count > 0) told += fmt::format(", {} messages", count);
-    lost_->push_back(fmt::format("{}: the chunk at byte {} is left out: {}.", name_, at, told));
+      told += message(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end);
+    if (count > 0) told += message(", {} messages", count);
+    lost_->push_back(message("{}: the chunk at byte {} is left out: {}.", name_, at, told));
   }
 
   /// Of the records behind a chunk that say where its messages are.
@@ -184,24 +184,24 @@ class McapBag : public BagFile {
     if (const std::uint64_t next = chunk_behind(at)) return skipped_to(at, next);
     if (!chunk.empty()) take_chunk(chunk, at, false);
     lost_->push_back(
-        fmt::format("{}: it is broken off at byte {} of a record that begins at {}: after {} messages the "
-                    "rest is lost.",
-                    name_, file_.size(), at, taken_));
+        message("{}: it is broken off at byte {} of a record that begins at {}: after {} messages the "
+                "rest is lost.",
+                name_, file_.size(), at, taken_));
     return 0;
   }
 
   std::uint64_t damaged_at(std::uint64_t at) {
     if (const std::uint64_t next = chunk_behind(at)) return skipped_to(at, next);
     lost_->push_back(
-        fmt::format("{}: at byte {} of {} stands no record: it is damaged, and after {} messages the rest is lost.",
-                    name_, at, file_.size(), taken_));
+        message("{}: at byte {} of {} stands no record: it is damaged, and after {} messages the rest is lost.", name_,
+                at, file_.size(), taken_));
     return 0;
   }
 
   std::uint64_t skipped_to(std::uint64_t at, std::uint64_t next) {
     crc_is_whole_ = false;
     lost_->push_back(
-        fmt::format("{}: is damaged at byte {}: {} bytes up to the next chunk are left out.", name_, at, next - at));
+        message("{}: is damaged at byte {}: {} bytes up to the next chunk are left out.", name_, at, next - at));
     return next;
   }
 
@@ -217,7 +217,7 @@ class McapBag : public BagFile {
   // Of the walk that goes on.
   Wanted wanted_;
   Take take_;
-  std::vector<std::string>* lost_ = nullptr;
+  std::vector<handsight::Message>* lost_ = nullptr;
   std::map<std::uint16_t, std::int64_t>* counts_ = nullptr;  // not null: they are only counted
   std::uint64_t taken_ = 0, nameless_ = 0;
   std::uint32_t crc_ = 0;

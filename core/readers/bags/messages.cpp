@@ -75,7 +75,7 @@ class Reader {
     return h;
   }
 
-  [[noreturn]] void fail(const std::string& why) const {
+  [[noreturn]] void fail(const handsight::Message& why) const {
     throw InputError(
         message("{}: {}; the bag is damaged, or the message is of another type than it says.", what_, why));
   }
@@ -96,7 +96,7 @@ Rigid motion_of(Reader& in, const std::string& of_what) {
   in.numbers(n, 7);
   const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
   if (!(std::abs(q.norm() - 1) < 1e-2) || !std::isfinite(n[0] + n[1] + n[2]))
-    in.fail(fmt::format("the {} holds no unit quaternion", of_what));
+    in.fail(message("the {} holds no unit quaternion", of_what));
   return {q.normalized().toRotationMatrix(), Vector3(n[0], n[1], n[2])};
 }
 

@@ -85,7 +85,7 @@ class Ros1Bag : public BagFile {
     return list;
   }
 
-  void read(const Wanted& wanted, const Take& take, std::vector<std::string>& lost) override {
+  void read(const Wanted& wanted, const Take& take, std::vector<handsight::Message>& lost) override {
     wanted_ = wanted;
     take_ = take;
     lost_ = &lost;
@@ -131,7 +131,7 @@ class Ros1Bag : public BagFile {
   }
 
   void count_messages() {
-    std::vector<std::string> lost;
+    std::vector<handsight::Message> lost;
     lost_ = &lost;
     is_counted_ = true;
     for (auto& [id, topic] : topics_) topic.messages = 0;
@@ -168,8 +168,8 @@ class Ros1Bag : public BagFile {
       at += size;
     }
     if (nameless_ > 0)
-      lost_->push_back(fmt::format("{}: {} messages are of connections that are described nowhere and are left out.",
-                                   name_, nameless_));
+      lost_->push_back(
+          message("{}: {} messages are of connections that are described nowhere and are left out.", name_, nameless_));
   }
 
   void take_record(const Record& record, std::uint64_t at) {
@@ -195,7 +195,7 @@ class Ros1Bag : public BagFile {
     const std::string name = chunk.text("compression");
     const auto compression = compression_of(name);
     if (!compression)
-      return lose_chunk(at, fmt::format("it is compressed with {}, which is not read", in_quotes(name, 20)));
+      return lose_chunk(at, message("it is compressed with {}, which is not read", in_quotes(name, 20)));
     const auto size = chunk.number<std::uint32_t>("size");
     if (size > largest_record) return lose_chunk(at, "it says that it is larger than 1 GiB");
     const Decompressed plain = decompressed(*compression, chunk.data, size);
@@ -209,8 +209,8 @@ class Ros1Bag : public BagFile {
     }
   }
 
-  void lose_chunk(std::uint64_t at, const std::string& why) {
-    lost_->push_back(fmt::format("{}: the chunk at byte {} is left out: {}.", name_, at, shortened(why, 100)));
+  void lose_chunk(std::uint64_t at, const handsight::Message& why) {
+    lost_->push_back(message("{}: the chunk at byte {} is left out: {}.", name_, at, at_most(why, 100)));
   }
 
   /// Where to go on, 0: nowhere.
@@ -218,12 +218,11 @@ class Ros1Bag : public BagFile {
     const auto next = std::upper_bound(chunks_.begin(), chunks_.end(), at);
     if (next != chunks_.end() && *next < file_.size()) {
       lost_->push_back(
-          fmt::format("{}: is damaged at byte {}: {} bytes up to the next chunk are left out.", name_, at, *next - at));
+          message("{}: is damaged at byte {}: {} bytes up to the next chunk are left out.", name_, at, *next - at));
       return *next;
     }
-    lost_->push_back(
-        fmt::format("{}: it is broken off or damaged at byte {} of {}: after {} messages the rest is lost.", name_, at,
-                    file_.size(), taken_));
+    lost_->push_back(message("{}: it is broken off or damaged at byte {} of {}: after {} messages the rest is lost.",
+                             name_, at, file_.size(), taken_));
     return 0;
   }
 
@@ -233,7 +232,7 @@ class Ros1Bag : public BagFile {
   std::vector<std::uint64_t> chunks_;         // where they begin, in order
   Wanted wanted_;
   Take take_;
-  std::vector<std::string>* lost_ = nullptr;
+  std::vector<handsight::Message>* lost_ = nullptr;
   bool is_counted_ = false;  // they are only counted
   std::uint64_t taken_ = 0, nameless_ = 0;
 };

@@ -36,7 +36,7 @@ class SqliteBag : public BagFile {
                            ? sqlite3_open_v2(uri.c_str(), &raw, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr)
                            : sqlite3_open_v2(file.c_str(), &raw, SQLITE_OPEN_READONLY, nullptr);
     db_.reset(raw);
-    if (status != SQLITE_OK) fail(raw ? sqlite3_errmsg(raw) : "it cannot be opened");
+    if (status != SQLITE_OK) fail(raw ? verbatim(sqlite3_errmsg(raw)) : "it cannot be opened");
     find_topics();
   }
 
@@ -46,7 +46,7 @@ class SqliteBag : public BagFile {
     return all;
   }
 
-  void read(const Wanted& wanted, const Take& take, std::vector<std::string>& lost) override {
+  void read(const Wanted& wanted, const Take& take, std::vector<Message>& lost) override {
     std::string ids;
     for (const auto& [id, topic] : topics_)
       if (wanted(topic)) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
@@ -57,8 +57,8 @@ class SqliteBag : public BagFile {
     std::int64_t taken = 0;
     for (int status; (status = sqlite3_step(rows.get())) != SQLITE_DONE; ++taken) {
       if (status != SQLITE_ROW)
-        return lost.push_back(fmt::format("{}: is damaged ({}): after {} messages the rest is lost.", name_,
-                                          shortened(sqlite3_errmsg(db_.get()), 80), taken));
+        return lost.push_back(message("{}: is damaged ({}): after {} messages the rest is lost.", name_,
+                                      shortened(sqlite3_errmsg(db_.get()), 80), taken));
       take(topics_.at(sqlite3_column_int64(rows.get(), 0)), sqlite3_column_int64(rows.get(), 1),
            {static_cast<const char*>(sqlite3_column_blob(rows.get(), 2)),
             static_cast<std::size_t>(sqlite3_column_bytes(rows.get(), 2))});
@@ -66,16 +66,16 @@ class SqliteBag : public BagFile {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const {
+  [[noreturn]] void fail(const Message& why) const {
     throw InputError(
         message("{}: is no ROS 2 bag in sqlite3 that can be read: {}; expected what `ros2 bag record` "
                 "writes: copy it again, or write it anew with `ros2 bag convert`.",
-                name_, shortened(why, 200)));
+                name_, at_most(why, 200)));
   }
 
   Statement prepared(const char* sql) const {
     sqlite3_stmt* raw = nullptr;
-    if (sqlite3_prepare_v2(db_.get(), sql, -1, &raw, nullptr) != SQLITE_OK) fail(sqlite3_errmsg(db_.get()));
+    if (sqlite3_prepare_v2(db_.get(), sql, -1, &raw, nullptr) != SQLITE_OK) fail(verbatim(sqlite3_errmsg(db_.get())));
     return Statement(raw);
   }
 
@@ -84,7 +84,7 @@ class SqliteBag : public BagFile {
         "SELECT id, name, type, serialization_format, (SELECT COUNT(*) FROM messages WHERE topic_id = topics.id) FROM "
         "topics");
     for (int status; (status = sqlite3_step(rows.get())) != SQLITE_DONE;) {
-      if (status != SQLITE_ROW) fail(sqlite3_errmsg(db_.get()));
+      if (status != SQLITE_ROW) fail(verbatim(sqlite3_errmsg(db_.get())));
       topics_[sqlite3_column_int64(rows.get(), 0)] = {shortened(text_of(rows, 1), longest_topic),
                                                       ros::type_of(text_of(rows, 2)), shortened(text_of(rows, 3), 20),
                                                       sqlite3_column_int64(rows.get(), 4)};

@@ -72,8 +72,9 @@ bool is_lerobot_calibration(const YAML::Node& yaml) {
 
 std::vector<Servo> read_lerobot_calibration(const YAML::Node& yaml, const std::string& file) {
   if (yaml["motor_names"])
-    throw InputError(
-        file + ": is of LeRobot's older form, which holds no ranges; `lerobot-calibrate` of a newer one writes them.");
+    throw InputError(message(
+        "{}: is of LeRobot's older form, which holds no ranges; `lerobot-calibrate` of a newer one writes them.",
+        file));
   std::vector<Servo> servos;
   for (const auto& entry : yaml) {
     const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
@@ -86,10 +87,11 @@ std::vector<Servo> read_lerobot_calibration(const YAML::Node& yaml, const std::s
   return servos;
 }
 
-void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, std::vector<std::string>& notes) {
+void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, std::vector<Message>& notes) {
   const std::vector<ServoColumn> columns = columns_of(table, servos);
   if (columns.empty()) {
-    notes.push_back(table.file + ": no column has the name of a servo of LeRobot's calibration, which is not used.");
+    notes.push_back(
+        message("{}: no column has the name of a servo of LeRobot's calibration, which is not used.", table.file));
     return;
   }
   const Unit unit = unit_of(table, columns, degrees);
@@ -97,10 +99,10 @@ void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, s
     table.columns[c.at].unit = "rad";
     for (auto& row : table.rows) row[c.at] = radians_of(row[c.at], *c.servo, unit);
   }
-  notes.push_back(fmt::format(
-      "{}: {} columns are read as {}; 0 is the middle of each range: where the robot's URDF has another zero, "
-      "joint_offset finds it.",
-      table.file, columns.size(), text_of(unit)));
+  notes.push_back(
+      message("{}: {} columns are read as {}; 0 is the middle of each range: where the robot's URDF has another zero, "
+              "joint_offset finds it.",
+              table.file, columns.size(), text_of(unit)));
 }
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "readers/table.h"
 #include "readers/yaml_text.h"
 
@@ -24,6 +25,6 @@ std::vector<Servo> read_lerobot_calibration(const YAML::Node& yaml, const std::s
 /// Columns of these servos ("shoulder_pan", "shoulder_pan.pos") in rad from the middle of their range: from per cent of
 /// the range (-100 to 100, of a gripper 0 to 100), from steps, or from degrees where `degrees` or the header says so.
 /// Sentences in `notes`.
-void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, std::vector<std::string>& notes);
+void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -21,7 +21,7 @@ constexpr int deepest = 200;
 
 class UrdfWriter {
  public:
-  UrdfWriter(const Model& model, std::vector<std::string>& notes) : model_(model), notes_(notes) {
+  UrdfWriter(const Model& model, std::vector<Message>& notes) : model_(model), notes_(notes) {
     root_ = document_.NewElement("robot");
     document_.InsertEndChild(root_);
   }
@@ -134,8 +134,8 @@ class UrdfWriter {
       const auto follows = joints_.find(*joint);
       const bool is_line = c.size() < 3 || std::all_of(c.begin() + 2, c.end(), [](double x) { return x == 0; });
       if (follows == joints_.end() || !joints_.contains(*of) || !is_line) {
-        notes_.push_back(fmt::format("{}: that {} follows {} is left out: it is no straight line.", model_.file,
-                                     in_quotes(*joint), in_quotes(*of)));
+        notes_.push_back(message("{}: that {} follows {} is left out: it is no straight line.", model_.file,
+                                 in_quotes(*joint), in_quotes(*of)));
         continue;
       }
       const double slope = c.size() > 1 ? c[1] : 0;
@@ -172,8 +172,8 @@ class UrdfWriter {
 
   void tell_what_stands_still() {
     if (still_.empty()) return;
-    notes_.push_back(fmt::format("{}: {} stand still in the session's copy: a session has one number a joint.",
-                                 model_.file, shortened(fmt::format("{}", fmt::join(still_, ", ")), 300)));
+    notes_.push_back(message("{}: {} stand still in the session's copy: a session has one number a joint.", model_.file,
+                             shortened(fmt::format("{}", fmt::join(still_, ", ")), 300)));
   }
 
   XMLElement* add_link(const std::string& name, const Mass& mass) {
@@ -215,7 +215,7 @@ class UrdfWriter {
   }
 
   const Model& model_;
-  std::vector<std::string>& notes_;
+  std::vector<Message>& notes_;
   tinyxml2::XMLDocument document_;
   XMLElement* root_ = nullptr;
   std::set<std::string> links_;
@@ -232,7 +232,7 @@ bool is_mjcf(const std::string& text) {
          std::string_view(" \t\r\n>/").find(text[at + 7]) != std::string_view::npos;
 }
 
-std::string urdf_of_mjcf(const std::filesystem::path& path, const std::string& file, std::vector<std::string>& notes) {
+std::string urdf_of_mjcf(const std::filesystem::path& path, const std::string& file, std::vector<Message>& notes) {
   const Model model = read_model(path, file);
   return UrdfWriter(model, notes).written();
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace handsight {
 
 /// Is this text the file of a MuJoCo model?
@@ -15,6 +17,6 @@ bool is_mjcf(const std::string& text);
 /// weight. Where a joint does not stand in its body's origin, or a body has several, links without weight lie between.
 /// Free and ball joints stand still. `notes` says so, and what else a URDF has no word for. InputError where it is
 /// wrong. Geoms that a URDF can say are drawn.
-std::string urdf_of_mjcf(const std::filesystem::path& path, const std::string& file, std::vector<std::string>& notes);
+std::string urdf_of_mjcf(const std::filesystem::path& path, const std::string& file, std::vector<Message>& notes);
 
 }  // namespace handsight

@@ -108,7 +108,7 @@ Matrix3 euler_rotation(const Element& e, const std::vector<double>& angles) {
 
 Vector3 direction(const Element& e, const double* numbers, const char* attribute) {
   const Vector3 v(numbers);
-  if (!(v.norm() > 1e-12)) refuse(e.node, message("has {} without a direction, expected one.", attribute));
+  if (!(v.norm() > 1e-12)) refuse(e.node, message("has {} without a direction, expected one.", verbatim(attribute)));
   return v.normalized();
 }
 
@@ -171,10 +171,10 @@ std::optional<std::vector<double>> Element::numbers(const char* attribute, std::
   if (!told) return std::nullopt;
   auto all = parse_numbers(*told);
   if (!all || all->size() > count || all->size() < (least ? least : count))
-    refuse(node, message("has {}={}, expected {} finite numbers.", attribute, in_quotes(*told), count));
+    refuse(node, message("has {}={}, expected {} finite numbers.", verbatim(attribute), in_quotes(*told), count));
   for (const double number : *all)
     if (!bounds::length.hold(number) && !bounds::joint.hold(number))
-      refuse(node, message("has {:g} in {}, far outside of any robot.", number, attribute));
+      refuse(node, message("has {:g} in {}, far outside of any robot.", number, verbatim(attribute)));
   return all;
 }
 

@@ -45,13 +45,13 @@ bool is_robot_text(const std::string& text) {
 FieldUrdf robot_of_file(const fs::path& path) {
   const std::string text = read_file(path), file = shown_path(path.filename());
   if (is_mjcf(text)) {
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     const std::string urdf = urdf_of_mjcf(path, file, notes);
     FieldUrdf robot = field_urdf(urdf, file);
     robot.notes.insert(robot.notes.begin(), notes.begin(), notes.end());
     robot.notes.insert(
         robot.notes.begin(),
-        fmt::format("{}: is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.", file));
+        message("{}: is a model of MuJoCo; the session's robot is a URDF of its bodies and joints.", file));
     return robot;
   }
   if (is_xacro(path, text))

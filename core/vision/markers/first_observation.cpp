@@ -90,7 +90,7 @@ class Chooser {
   int looked_at_ = 0;
 };
 
-std::string refuse_triangle(const std::vector<LabelledMarker>& markers, const LabelOptions& options) {
+Message refuse_triangle(const std::vector<LabelledMarker>& markers, const LabelOptions& options) {
   double longest = 0, shortest = std::numeric_limits<double>::infinity(), height = 0;
   std::string sides;
   for (std::size_t a = 0; a < markers.size(); ++a)
@@ -105,15 +105,15 @@ std::string refuse_triangle(const std::vector<LabelledMarker>& markers, const La
         height = std::max(height, side.cross(c.point.point - markers[a].point.point).norm() / longest);
     }
   if (markers.size() >= 3 && height < options.line_sine * longest)
-    return fmt::format(
+    return message(
         "The corners lie on a line ({:.1f} mm off): the hand's rotation about it cannot be seen; take a corner to the "
         "side.",
         1e3 * height);
   if (shortest < 1e-3)
-    return fmt::format("Two of the markers are the same corner (sides {} mm); take another corner.", sides);
+    return message("Two of the markers are the same corner (sides {} mm); take another corner.", sides);
   if (longest < options.smallest_side)
-    return fmt::format("Sides {} mm: too small, the hand's rotation would be known badly; take corners farther apart.",
-                       sides);
+    return message("Sides {} mm: too small, the hand's rotation would be known badly; take corners farther apart.",
+                   sides);
   return {};
 }
 
@@ -122,7 +122,7 @@ std::string refuse_triangle(const std::vector<LabelledMarker>& markers, const La
 FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, const std::vector<Corner>& right,
                         const std::vector<Vector2>& pointed, const LabelOptions& options) {
   FirstLabels result;
-  auto refuse = [&](std::string sentence) {
+  auto refuse = [&](Message sentence) {
     result.markers.clear();
     result.refusal = std::move(sentence);
     return result;
@@ -133,12 +133,12 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
     double distance = 0;
     const int corner = nearest_corner(left, pointed[m], distance);
     if (corner < 0 || distance > options.snap_distance)
-      return refuse(fmt::format(
-          "Marker {}: no corner within {:.0f} px of ({:.1f}, {:.1f}) in the left image{}; point nearer to one.", m,
-          options.snap_distance, pointed[m].x(), pointed[m].y(),
-          corner < 0 ? std::string(" (it has none)") : fmt::format(" (the nearest is {:.1f} px away)", distance)));
+      return refuse(
+          message("Marker {}: no corner within {:.0f} px of ({:.1f}, {:.1f}) in the left image{}; point nearer to one.",
+                  m, options.snap_distance, pointed[m].x(), pointed[m].y(),
+                  corner < 0 ? Message(" (it has none)") : message(" (the nearest is {:.1f} px away)", distance)));
     if (const auto before = std::find(corners.begin(), corners.end(), corner); before != corners.end())
-      return refuse(fmt::format(
+      return refuse(message(
           "Markers {} and {}: both are nearest to the corner at ({:.1f}, {:.1f}) of the left image; point each at a "
           "corner of its own.",
           before - corners.begin(), m, left[static_cast<std::size_t>(corner)].position.x(),
@@ -147,21 +147,21 @@ FirstLabels label_first(const StereoRig& rig, const std::vector<Corner>& left, c
     candidates.push_back(corner_pairs(rig, left, right, options.pairs, {corner}));
     if (candidates.back().empty())
       return refuse(
-          fmt::format("Marker {}: no corner of the right image lies within {:.1f} px of the epipolar line of ({:.1f}, "
-                      "{:.1f}) and in "
-                      "front of both cameras; take another corner or the next observation.",
-                      m, options.pairs.epipolar_threshold, left[static_cast<std::size_t>(corner)].position.x(),
-                      left[static_cast<std::size_t>(corner)].position.y()));
+          message("Marker {}: no corner of the right image lies within {:.1f} px of the epipolar line of ({:.1f}, "
+                  "{:.1f}) and in "
+                  "front of both cameras; take another corner or the next observation.",
+                  m, options.pairs.epipolar_threshold, left[static_cast<std::size_t>(corner)].position.x(),
+                  left[static_cast<std::size_t>(corner)].position.y()));
   }
   const Chooser chooser(candidates, options);
   const Choice& best = chooser.best();
   if (chooser.is_undecided())
-    return refuse(fmt::format(
+    return refuse(message(
         "{} corners have too many partners in the right image to choose among; point at fewer markers, or at corners "
         "with a less crowded epipolar line.",
         pointed.size()));
   if (best.pairs.size() != pointed.size())
-    return refuse(fmt::format(
+    return refuse(message(
         "The {} corners have no partners in the right image that are all different and within {:.0f} mm of each other; "
         "check that they are on the hand.",
         pointed.size(), 1e3 * options.most_spread));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "vision/markers/corner_pairs.h"
 
 namespace handsight {
@@ -28,7 +29,7 @@ struct LabelledMarker {
 
 struct FirstLabels {
   std::vector<LabelledMarker> markers;  // in the order in which the user pointed; empty where it will not do
-  std::string refusal;                  // a sentence: what, where, what to do; empty where it will do
+  Message refusal;                      // a sentence: what, where, what to do; empty where it will do
 };
 
 /// Snaps every pointed position (px, left image) to its nearest corner, finds the right corners by the epipolar

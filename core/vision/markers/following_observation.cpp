@@ -115,25 +115,23 @@ const BodyHypothesis* rival_of(const BodyHypothesis& best, const Search& search)
   return nullptr;
 }
 
-std::string too_few_reason(const Search& search, std::size_t epipolar_pairs) {
+Message too_few_reason(const Search& search, std::size_t epipolar_pairs) {
   std::vector<char> seen(search.known.in_body.size(), 0);
   for (const MarkerNode& n : search.nodes) seen[static_cast<std::size_t>(n.marker)] = 1;
   const auto count = std::count(seen.begin(), seen.end(), 1);
   if (count == 0)
-    return fmt::format(
-        "none of the {} markers has a corner pair near where it must be ({} epipolar pairs in the images)",
-        known_count(search.known), epipolar_pairs);
+    return message("none of the {} markers has a corner pair near where it must be ({} epipolar pairs in the images)",
+                   known_count(search.known), epipolar_pairs);
   if (static_cast<std::size_t>(count) < search.needed)
-    return fmt::format(
-        "only {} of {} markers have a corner pair near where they must be ({} epipolar pairs in the images)", count,
-        known_count(search.known), epipolar_pairs);
+    return message("only {} of {} markers have a corner pair near where they must be ({} epipolar pairs in the images)",
+                   count, known_count(search.known), epipolar_pairs);
   if (search.gave_up())
-    return fmt::format(
+    return message(
         "too many corners look alike to tell the markers among them ({} epipolar pairs in the images): no "
         "assignment was found among those nearest to the prediction",
         epipolar_pairs);
-  return fmt::format("no {} corners near the prediction have the side lengths of the markers within 3 sigma",
-                     search.needed);
+  return message("no {} corners near the prediction have the side lengths of the markers within 3 sigma",
+                 search.needed);
 }
 
 /// A marker of which only one camera shows a corner: it joins where exactly one free corner is at its place.
@@ -179,7 +177,7 @@ Search searched(const std::vector<CornerPair>& pairs, const KnownMarkers& known,
 }
 
 /// Why nothing was found: the body may simply be farther off than the gate allows, which is worth saying.
-std::string refusal(const Search& search, const std::vector<CornerPair>& pairs) {
+Message refusal(const Search& search, const std::vector<CornerPair>& pairs) {
   if (search.prediction) {
     MatchOptions wide = search.options;
     wide.body_gate *= 5;
@@ -187,11 +185,11 @@ std::string refusal(const Search& search, const std::vector<CornerPair>& pairs) 
     const Search again = searched(pairs, search.known, search.prediction, wide);
     for (const BodyHypothesis& h : again.found) {
       if (h.body_offset > search.options.body_gate)
-        return fmt::format("the markers as a whole are {:.0f} mm from where they must be (limit {:.0f})",
-                           1e3 * h.body_offset, 1e3 * search.options.body_gate);
+        return message("the markers as a whole are {:.0f} mm from where they must be (limit {:.0f})",
+                       1e3 * h.body_offset, 1e3 * search.options.body_gate);
       if (h.body_turn > search.options.turn_gate)
-        return fmt::format("the markers as a whole are turned by {:.0f} deg from where they must be (limit {:.0f})",
-                           57.29578 * h.body_turn, 57.29578 * search.options.turn_gate);
+        return message("the markers as a whole are turned by {:.0f} deg from where they must be (limit {:.0f})",
+                       57.29578 * h.body_turn, 57.29578 * search.options.turn_gate);
     }
   }
   return too_few_reason(search, pairs.size());

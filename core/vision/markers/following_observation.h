@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "vision/markers/corner_pairs.h"
 #include "vision/markers/known_markers.h"
 
@@ -21,7 +22,7 @@ struct Match {
   std::vector<MatchedMarker> markers;  // by marker; empty where the match is refused
   Rigid sensor_from_body;              // fitted to the triangulated markers
   double body_offset = 0;              // m, of the markers' centroid from its prediction
-  std::string reason;                  // why it is refused; empty: accepted
+  Message reason;                      // why it is refused; empty: accepted
   bool accepted() const { return reason.empty(); }
 };
 

@@ -18,7 +18,7 @@ class DamagedBags : public testing::Test {
   /// How many messages are read, and what is lost.
   struct Reading {
     std::size_t messages = 0;
-    std::vector<std::string> lost;
+    std::vector<Message> lost;
   };
   Reading read(const std::string& name, const std::string& bytes) {
     fixture::write_file(folder_.path / name, bytes);

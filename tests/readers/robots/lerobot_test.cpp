@@ -20,7 +20,7 @@ const std::string calibration =
     " \"elbow\": {\"id\": 2, \"drive_mode\": 1, \"homing_offset\": 0, \"range_min\": 0, \"range_max\": 4096},"
     " \"gripper\": {\"id\": 6, \"drive_mode\": 0, \"homing_offset\": 0, \"range_min\": 2048, \"range_max\": 3072}}";
 
-std::vector<double> radians(const std::string& rows, bool degrees, std::vector<std::string>& notes) {
+std::vector<double> radians(const std::string& rows, bool degrees, std::vector<Message>& notes) {
   const auto servos = read_lerobot_calibration(parse_yaml(calibration, "arm.json"), "arm.json");
   Table table = *parse_table("shoulder_pan.pos,elbow.pos,gripper.pos\n" + rows, "joints.csv");
   set_radians(table, servos, degrees, notes);
@@ -30,7 +30,7 @@ std::vector<double> radians(const std::string& rows, bool degrees, std::vector<s
 
 TEST(Lerobot, PerCentDegreesAndStepsAreTheSameAngles) {
   constexpr double quarter = std::numbers::pi / 2;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   // Half a turn of range: 100 % is a quarter turn. The elbow counts the other way, a whole turn of range.
   const auto percent = radians("100,50,100\n-100,0,0\n", false, notes);
   EXPECT_NEAR(percent[0], quarter, 1e-12);
