@@ -29,10 +29,11 @@
 namespace handsight::test {
 namespace {
 
-/// Every text that the sources hand to tr or said, with the file that does.
+/// Every text that the sources hand to tr, said or translate, with the file that does.
 std::map<QString, std::string> texts_of_the_sources() {
   static const QRegularExpression call(
-      "\\b(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"workspaces\",\\s*)?((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
+      "\\b(?:(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"workspaces\",\\s*)?|translate\\(\\s*\"[A-Za-z:]+\",\\s*)"
+      "((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
   std::map<QString, std::string> texts;
   for (const char* folder : {"app", "widgets"})
     for (const auto& entry :
