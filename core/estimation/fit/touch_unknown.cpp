@@ -120,12 +120,12 @@ std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit)
     texts.push_back(
         message("Where {} stands is not determined by these touches; touch it more often, farther apart and with "
                 "the hand turned.",
-                fmt::join(names, ", ")));
+                joined(verbatim(names), ", ", " and ")));
   if (const auto names = hidden_zeros(session, fit); !names.empty())
     texts.push_back(message(
         "The zero of {} cannot be known from these touches: another one does what another place of the tip or of the "
         "fixtures does.",
-        fmt::join(names, ", ")));
+        joined(verbatim(names), ", ", " and ")));
   if (is_one_plane(session))
     texts.emplace_back(
         "One plane alone tells only what lifts the tip off it, and nothing along it; put the plate in two more places, "
