@@ -143,6 +143,7 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
 
 struct Tally {
   int worlds = 0, named = 0, named_alone = 0, wrong = 0;
+  int told_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
   std::vector<double> ratio, seconds;
 };
 
@@ -155,6 +156,51 @@ bool names(const Improvement& m, const World& w, int& wrong) {
     wrong += !is_it;
   }
   return right;
+}
+
+/// chi-squared of what a fit with these effects leaves.
+double left_with(const Session& s, const std::vector<EffectTerm>& terms) {
+  FitOptions options;
+  options.estimated = terms;
+  for (EffectTerm& t : options.estimated)
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!effect_of(t).parameters[p].is_choice) t.values[p] = 0;
+  const Fit f = fit(s, options);
+  return f.solution.normal.data_cost() / (noise_m * noise_m);
+}
+
+/// Of a world in which the hidden effect was not named: does the answer say so, and could the truth be known? Sure is
+/// who claims a wrong name above 95 % and does not list the right one. `likelier_truth`: a fit with the truth's effect
+/// leaves clearly less than one with what was named, number for number.
+void look_at_miss(const Session& s, const World& w, const Improvement& m, Tally& t) {
+  double claimed = 0, truth = 0;
+  bool is_listed = false;
+  for (const NameCertainty& n : m.certainty.names) {
+    const bool is_it = n.id == w.id;
+    if (n.is_in_model && !is_it) claimed = std::max(claimed, n.probability);
+    if (is_it) truth = n.probability;
+    is_listed = is_listed || is_it || std::count(n.cannot_be_told_from.begin(), n.cannot_be_told_from.end(), w.id) > 0;
+  }
+  std::vector<EffectTerm> named;
+  int numbers = 0;
+  for (const FittedEffect& e : m.last.model.fit.effects) {
+    named.push_back(e.term);
+    for (const EffectParameter& p : effect_of(e.term).parameters) numbers += !p.is_choice;
+  }
+  int of_truth = 0;
+  for (const EffectParameter& p : effect_of(w.hidden.front()).parameters) of_truth += !p.is_choice;
+  const double left_truth = left_with(s, w.hidden), left_named = left_with(s, named);
+  // ln of the odds by Schwarz's criterion, which knows nothing of plausible sizes.
+  const double rows = static_cast<double>(m.last.model.fit.rows);
+  const double ln_odds = 0.5 * (left_named - left_truth) - 0.5 * (of_truth - numbers) * std::log(rows);
+  const bool is_sure = claimed > 0.95 && !is_listed;
+  t.told_as_open += !is_sure;
+  t.sure_and_wrong += is_sure;
+  t.likelier_truth += ln_odds > std::log(20.0);
+  fmt::print(
+      "  not named: claimed {:.3f}, truth {:.3f}{}; chi-squared {:.1f} with the truth's {} numbers, {:.1f} with "
+      "the {} of what was named: ln odds of the truth {:.1f}\n",
+      claimed, truth, is_listed ? " (listed)" : "", left_truth, of_truth, left_named, numbers, ln_odds);
 }
 
 void run(const std::string& kind, std::uint64_t seed, Tally& t) {
@@ -184,6 +230,7 @@ void run(const std::string& kind, std::uint64_t seed, Tally& t) {
     told += fmt::format(" {}:{}", e.term.id, place_name(effect_of(e.term), e.term.joint, s.robot));
   fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id,
              w.place, is_named, told, any, 1e3 * of_all, 1e3 * of_one);
+  if (!is_named && !w.hidden.empty()) look_at_miss(s, w, together, t);
   std::fflush(stdout);
 }
 
@@ -204,8 +251,10 @@ int main(int argc, char** argv) {
     Tally t;
     for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
     fmt::print(
-        "{}: {} worlds, named together {}, by a session alone {}, wrong names {}, hand error together / best "
-        "alone {:.2f} (median), {:.1f} s a world\n",
-        kind, t.worlds, t.named, t.named_alone, t.wrong, middle(t.ratio), middle(t.seconds));
+        "{}: {} worlds, named together {}, by a session alone {}, wrong names {}; not named but told as open {}, sure "
+        "and wrong {}, the truth clearly likelier {}; hand error together / best alone {:.2f} (median), {:.1f} s a "
+        "world\n",
+        kind, t.worlds, t.named, t.named_alone, t.wrong, t.told_as_open, t.sure_and_wrong, t.likelier_truth,
+        middle(t.ratio), middle(t.seconds));
   }
 }
