@@ -21,6 +21,7 @@ constexpr std::size_t most_groups = 5, most_beside = 3;  // that are fitted in f
 constexpr int most_iterations = 8, most_iterations_wide = 3;
 constexpr double least_gain = 1e-4, least_gain_wide = 1e-1;  // of chi-squared, of one more iteration
 constexpr double change_scale = 3;  // plausible sizes that a change is held at while it is fitted
+constexpr double held = 1 / (change_scale * change_scale);
 constexpr double free_scale = 1e6;
 constexpr int learning_rounds = 3, learning_steps = 4;
 
@@ -29,6 +30,10 @@ Eigen::Index numbers_of(const ChangeUnit& unit) {
   for (const EffectTerm& t : unit.terms)
     for (const EffectParameter& p : effect_of(t).parameters) count += !p.is_choice;
   return count;
+}
+
+bool is_one_marker(const std::vector<ChangeUnit>& units) {
+  return std::count_if(units.begin(), units.end(), [](const ChangeUnit& u) { return u.group == "marker_slip"; }) == 1;
 }
 
 ScatteredNormal nothing(Eigen::Index columns) {
@@ -71,8 +76,7 @@ struct EvidenceAt {
 /// change_scale; the prior of each scale is counted in the evidence.
 EvidenceAt evidence_at(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& change, double squares_without,
                        double squares_with) {
-  constexpr double held = 1 / (change_scale * change_scale);
-  const double gained = squares_without - (squares_with - held * change.squaredNorm());
+  const double gained = squares_without - squares_with;
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(change.size(), change.size());
   return {change_evidence_at(covariance.ldlt().solve(one) - held * one, change, gained), gained};
 }
@@ -85,7 +89,7 @@ struct SeveralComparer::Fitted {
   SeveralState state;
   std::vector<ActiveChange> active;
   Eigen::MatrixXd information;
-  double squares = 0;
+  double squares = 0;  // what the changes are held at left out
 };
 
 SeveralComparer::SeveralComparer(SeveralSides sides) : sides_(std::move(sides)), state_(sides_.start) {
@@ -100,6 +104,7 @@ void SeveralComparer::list_units() {
   for (std::size_t k = 0; k < of_sides_.size(); ++k)
     for (std::size_t u = 0; u < of_sides_[k].size(); ++u) {
       const ChangeUnit& own = of_sides_[k][u];
+      if (own.group == "marker_slip" && is_one_marker(of_sides_[k])) continue;  // that is a slip of the body
       const EffectTerm& term = own.terms.front();
       const Owner owner = owner_of(effect_of(term));
       const auto [at, is_new] =
@@ -244,6 +249,7 @@ SeveralComparer::Fitted SeveralComparer::fitted(std::vector<ActiveChange> active
     }
     if (n.gradient.dot(step) < (sides_.is_wide ? least_gain_wide : least_gain)) break;
   }
+  for (const ActiveChange& a : r.active) r.squares -= held * a.change.squaredNorm();
   return r;
 }
 
