@@ -9312,6 +9312,10 @@
         <source>lies neither inside the folder of %1 nor beside it; write the collection into the folder that holds the sessions.</source>
         <translation>liegt weder im Ordner von %1 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
     </message>
+    <message>
+        <source>one of them is several sessions, which `handsight-cli compare COLLECTION` compares with each other</source>
+        <translation>eine davon besteht aus mehreren Sitzungen, die `handsight-cli compare SAMMLUNG` miteinander vergleicht</translation>
+    </message>
 </context>
 <context>
     <name>system</name>
