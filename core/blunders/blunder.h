@@ -21,6 +21,7 @@ struct Blunder {
   double rms_after = 0;   // ... once this one is put right, with those of `together_with`
   double ln_bayes_factor = 0;
   std::vector<std::string> together_with = {};  // ID:WHERE of those that have to be put right beside it
+  std::string session = {}, folder = {};        // of several sessions: the title of the one that has it, and its folder
 };
 
 /// "joint_sense:elbow"; the id alone where there is no place.

@@ -57,6 +57,14 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
   return units;
 }
 
+std::vector<std::string> units_of(const std::vector<EffectTerm>& terms, const Robot& robot) {
+  std::vector<std::string> units;
+  for (const EffectTerm& t : terms)
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!effect_of(t).parameters[p].is_choice) units.push_back(unit_at(effect_of(t), p, t.joint, robot));
+  return units;
+}
+
 double ln_prior_odds(const std::string& group) { return group == "joint_elasticity" ? std::log(0.1) : 0; }
 
 Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms, const Eigen::VectorXd& sigma,

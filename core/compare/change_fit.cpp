@@ -9,7 +9,6 @@
 #include "compare/change_evidence.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/evidence.h"
-#include "effects/units.h"
 
 namespace handsight {
 namespace {
@@ -234,15 +233,6 @@ class Comparer {
     f.sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(sizes_);
   }
 
-  std::vector<std::string> units_of(const std::vector<EffectTerm>& terms) const {
-    std::vector<std::string> units;
-    for (const EffectTerm& t : terms)
-      for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!effect_of(t).parameters[p].is_choice)
-          units.push_back(unit_at(effect_of(t), p, t.joint, after_.problem.source->chain.robot));
-    return units;
-  }
-
   std::vector<Change> grouped() const {
     std::map<std::string, std::vector<double>> factors;
     std::map<std::string, std::size_t> best;
@@ -258,7 +248,7 @@ class Comparer {
                {},
                found_[u].terms,
                found_[u].sigma,
-               units_of(found_[u].terms),
+               units_of(found_[u].terms, after_.problem.source->chain.robot),
                ln_mean_exp(factors[group]),
                found_[u].explained};
       if (!units_[u].where.empty()) c.where = {units_[u].where};

@@ -150,29 +150,35 @@ ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter) {
   return n;
 }
 
+Matrix6 scatter_of(const BodyErrors& left) {
+  const auto count = static_cast<double>(left.errors.size());
+  Matrix6 scatter = Matrix6::Zero();
+  for (std::size_t i = 0; i < left.errors.size(); ++i) {
+    const Vector6 motion = left.body_squares[i].completeOrthogonalDecomposition().solve(left.errors[i]);
+    scatter.diagonal() += motion.cwiseAbs2() / count;
+  }
+  for (int round = 0; round < 60; ++round) {
+    Matrix6 next = Matrix6::Zero();
+    for (std::size_t i = 0; i < left.errors.size(); ++i) {
+      const Matrix6 m = posterior(scatter, left.body_squares[i]);
+      const Vector6 motion = m * left.errors[i];
+      next += motion * motion.transpose() + m;
+    }
+    scatter = next / count;
+  }
+  return 0.5 * (scatter + scatter.transpose());
+}
+
 LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double parameters, double noise_degrees) {
-  std::vector<Vector6> errors;
-  Matrix6 start = Matrix6::Zero();
+  BodyErrors errors;
   for (const ChangeObservation& o : rows.observations) {
-    errors.push_back(o.body_by_error - o.body_by_columns * step);
-    const Vector6 motion = o.body_squares.completeOrthogonalDecomposition().solve(errors.back());
-    start.diagonal() += motion.cwiseAbs2() / static_cast<double>(rows.observations.size());
+    errors.errors.emplace_back(o.body_by_error - o.body_by_columns * step);
+    errors.body_squares.push_back(o.body_squares);
   }
   const double left = rows.squares - 2 * rows.gradient.dot(step) + step.dot(rows.information * step);
   LeftOver over;
   if (const auto test = noise_test(left, rows.rows - parameters, noise_degrees)) over.p = test->p;
-  if (over.p > 1e-3) return over;
-  Matrix6 scatter = start;
-  for (int round = 0; round < 60; ++round) {
-    Matrix6 next = Matrix6::Zero();
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-      const Matrix6 m = posterior(scatter, rows.observations[i].body_squares);
-      const Vector6 motion = m * errors[i];
-      next += motion * motion.transpose() + m;
-    }
-    scatter = next / static_cast<double>(errors.size());
-  }
-  over.scatter = 0.5 * (scatter + scatter.transpose());
+  if (over.p <= more_than_noise) over.scatter = scatter_of(errors);
   return over;
 }
 

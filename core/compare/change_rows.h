@@ -73,6 +73,18 @@ struct LeftOver {
                                       // zero where it is no more than noise (p > 1e-3)
 };
 
+/// Of what is left that is more than noise.
+inline constexpr double more_than_noise = 1e-3;
+
+/// What observations are off by, and how much each shows of a motion of the body.
+struct BodyErrors {
+  std::vector<Vector6> errors;        // B^T e
+  std::vector<Matrix6> body_squares;  // B^T B
+};
+
+/// LeftOver::scatter of these.
+Matrix6 scatter_of(const BodyErrors& left);
+
 /// `parameters`: how many the step was fitted with; `noise_degrees`: of freedom that the noise was estimated from, 0
 /// where it is declared.
 LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double parameters, double noise_degrees);

@@ -74,13 +74,12 @@ std::vector<Eigen::VectorXd> used_positions(const Session& s) {
   return all;
 }
 
-void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
-                  const Rigid& tcp_from_body, Comparison& c) {
-  if (poses.empty()) return;
+HandWay hand_way(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
+                 const std::vector<EffectTerm>& changes, const Rigid& tcp_from_body) {
   std::vector<EffectTerm> changed = effects;
-  if (c.verdict != ComparisonVerdict::unchanged)
-    changed.insert(changed.end(), c.changes.front().terms.begin(), c.changes.front().terms.end());
-  double sum = 0, largest = 0;
+  changed.insert(changed.end(), changes.begin(), changes.end());
+  HandWay all;
+  double sum = 0;
   for (const Eigen::VectorXd& pose : poses) {
     const Circumstances here = circumstances_at(chain, pose);
     const auto body = [&](const std::vector<EffectTerm>& terms) -> Vector3 {
@@ -90,10 +89,20 @@ void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses,
     };
     const double way = (body(changed) - body(effects)).norm();
     sum += way;
-    largest = std::max(largest, way);
+    all.largest = std::max(all.largest, way);
   }
-  c.hand_mean_m = sum / static_cast<double>(poses.size());
-  c.hand_max_m = largest;
+  if (!poses.empty()) all.mean = sum / static_cast<double>(poses.size());
+  return all;
+}
+
+void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
+                  const Rigid& tcp_from_body, Comparison& c) {
+  if (poses.empty()) return;
+  const bool is_changed = c.verdict != ComparisonVerdict::unchanged;
+  const HandWay way =
+      hand_way(chain, poses, effects, is_changed ? c.changes.front().terms : std::vector<EffectTerm>(), tcp_from_body);
+  c.hand_mean_m = way.mean;
+  c.hand_max_m = way.largest;
 }
 
 }  // namespace handsight

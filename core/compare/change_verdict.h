@@ -12,6 +12,13 @@ void judge(const ComparedSides& sides, Comparison& comparison);
 /// Where the used observations of a session stood.
 std::vector<Eigen::VectorXd> used_positions(const Session& session);
 
+/// How far changes move the body against the robot's root, over these poses (m).
+struct HandWay {
+  double mean = 0, largest = 0;
+};
+HandWay hand_way(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
+                 const std::vector<EffectTerm>& changes, const Rigid& tcp_from_body);
+
 /// How far the best change moves the body against the robot's root, over these poses.
 void measure_hand(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, const std::vector<EffectTerm>& effects,
                   const Rigid& tcp_from_body, Comparison& comparison);

@@ -16,6 +16,9 @@ void require_alike(const Session& a, const Session& b) {
     throw InputError(
         message("The two cannot be compared: {}; name two sessions of one robot, sensor and marker body.", what));
   };
+  for (const Session* s : {&a, &b})
+    if (!s->parts.empty() && !s->is_touch())
+      refuse_pair("one of them is several sessions, which `handsight-cli compare COLLECTION` compares with each other");
   if (a.is_tracker() != b.is_tracker()) refuse_pair("one has cameras, the other a tracker");
   if (a.rig && camera_names(*a.rig) != camera_names(*b.rig)) refuse_pair("their cameras have other names");
   if (a.marker_count != b.marker_count)

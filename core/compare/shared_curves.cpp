@@ -36,11 +36,11 @@ void set_waves(SharedCurve& curve, double low, double high, double usual) {
 
 }  // namespace
 
-std::vector<SharedCurve> shared_curves(const Problem& before, const Problem& after) {
+std::vector<SharedCurve> shared_curves(const std::vector<const Problem*>& problems) {
   std::vector<SharedCurve> curves;
-  for (std::size_t joint = 0; joint < after.source->chain.joints.size(); ++joint) {
+  for (std::size_t joint = 0; joint < problems.front()->source->chain.joints.size(); ++joint) {
     double low = INFINITY, high = -INFINITY;
-    for (const Problem* p : {&before, &after})
+    for (const Problem* p : problems)
       for (const ProblemObservation& o : p->observations) {
         low = std::min(low, reading(*p, o, joint));
         high = std::max(high, reading(*p, o, joint));

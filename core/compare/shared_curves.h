@@ -19,7 +19,7 @@ struct SharedCurve {
 };
 
 /// For every joint that the observations of these problems move by more than 0.2 rad (m), up to 5 waves a rad.
-std::vector<SharedCurve> shared_curves(const Problem& before, const Problem& after);
+std::vector<SharedCurve> shared_curves(const std::vector<const Problem*>& problems);
 
 Eigen::Index column_count(const std::vector<SharedCurve>& curves);
 

@@ -18,7 +18,8 @@ bool may_be_shared(const Effect& effect) {
                       [](const EffectParameter& p) { return p.is_choice; });
 }
 
-/// Everything of the catalogue, and of the session's own, that is not in the model yet.
+}  // namespace
+
 std::vector<EffectTerm> lacking_effects(const Problem& model) {
   std::vector<EffectTerm> terms;
   const auto offer = [&](const Effect& effect, const std::shared_ptr<const Effect>& own) {
@@ -38,17 +39,14 @@ Problem with_lacking(Problem problem, const std::vector<EffectTerm>& terms) {
   return std::move(candidates_of(problem, terms).problem);
 }
 
+namespace {
+
 Eigen::Index effects_first(const ComparedSides& sides) {
   const Problem& p = sides.after.problem;
   return sides.known ? 6 + p.effect_column() - p.mount_column() : p.effect_column();
 }
 
 double scale_at(const Eigen::VectorXd& scales, Eigen::Index i) { return scales.size() > i ? scales[i] : 1.0; }
-
-/// Places in the shared columns that have one size in common.
-struct SizeGroup {
-  std::vector<Eigen::Index> columns;  // into the scales
-};
 
 std::vector<SizeGroup> effect_groups(const ComparedSides& sides) {
   const Problem& p = sides.after.problem;
@@ -72,9 +70,10 @@ std::vector<SizeGroup> curve_groups(const std::vector<SharedCurve>& curves) {
   return all;
 }
 
-/// `values` and `variances` in plausible sizes, of the same columns as the scales.
-void learn(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
-           Eigen::VectorXd& scales) {
+}  // namespace
+
+void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
+                  Eigen::VectorXd& scales) {
   for (const SizeGroup& group : groups) {
     double squares = 1, settled = 1;  // as if one number of the plausible size had been seen
     for (const Eigen::Index c : group.columns) {
@@ -84,6 +83,8 @@ void learn(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, 
     for (const Eigen::Index c : group.columns) scales[c] = std::clamp(std::sqrt(squares / settled), 0.03, 30.0);
   }
 }
+
+namespace {
 
 /// Effects' numbers in units of their plausible sizes.
 Eigen::VectorXd in_sizes(const Problem& p, const Eigen::VectorXd& effects, Eigen::Index count) {
@@ -107,7 +108,7 @@ ComparedSides widened(const ComparedSides& sides, Width width) {
   values.head(wide.told_effects) = sides.start.effects.head(wide.told_effects);
   wide.start.effects = values;
   wide.effect_scales = Eigen::VectorXd::Ones(count);
-  if (width == Width::catalogue_and_curves) wide.curves = shared_curves(sides.before->problem, sides.after.problem);
+  if (width == Width::catalogue_and_curves) wide.curves = shared_curves({&sides.before->problem, &sides.after.problem});
   wide.curve_scales = Eigen::VectorXd::Ones(column_count(wide.curves));
   return wide;
 }
@@ -181,10 +182,10 @@ void learn_sizes(ComparedSides& sides, const SharedState& state, const Scattered
   const Eigen::Index first = effects_first(sides), effects = sides.after.problem.effect_count();
   const Eigen::VectorXd values =
       in_sizes(sides.after.problem, state.unknowns.effects, effects) + step.segment(first, effects);
-  learn(effect_groups(sides), values, variances.segment(first, effects), sides.effect_scales);
+  learn_scales(effect_groups(sides), values, variances.segment(first, effects), sides.effect_scales);
   const Eigen::Index curves = state.curves.size();
-  learn(curve_groups(sides.curves), state.curves + step.segment(first + effects, curves),
-        variances.segment(first + effects, curves), sides.curve_scales);
+  learn_scales(curve_groups(sides.curves), state.curves + step.segment(first + effects, curves),
+               variances.segment(first + effects, curves), sides.curve_scales);
 }
 
 double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information) {

@@ -40,6 +40,12 @@ enum class Width { told, catalogue, catalogue_and_curves };
 /// The same sides with everything of the catalogue in both that may be there, at 0, and smooth curves.
 ComparedSides widened(const ComparedSides& sides, Width width);
 
+/// Everything of the catalogue, and of the session's own, that sides may share and that is not in the model yet.
+std::vector<EffectTerm> lacking_effects(const Problem& model);
+
+/// The problem with these terms behind its own, and with what curves read.
+Problem with_lacking(Problem problem, const std::vector<EffectTerm>& terms);
+
 Eigen::Index shared_columns(const ComparedSides& sides);
 
 /// At the start, nothing moved.
@@ -56,6 +62,15 @@ void add_priors(const ComparedSides& sides, const SharedState& state, const Eige
 /// Sizes of what is lacking, one for each effect's parameter over all its places and one for each curve, made as large
 /// as the data have them (MacKay 1992), drawn to the plausible ones. `normal`: with priors, changes included.
 void learn_sizes(ComparedSides& sides, const SharedState& state, const ScatteredNormal& normal);
+
+/// Columns that have one size in common; places in the scales.
+struct SizeGroup {
+  std::vector<Eigen::Index> columns;
+};
+
+/// learn_sizes of these groups; values and variances in plausible sizes.
+void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
+                  Eigen::VectorXd& scales);
 
 /// How many parameters the data settle, of all columns.
 double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information);

@@ -12092,6 +12092,10 @@
         <source> (is this a xacro file? Make a URDF of it first)</source>
         <translation> (ist das eine xacro-Datei? Zuerst eine URDF daraus machen)</translation>
     </message>
+    <message>
+        <source>one of them is several sessions, which `handsight-cli compare COLLECTION` compares with each other</source>
+        <translation>eine davon besteht aus mehreren Sitzungen, die `handsight-cli compare SAMMLUNG` miteinander vergleicht</translation>
+    </message>
 </context>
 <context>
     <name>system</name>

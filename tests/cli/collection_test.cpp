@@ -91,6 +91,49 @@ TEST_F(CollectionCommands, OneCalibrationIsPredictedFromAndExported) {
   EXPECT_NE(none.errors.find("it has june, august"), std::string::npos) << none.errors;
 }
 
+TEST_F(CollectionCommands, AMistakeIsThatOfItsSession) {
+  // One joint of august counts the other way.
+  const std::string mistake = "joint_sense:" + joint(), wrong = (folder.path / "wrong").string();
+  ASSERT_EQ(run({"convert", (folder.path / "august").string(), "--fix", mistake, "--out", wrong}).exit_code, 0);
+  const std::string june = (folder.path / "june").string();
+  const CliResult fitted = run({"fit", june, wrong, "--json", "-"});
+  const Json blunders = fitted.json()["blunders"];
+  ASSERT_EQ(blunders.size(), 1U) << fitted.errors;
+  EXPECT_EQ(blunders[0]["id"], "joint_sense");
+  EXPECT_EQ(blunders[0]["where"], joint());
+  EXPECT_EQ(blunders[0]["session"], "wrong");
+  const CliResult told = run({"fit", june, wrong});
+  EXPECT_NE(told.output.find("Session wrong: A mistake explains it"), std::string::npos) << told.output;
+  EXPECT_NE(told.output.find("convert " + wrong + " --fix " + mistake), std::string::npos) << told.output;
+  EXPECT_EQ(run({"fit", folder.path.string(), "--json", "-"}).json()["blunders"], Json::array());
+}
+
+TEST_F(CollectionCommands, WhatHasChangedIsTold) {
+  const std::string changed = (folder.path / "changed").string(), june = (folder.path / "june").string();
+  const std::string august = (folder.path / "august").string();
+  ASSERT_EQ(
+      run({"simulate", "--like", (samples / "hidden_2").string(), "--out", changed, "--seed", "3", "--observations",
+           "50", "--effect", "joint_offset:" + joint() + ".offset=0.002", "--effect", "camera_mount:rx=0.004"})
+          .exit_code,
+      0);
+  const Json three = run({"compare", june, august, changed, "--json", "-"}).json();
+  EXPECT_EQ(three["verdict"], "changed") << three["reason"];
+  EXPECT_EQ(three["sessions"], Json({"june", "august", "changed"}));
+  const Json change = three["changes"][0];
+  EXPECT_EQ(change["id"], "camera_mount");
+  EXPECT_EQ(change["before"], Json({"june", "august"}));
+  EXPECT_EQ(change["after"], Json({"changed"}));
+  EXPECT_GT(change["probability"].get<double>(), 0.9);
+  EXPECT_NEAR(change["parameters"][3]["value"].get<double>(), 0.004,
+              4 * change["parameters"][3]["sigma"].get<double>());
+  EXPECT_GT(change["hand_mean_m"].get<double>(), -1e-12);
+  const Json two = run({"compare", folder.path.string(), "--json", "-"}).json();
+  EXPECT_EQ(two["verdict"], "unchanged") << two["reason"];
+  EXPECT_EQ(two["same_rig"], Json({Json::array({"june"}), Json::array({"august"})}));
+  EXPECT_EQ(run({"compare", june}).exit_code, 2);
+  EXPECT_EQ(run({"compare", june, august, folder.path.string()}).exit_code, 2);
+}
+
 TEST_F(CollectionCommands, OtherRobotsAreRefusedWithBothValues) {
   const auto urdf = folder.path / "august" / "seven_axis.urdf";
   std::string text = read_text(urdf);

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "json_values.h"
+#include "session/joined.h"
 #include "session/sample.h"
 
 namespace handsight::cli {
@@ -17,7 +20,27 @@ std::string size_text(bool in_pixels, double rms) {
 
 }  // namespace
 
+namespace {
+
+/// Of several sessions: each is looked at by itself, as fitted together one that is wrong spoils the others.
+std::vector<Blunder> blunders_of_parts(const Session& joined) {
+  std::vector<Blunder> all;
+  for (std::size_t p = 0; p < joined.parts.size(); ++p) {
+    if (joined.parts[p].fixture >= 0) continue;
+    const Session part = part_session(joined, static_cast<int>(p));
+    for (Blunder& b : blunders_of(part)) {
+      b.session = joined.parts[p].title;
+      b.folder = part.file.parent_path().string();
+      all.push_back(std::move(b));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
+  if (!session.parts.empty()) return session.is_touch() ? std::vector<Blunder>() : blunders_of_parts(session);
   if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
   if (!may_be_a_blunder(session, fit)) return {};
   Progress progress("looks for mistakes", 100);
@@ -79,14 +102,17 @@ Json target_size_json(const std::optional<TargetSize>& size) {
           {"fix", size->fix}};
 }
 
-void print_blunders(const Output& out, const std::string& session_path, const std::vector<Blunder>& blunders) {
-  if (blunders.empty()) return;
+namespace {
+
+/// Of one session.
+void print_blunders_of_one(const Output& out, const std::string& session_path, std::span<const Blunder> blunders) {
   out.line();
   const Blunder& first = blunders.front();
+  const std::string of = first.session.empty() ? "" : fmt::format("Session {}: ", first.session);
   if (!first.is_by_fit)
-    out.line("A mistake stands in the session:");
+    out.line(of.empty() ? "A mistake stands in the session:" : of + "A mistake stands in it:");
   else
-    out.line(fmt::format("{}, and with it {} is left in place of {}:",
+    out.line(fmt::format("{}{}, and with it {} is left in place of {}:", of,
                          blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
                          size_text(first.in_pixels, first.rms_after), size_text(first.in_pixels, first.rms_before)));
   std::string fixes;
@@ -96,6 +122,17 @@ void print_blunders(const Output& out, const std::string& session_path, const st
     fixes += " --fix " + name_of(b);
   }
   out.line(fmt::format("  Or: handsight-cli convert {}{} --out NEW", session_path, fixes));
+}
+
+}  // namespace
+
+void print_blunders(const Output& out, const std::string& session_path, const std::vector<Blunder>& blunders) {
+  for (std::size_t first = 0, end = 0; first < blunders.size(); first = end) {
+    while (end < blunders.size() && blunders[end].session == blunders[first].session) ++end;
+    const Blunder& b = blunders[first];
+    print_blunders_of_one(out, b.folder.empty() ? session_path : b.folder,
+                          std::span(blunders).subspan(first, end - first));
+  }
 }
 
 Json blunders_json(const std::vector<Blunder>& blunders) {
@@ -110,6 +147,7 @@ Json blunders_json(const std::vector<Blunder>& blunders) {
                     {"rms_after_" + unit, b.is_by_fit ? number(b.rms_after) : Json(nullptr)},
                     {"ln_bayes_factor", b.is_by_fit ? number(b.ln_bayes_factor) : Json(nullptr)},
                     {"together_with", b.together_with}});
+    if (!b.session.empty()) list.back()["session"] = b.session;
   }
   return list;
 }

@@ -172,6 +172,21 @@ class Movements {
     return by;
   }
 
+  /// Of the columns of the fit's problem, then of the numbers of these units.
+  Eigen::MatrixXd columns_by_open(const Chosen& others) const {
+    const Problem& p = fit_.problem;
+    Eigen::Index rows = p.columns();
+    for (const std::size_t u : others) rows += all_.units()[u].count;
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows, base_.cols());
+    by.topRows(p.effect_column() + all_.base()) = base_.topRows(p.effect_column() + all_.base());
+    for (Eigen::Index c = all_.base(); c < p.effect_count(); ++c)
+      set_number(c - all_.base(), by.row(p.effect_column() + c));
+    Eigen::Index row = p.columns();
+    for (const std::size_t u : others)
+      for (Eigen::Index i = 0; i < all_.units()[u].count; ++i) set_number(all_.units()[u].first + i, by.row(row++));
+    return by;
+  }
+
  private:
   template <class Row>
   void set_number(Eigen::Index number, Row&& row) const {
@@ -324,8 +339,11 @@ Certainty certainty(const Diagnosis& model, std::size_t first, const std::functi
     others.push_back(u);
     c.doubt.others.push_back(unit.term);
   }
-  const Eigen::MatrixXd by_open = Movements(model, all, units, score).by_open(others);
-  c.doubt.covariance = covariance_from(by_open * factor_of(Moments(all, units, score).of(weights, of_model)));
+  const Movements movements(model, all, units, score);
+  const Eigen::MatrixXd factor = factor_of(Moments(all, units, score).of(weights, of_model));
+  c.doubt.covariance = covariance_from(movements.by_open(others) * factor);
+  if (!model.model.session.parts.empty())
+    c.doubt.of_columns = covariance_from(movements.columns_by_open(others) * factor);
   return c;
 }
 

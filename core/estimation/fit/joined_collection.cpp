@@ -5,7 +5,7 @@
 
 namespace handsight {
 
-std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open) {
+std::vector<JoinedMember> opened_members(const Collection& collection, const OpenOne& open) {
   std::vector<JoinedMember> members;
   for (const CollectionEntry& entry : collection.entries) {
     JoinedMember& m = members.emplace_back();
@@ -15,6 +15,11 @@ std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne
     m.body = entry.body;
     m.own = entry.own;
   }
+  return members;
+}
+
+std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open) {
+  std::vector<JoinedMember> members = opened_members(collection, open);
   learn_noise(members);
   return members;
 }

@@ -11,8 +11,10 @@ namespace handsight {
 /// Opens one of the sessions by its path.
 using OpenOne = std::function<Session(const std::string& path)>;
 
-/// All sessions of a collection with what they share; each is opened by `open`. Where noise is not declared it is
-/// learned.
+/// All sessions of a collection with what they share; each is opened by `open`.
+std::vector<JoinedMember> opened_members(const Collection& collection, const OpenOne& open);
+
+/// The same; where noise is not declared it is learned.
 std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open);
 
 /// The same as one session.

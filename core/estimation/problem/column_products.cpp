@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "base/error.h"
 #include "base/threads.h"
@@ -28,6 +29,8 @@ struct Product {
   double* sum;
   Eigen::Index sum_stride;
 };
+
+using AddBlock = void (*)(const Product&);
 
 namespace in_quarters {
 #include "estimation/problem/column_tiles.inc"
@@ -63,8 +66,6 @@ void add(const Product& p) { add_tiles<2, 2>(p); }
 #pragma GCC pop_options
 #endif
 
-using AddBlock = void (*)(const Product&);
-
 AddBlock add_block_in(Registers registers) {
   if (registers == Registers::wide) return in_32_registers::add;
   return registers == Registers::half ? in_halves::add : in_quarters::add;
@@ -75,22 +76,69 @@ Registers widest() {
   return __builtin_cpu_supports("avx2") ? Registers::half : Registers::quarter;
 }
 #else
-auto add_block_in(Registers) { return in_quarters::add; }
+AddBlock add_block_in(Registers) { return in_quarters::add; }
 
 Registers widest() { return Registers::quarter; }
 #endif
 
+/// Columns of a block of rows that are not zero in it: what acts in one session of several, or from one moment on, is
+/// zero in the rows of the others.
+std::vector<Eigen::Index> columns_that_count(const Block& block, Eigen::Index columns) {
+  std::vector<Eigen::Index> counting;
+  for (Eigen::Index c = 0; c < columns; ++c) {
+    const double* const column = block.first + c * block.stride;
+    if (std::any_of(column, column + block.rows, [](double x) { return x != 0; })) counting.push_back(c);
+  }
+  return counting;
+}
+
+Eigen::MatrixXd gathered(const Block& block, const std::vector<Eigen::Index>& columns) {
+  Eigen::MatrixXd all(block.rows, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    std::copy_n(block.first + columns[c] * block.stride, block.rows, all.col(static_cast<Eigen::Index>(c)).data());
+  return all;
+}
+
+/// A block's products by the columns that count alone, where these are few enough to be worth it; false where not. The
+/// sums are the same bit by bit.
+bool add_without_zeros(const Product& p, AddBlock add_block) {
+  constexpr Eigen::Index fewest_columns = 16;
+  constexpr double worth_copying = 0.75;
+  if (std::min(p.a_columns, p.b_columns) < fewest_columns) return false;
+  const std::vector<Eigen::Index> of_a = columns_that_count(p.a, p.a_columns),
+                                  of_b = columns_that_count(p.b, p.b_columns);
+  const auto a_count = static_cast<Eigen::Index>(of_a.size()), b_count = static_cast<Eigen::Index>(of_b.size());
+  if (static_cast<double>(a_count * b_count) > worth_copying * static_cast<double>(p.a_columns * p.b_columns))
+    return false;
+  if (a_count == 0 || b_count == 0) return true;
+  const Eigen::MatrixXd a = gathered(p.a, of_a), b = gathered(p.b, of_b);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(a_count, b_count);
+  add_block({{a.data(), a.outerStride(), p.a.rows},
+             {b.data(), b.outerStride(), p.b.rows},
+             a_count,
+             b_count,
+             p.is_lower,
+             sum.data(),
+             sum.outerStride()});
+  for (Eigen::Index j = 0; j < b_count; ++j) {
+    double* const to = p.sum + of_b[static_cast<std::size_t>(j)] * p.sum_stride;
+    for (Eigen::Index i = p.is_lower ? j : 0; i < a_count; ++i) to[of_a[static_cast<std::size_t>(i)]] += sum(i, j);
+  }
+  return true;
+}
+
 void add_alone(const Columns& a, const Columns& b, bool is_lower, double* sum, Eigen::Index sum_stride) {
-  const auto add_block = add_block_in(registers_in_use());
+  const AddBlock add_block = add_block_in(registers_in_use());
   for (Eigen::Index r = 0; r < a.rows(); r += rows_at_once) {
     const Eigen::Index rows = std::min(rows_at_once, a.rows() - r);
-    add_block({{a.data() + r, a.outerStride(), rows},
-               {b.data() + r, b.outerStride(), rows},
-               a.cols(),
-               b.cols(),
-               is_lower,
-               sum,
-               sum_stride});
+    const Product product{{a.data() + r, a.outerStride(), rows},
+                          {b.data() + r, b.outerStride(), rows},
+                          a.cols(),
+                          b.cols(),
+                          is_lower,
+                          sum,
+                          sum_stride};
+    if (!add_without_zeros(product, add_block)) add_block(product);
   }
 }
 

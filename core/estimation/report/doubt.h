@@ -15,6 +15,9 @@ struct Doubt {
   /// Second moments about the model's answer of xi of TCP->Body (m, rad), of every number of the model's terms and of
   /// every number of `others`, in their units; beside the model's own covariance. Empty: no doubt.
   Eigen::MatrixXd covariance;
+  /// Of several sessions: the same of the columns of the fit's problem (markers, mounts, effects' free numbers), then
+  /// of the numbers of `others` that are no choices. Each session's own follows from it.
+  Eigen::MatrixXd of_columns;
 
   bool is_any() const { return covariance.size() > 0; }
 };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "base/utc_now.h"
+#include "chain/body_frame.h"
 #include "effects/term_numbers.h"
 #include "effects/units.h"
 #include "estimation/fit/part_fit.h"
@@ -120,14 +122,74 @@ void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const D
 
 namespace {
 
+/// The same effect at the same place, with the same choices?
+bool is_same(const EffectTerm& a, const EffectTerm& b) {
+  if (a.id != b.id || a.joint != b.joint || a.values.size() != b.values.size()) return false;
+  const Effect& effect = effect_of(a);
+  for (std::size_t p = 0; p < a.values.size(); ++p)
+    if (effect.parameters[p].is_choice && a.values[p] != b.values[p]) return false;
+  return true;
+}
+
+/// A fit whose effects have those that may be there as well beside them, and the doubt for its covariance.
+Fit with_others(const Fit& fit, const Doubt& doubt) {
+  Fit with = fit;
+  for (const EffectTerm& t : doubt.others) {
+    const Effect& effect = effect_of(t);
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!effect.parameters[p].is_choice)
+        with.problem.columns_of_effects.push_back({with.problem.terms.size(), p, effect.parameters[p].sigma});
+    with.problem.terms.push_back(t);
+  }
+  with.parameter_covariance = doubt.of_columns;
+  return with;
+}
+
+/// What the choice of the effects of all sessions leaves open of one of them, whose fit is `own`.
+Doubt doubt_of_part(const Session& joined, const Fit& with_others, int number, const Fit& own) {
+  const Fit found = fit_of_part(joined, with_others, number).fit;
+  const std::vector<EffectTerm> all = terms_of(found);
+  const std::vector<Eigen::Index> first = first_numbers(all, 6);
+  std::vector<Eigen::Index> places{0, 1, 2, 3, 4, 5};
+  const auto add = [&](std::size_t t) {
+    for (Eigen::Index n = first[t]; n < first[t + 1]; ++n) places.push_back(n);
+  };
+  std::vector<char> is_own(all.size(), 0);
+  for (const EffectTerm& t : terms_of(own)) {
+    const auto at = std::find_if(all.begin(), all.end(), [&](const EffectTerm& o) { return is_same(t, o); });
+    check(at != all.end(), "{} of a session is not among those of all", t.id);
+    const auto i = static_cast<std::size_t>(at - all.begin());
+    is_own[i] = 1;
+    add(i);
+  }
+  Doubt doubt;
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    if (is_own[t]) continue;
+    doubt.others.push_back(all[t]);
+    add(t);
+  }
+  // Turns that nothing shows are in the fit's own covariance.
+  const BodyFrame frame = body_frame(found.sides, estimate(found).markers_in_tcp);
+  const Eigen::Index markers = frame.motion_by_markers.cols();
+  Eigen::MatrixXd covariance = found.model_covariance;
+  covariance.topLeftCorner<6, 6>() = frame.motion_by_markers *
+                                     found.parameter_covariance.topLeftCorner(markers, markers) *
+                                     frame.motion_by_markers.transpose();
+  doubt.covariance = covariance(places, places);
+  return doubt;
+}
+
 /// Of a collection: each part by itself, the first one's beside.
 Calibration calibration_of_parts(const Session& joined, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software) {
+                                 const FitOptions& options, const std::string& software, const Doubt& doubt) {
+  const bool is_open = doubt.of_columns.size() > 0;
+  const Fit open = is_open ? with_others(fit, doubt) : Fit();
   std::vector<Calibration> sessions;
   const std::vector<PartReport> reports = part_reports(joined, fit, told);
   for (std::size_t p = 0; p < reports.size(); ++p) {
     const PartFit part = fit_of_part(joined, fit, static_cast<int>(p));
-    sessions.push_back(calibration_of(part.session, part.fit, report_of(reports[p]), options, software));
+    const Doubt own = is_open ? doubt_of_part(joined, open, static_cast<int>(p), part.fit) : Doubt();
+    sessions.push_back(calibration_of(part.session, part.fit, report_of(reports[p]), options, software, own));
   }
   Calibration all = sessions.front();
   all.session = joined.title;
@@ -147,7 +209,7 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
     c.positions = used_positions(session);
     return c;
   }
-  if (!session.parts.empty()) return calibration_of_parts(session, fit, told, options, software);
+  if (!session.parts.empty()) return calibration_of_parts(session, fit, told, options, software, doubt);
   Calibration c;
   c.session = session.title;
   c.created = utc_now();

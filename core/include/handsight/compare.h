@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What has changed between two sessions of one robot, or since a calibration: handsight::compare.
+/// What has changed between sessions of one robot, or since a calibration: handsight::compare.
 #pragma once
 
 #include "compare/comparison.h"
+#include "compare/several_comparison.h"
 #include "handsight/predict.h"
 
 namespace handsight {

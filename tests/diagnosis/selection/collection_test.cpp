@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/selection/improvement.h"
+#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
+#include "estimation/report/prediction.h"
 #include "fixtures/two_arms.h"
 
 namespace handsight {
@@ -50,6 +53,43 @@ TEST(ImproveCollection, ASlipIsThatOfItsSession) {
   slip.values = {2e-3, -1e-3, 1e-3, 1e-3, 0, 2e-3, 58};  // of the 80, of which august has the last 40
   const Improvement m = improve(joined(two_days({slip}), "days"));
   EXPECT_EQ(names_of(m), (std::vector<std::string>{"mount_slip august"}));
+}
+
+/// What the choice of the effects leaves open stands in the calibration of each session.
+TEST(ImproveCollection, EachSessionHasTheDoubtOfAll) {
+  const Session like = fixture::hand_session('l');
+  EffectTerm scale = term_of(*find_effect("joint_scale"), find_joint(like.robot, "l3"));
+  scale.values[0] = 4e-4;
+  std::vector<JoinedMember> members = fixture::two_days(like, simulation(32), {scale}, {scale});
+  members[1].body = "glued anew";
+  const Session s = joined(members, "days");
+  const Improvement m = improve(s);
+  const Doubt& doubt = m.certainty.doubt;
+  const Fit& fit = m.last.model.fit;
+  ASSERT_TRUE(doubt.is_any());
+  ASSERT_FALSE(doubt.others.empty());
+  const FitReport told = report(m.last.model.session, fit, m.last.model_options);
+  const Calibration all = calibration_of(m.last.model.session, fit, told, m.last.model_options, "test", doubt);
+  ASSERT_EQ(all.sessions.size(), 2u);
+  for (const Calibration& c : all.sessions) {
+    ASSERT_TRUE(c.doubt) << c.session;
+    EXPECT_TRUE(c.doubt->covariance.allFinite());
+    EXPECT_GE(c.doubt->covariance.diagonal().minCoeff(), 0);
+    EXPECT_GT(c.doubt->covariance.diagonal().head(3).maxCoeff(), 0) << "of where the body is on the hand";
+  }
+  // The doubt of all is told about the body of the first session.
+  const Matrix6 first = all.sessions[0].doubt->covariance.topLeftCorner(6, 6);
+  const Matrix6 of_all = doubt.covariance.topLeftCorner(6, 6);
+  EXPECT_LT((first - of_all).cwiseAbs().maxCoeff(), 1e-9 * of_all.cwiseAbs().maxCoeff());
+  const Calibration alone = calibration_of(m.last.model.session, fit, told, m.last.model_options, "test");
+  EXPECT_FALSE(alone.sessions[0].doubt);
+  // Predictions count with it.
+  const Chain chain = chain_of(members[1].session);
+  const Eigen::VectorXd pose = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.5);
+  const auto variance = [&](const Calibration& c) {
+    return predict_tcp(chain, pose, prediction_model(c, s.robot)).covariance.diagonal().head<3>().sum();
+  };
+  EXPECT_GT(variance(all.sessions[1]), variance(alone.sessions[1]));
 }
 
 }  // namespace

@@ -65,6 +65,22 @@ TEST_P(ColumnProducts, AreAddedToTheLowerTriangleOfAPartOfAMatrix) {
   EXPECT_TRUE((sum.leftCols(4).array() == before.leftCols(4).array()).all());
 }
 
+/// What is zero in many rows is left out there, and every sum stays what it is alone.
+TEST(ColumnProductsOfParts, AreTheSameBitByBitWithoutTheZeros) {
+  constexpr Eigen::Index rows = 2500, columns = 60, parts = 5;
+  Eigen::MatrixXd a = random_matrix(rows, columns, 7), b = random_matrix(rows, columns, 8);
+  for (Eigen::Index c = 10; c < columns; ++c)
+    for (Eigen::Index r = 0; r < rows; ++r)
+      if (r * parts / rows != c % parts) a(r, c) = b(r, (c + 3) % columns) = 0;
+  const Eigen::MatrixXd product = column_products(a, b), squares = column_products(a);
+  for (Eigen::Index i = 0; i < columns; ++i)
+    for (Eigen::Index j = 0; j < columns; ++j) {
+      EXPECT_EQ(product(i, j), column_products(a.col(i), b.col(j))(0, 0)) << i << " " << j;
+      EXPECT_EQ(squares(i, j), column_products(a.col(i), a.col(j))(0, 0)) << i << " " << j;
+    }
+  EXPECT_TRUE(column_products(Eigen::MatrixXd::Zero(100, 40)).isZero(0));
+}
+
 INSTANTIATE_TEST_SUITE_P(OfManySizes, ColumnProducts,
                          testing::Values(Product{0, 3, 2}, Product{1, 1, 1}, Product{7, 5, 3}, Product{8, 4, 4},
                                          Product{9, 9, 6}, Product{130, 7, 13}, Product{512, 6, 5},
