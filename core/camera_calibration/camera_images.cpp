@@ -232,7 +232,9 @@ void note(GroupedImages& result, int others) {
           fmt::format("camera {} has no image of {} of the {} moments", camera.name, missing, result.frames.size()));
   }
   if (others > 0)
-    result.notes.push_back(fmt::format("{} files are no images by their names and were left out", others));
+    result.notes.push_back(others == 1
+                               ? std::string("one file is no image by its name and was left out")
+                               : fmt::format("{} files are no images by their names and were left out", others));
 }
 
 /// Folders in the one that was named: each with images is a camera's; else those in them ("cam0/data").

@@ -110,7 +110,10 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
       declared ? fmt::format("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
-               : std::string("The noise is not declared; it is estimated where three markers are seen."));
+      : session.pose_sensor
+          ? std::string("The noise is not declared; the fit can only say how far the poses are apart.")
+      : session.target ? std::string("The noise is not declared; it is estimated from the target's points.")
+                       : std::string("The noise is not declared; it is estimated where three markers are seen."));
 }
 
 void check_images(const Session& session, SessionCheck& check) {
