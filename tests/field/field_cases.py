@@ -30,7 +30,7 @@ from field_scene import (ANGLES, BOARD, CAMERA, CAMERAS, COUNT, FLANGES, HEIGHT,
 
 CLI = os.path.abspath(sys.argv[1])
 NOISE = np.random.default_rng(37)
-EYE = np.eye(4)
+DICTIONARY = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_5X5_100)
 COLUMNS, ROWS, SQUARE = 7, 5, 0.02  # of the printed chessboard
 CHESSBOARD = "chessboard columns=7 rows=5 square=0.02"
 
@@ -53,6 +53,7 @@ def euler(pose, sequence):
 
 
 # What is to come of a case.
+
 def right(name, truth, away=3e-4, turn=0.05):
     """`fit` gives this pose, within m and degrees."""
     def judge(made):
@@ -205,7 +206,7 @@ def square_in_millimetres():
 
 def rows_for_columns():
     """ChArUco of 5 x 7 squares for one of 7 x 5."""
-    drawn = cv2.aruco.CharucoBoard_create(7, 5, 0.026, 0.019, cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_5X5_100)).draw((1400, 1000))
+    drawn = cv2.aruco.CharucoBoard_create(7, 5, 0.026, 0.019, DICTIONARY).draw((1400, 1000))
     return ([photographs(drawn, 7 * 0.026, numbers=range(8)), camera_file(), quaternions("flange.csv", FLANGES[:8]), "--target",
              "charuco columns=5 rows=7 square=0.026 marker=0.019 dictionary=DICT_5X5_100"], told("columns", "7"))
 
@@ -225,6 +226,13 @@ def images_that_are_missing():
             both(FIRST, told("5 ", "image")))
 
 
+def circles_transposed():
+    """A grid of 4 x 9 circles described as 9 x 4."""
+    arguments = circles("asymmetric", 4, 9, 0.018, 0.014)
+    arguments[-1] = arguments[-1].replace("columns=4 rows=9", "columns=9 rows=4")
+    return arguments, told("columns", "4", "rows", "9")
+
+
 def images_that_are_missing_unnamed():
     """The same without names: nobody knows which row is whose."""
     numbers = [i for i in range(COUNT) if i not in (2, 3, 9, 10, 16)]
@@ -233,11 +241,20 @@ def images_that_are_missing_unnamed():
 
 
 def old_charuco():
-    """As OpenCV before 4.6 drew it (Debian's draws so): an even number of rows begins otherwise since."""
-    drawn = cv2.aruco.CharucoBoard_create(7, 6, 0.024, 0.018, cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_5X5_100)).draw((1400, 1200))
-    return ([photographs(drawn, 7 * 0.024, numbers=range(8)), camera_file(), quaternions("flange.csv", FLANGES[:8]), "--target",
-             "charuco columns=7 rows=6 square=0.024 marker=0.018 dictionary=DICT_5X5_100"],
-            lambda made: told("old")(made) if not FIRST(made)[0] else FIRST(made))
+    """As OpenCV before 4.6 drew it: of an even number of rows the first square is white."""
+    columns, rows, cell, edge = 7, 6, 200, 25
+    drawn = np.full((rows * cell, columns * cell), 255, np.uint8)
+    number = 0
+    for row in range(rows):
+        for column in range(columns):
+            square = drawn[row * cell:(row + 1) * cell, column * cell:(column + 1) * cell]
+            if (row + column) % 2:
+                square[:] = 0
+                continue
+            square[edge:-edge, edge:-edge] = cv2.aruco.drawMarker(DICTIONARY, number, cell - 2 * edge)
+            number += 1
+    return ([photographs(drawn, columns * 0.024, numbers=range(8)), camera_file(), quaternions("flange.csv", FLANGES[:8]), "--target",
+             "charuco columns=7 rows=6 square=0.024 marker=0.018 dictionary=DICT_5X5_100"], told("layout", "old"))
 
 
 def single_tags(size):
@@ -389,12 +406,10 @@ def two_hands_chosen():
 def sides_exchanged():
     """A stereo pair on a stand before a board in the hand: the folders have each other's images."""
     write("robot.urdf", urdf(JOINTS))
-    drawn = cv2.aruco.CharucoBoard_create(7, 5, 0.026, 0.019, cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_5X5_100)).draw((1400, 1000))
+    drawn = cv2.aruco.CharucoBoard_create(7, 5, 0.026, 0.019, DICTIONARY).draw((1400, 1000))
     second = motion((0, 0, 0), (-0.08, 0, 0))  # right_from_left
     grip = motion((0.1, 0.05, 0.4), (-0.05, -0.04, 0.06))
     middle = grip @ np.array([0.09, 0.065, 0, 1])
-    stand = hand(ANGLES[0])
-    stand = np.eye(4)
     kept = []
     at = hand(np.array([0.0, 0.3, -0.5, 0.1, 0.4, 0.0])) @ grip
     stand = at @ motion((math.pi, 0, 0), (0.09, 0.065, 0.45)) @ motion((0.1, -0.05, 0.2), (0, 0, 0))
@@ -421,7 +436,7 @@ def sides_exchanged():
 
 CASES = [kuka_points, abb_module, fanuc_program, fanuc_german_table, staubli_latin, doosan, techman, ur_script, ur_images,
          square_in_millimetres, rows_for_columns, chessboard_transposed, images_that_are_missing, images_that_are_missing_unnamed,
-         old_charuco, tags, tags_larger_than_said, circles_asymmetric, circles_symmetric, portrait, camera_upside_down,
+         old_charuco, tags, tags_larger_than_said, circles_asymmetric, circles_symmetric, circles_transposed, portrait, camera_upside_down,
          inverse_flange_on_a_stand, clocks_apart, poses_twice, tracker_with_y_up, tracker_axes_exchanged, degrees_without_header,
          four_degrees_off, one_counts_backwards, two_exchanged, two_hands_in_one_table, two_hands_chosen, sides_exchanged]
 
