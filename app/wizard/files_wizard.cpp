@@ -34,7 +34,7 @@
 namespace handsight::app {
 namespace {
 
-enum Shown { markers, chessboard, charuco, aprilgrid, tags };
+enum Shown { markers, chessboard, charuco, aprilgrid, tags, circles };
 
 QString shown_name(const std::filesystem::path& path) {
   return QString::fromStdString((path.filename().empty() ? path.parent_path() : path).filename().string());
@@ -219,7 +219,10 @@ void FilesWizard::show_questions() {
   target_->setVisible(images && shown_->currentIndex() != markers);
   const TargetKind kinds[] = {TargetKind::charuco, TargetKind::chessboard, TargetKind::charuco, TargetKind::aprilgrid,
                               TargetKind::tags};
-  if (images && shown_->currentIndex() != markers) target_->ask(kinds[shown_->currentIndex()], false);
+  if (images && shown_->currentIndex() == circles)
+    target_->ask_circles();
+  else if (images && shown_->currentIndex() != markers)
+    target_->ask(kinds[shown_->currentIndex()], false);
   refresh();
 }
 

@@ -140,7 +140,7 @@ void FilesWizard::add_questions() {
   mount_ = add("files_mount", new QComboBox, tr("Link that carries the sensor"));
   shown_ = add("files_shown", new QComboBox, tr("What the images show"));
   shown_->addItems({tr("Markers without numbers (two cameras)"), tr("Chessboard"), tr("ChArUco board"), tr("AprilGrid"),
-                    tr("Tags")});
+                    tr("Tags"), tr("Grid of circles")});
   markers_ = add("files_markers", new QSpinBox, tr("Markers"));
   markers_->setRange(1, 64);
   markers_->setValue(3);

@@ -46,7 +46,7 @@ class SessionWizard : public QDialog {
   enum class Choice { folder, file, files };
   enum CameraPlace { on_stand, on_link, on_hand, by_touch };
   enum TargetPlace { with_hand, on_table };
-  enum Known { markers, chessboard, charuco, aprilgrid, tags, printed, poses };
+  enum Known { markers, chessboard, charuco, aprilgrid, tags, printed, poses, circles };
 
   QWidget* make_questions();
   QWidget* make_scene();

@@ -43,7 +43,8 @@ QWidget* SessionWizard::make_questions() {
        {"known_aprilgrid", tr("AprilGrid"), tr("A grid of AprilTags, as Kalibr prints it.")},
        {"known_tags", tr("Tags"), tr("ArUco or AprilTags, each where you put it.")},
        {"known_printed", tr("Printed from here"), tr("A good board for a start, as a PDF to print.")},
-       {"known_poses", tr("Poses from another program"), tr("A table of where the target is, in place of images.")}},
+       {"known_poses", tr("Poses from another program"), tr("A table of where the target is, in place of images.")},
+       {"known_circles", tr("Grid of circles"), tr("Found by itself where the whole grid is in sight.")}},
       4);
   column->addWidget(heading(tr("Where is the camera?")));
   column->addWidget(camera_place_);
@@ -138,8 +139,10 @@ void SessionWizard::ask_known() {
   const bool is_board = what != markers && what != poses;
   const TargetKind kinds[] = {TargetKind::charuco, TargetKind::chessboard, TargetKind::charuco, TargetKind::aprilgrid,
                               TargetKind::tags,    TargetKind::charuco,    TargetKind::charuco};
+  const bool are_circles = what == circles;
   form_->setVisible(is_board);
-  if (is_board) form_->ask(kinds[what], what == printed);
+  if (are_circles) form_->ask_circles();
+  if (is_board && !are_circles) form_->ask(kinds[what], what == printed);
   left_.caption->setText(is_board ? tr("Images") : tr("Left images"));
   right_.caption->setText(is_board ? tr("Second camera") : tr("Right images"));
   right_.path->setPlaceholderText(is_board ? tr("folder; if there is one") : tr("folder; may be the same"));

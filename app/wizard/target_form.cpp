@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
+#include "print/circle_grid.h"
 #include "print/dictionary.h"
 #include "print/target_xml.h"
 #include "targets/sheet.h"
@@ -55,7 +56,9 @@ TargetForm::TargetForm(QWidget* parent) : QWidget(parent) {
   columns_ = count_box("target_columns", 8);
   rows_count_ = count_box("target_rows", 11);
   numbers_hint_ = new QLabel(this);
-  auto* counts = new QHBoxLayout;
+  counts_ = new QWidget;
+  auto* counts = new QHBoxLayout(counts_);
+  counts->setContentsMargins(0, 0, 0, 0);
   counts->addWidget(columns_);
   counts->addWidget(new QLabel("×"));
   counts->addWidget(rows_count_);
@@ -71,6 +74,11 @@ TargetForm::TargetForm(QWidget* parent) : QWidget(parent) {
   dictionary_->setObjectName("target_dictionary");
   dictionary_->setFocusPolicy(Qt::StrongFocus);
   for (const std::string& name : dictionary_names()) dictionary_->addItem(QString::fromStdString(name));
+  layout_ = new QComboBox;
+  layout_->setObjectName("target_layout");
+  layout_->setFocusPolicy(Qt::StrongFocus);
+  layout_->addItem(tr("in columns (symmetric)"), "symmetric");
+  layout_->addItem(tr("every second row half a step aside (asymmetric)"), "asymmetric");
   ids_ = new QLineEdit("0 1 2");
   ids_->setObjectName("target_ids");
   said_ = new QLabel(this);
@@ -80,19 +88,20 @@ TargetForm::TargetForm(QWidget* parent) : QWidget(parent) {
   sheet_ = new QPushButton(tr("Save a sheet to print…"));
   sheet_->setObjectName("target_sheet");
   sheet_->setAutoDefault(false);
-  rows_->addRow(tr("Size"), counts);
+  rows_->addRow(tr("Size"), counts_);
   rows_->addRow(tr("Side of a square"), square_);
   rows_->addRow(tr("Side of a tag"), tag_);
   rows_->addRow(tr("Gap between tags / side"), spacing_);
   rows_->addRow(tr("Dictionary"), dictionary_);
   rows_->addRow(tr("Numbers of the tags"), ids_);
+  rows_->addRow(tr("The circles stand"), layout_);
   rows_->addRow(said_);
   rows_->addRow(sheet_);
   rows_->setAlignment(sheet_, Qt::AlignLeft);
   for (QSpinBox* box : {columns_, rows_count_}) connect(box, &QSpinBox::valueChanged, this, &TargetForm::read);
   for (QDoubleSpinBox* box : {square_, tag_, spacing_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &TargetForm::read);
-  connect(dictionary_, &QComboBox::currentIndexChanged, this, &TargetForm::read);
+  for (QComboBox* box : {dictionary_, layout_}) connect(box, &QComboBox::currentIndexChanged, this, &TargetForm::read);
   connect(ids_, &QLineEdit::textChanged, this, &TargetForm::read);
   connect(sheet_, &QPushButton::clicked, this, &TargetForm::choose_sheet);
   ask(TargetKind::charuco, false);
@@ -101,6 +110,7 @@ TargetForm::TargetForm(QWidget* parent) : QWidget(parent) {
 void TargetForm::ask(TargetKind kind, bool printed) {
   kind_ = kind;
   is_printed_ = printed;
+  are_circles_ = false;
   struct Usual {
     int columns, rows;
     double square, tag;
@@ -121,23 +131,59 @@ void TargetForm::ask(TargetKind kind, bool printed) {
   numbers_hint_->setText(kind == TargetKind::chessboard  ? tr("inner corners")
                          : kind == TargetKind::aprilgrid ? tr("tags")
                                                          : tr("squares"));
-  const bool is_tags = kind == TargetKind::tags, is_chessboard = kind == TargetKind::chessboard;
-  const auto show = [&](int row, bool visible) {
-    for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole}) {
-      QLayoutItem* item = rows_->itemAt(row, role);
-      if (!item) continue;
-      if (item->widget()) item->widget()->setVisible(visible);
-      for (int i = 0; item->layout() && i < item->layout()->count(); ++i)
-        item->layout()->itemAt(i)->widget()->setVisible(visible);
-    }
-  };
-  show(0, !printed && !is_tags);
-  show(1, !printed && (is_chessboard || kind == TargetKind::charuco));
-  show(2, !printed && !is_chessboard);
-  show(3, !printed && kind == TargetKind::aprilgrid);
-  show(4, !printed && !is_chessboard);
-  show(5, !printed && is_tags);
+  show_rows(printed);
   read();
+}
+
+void TargetForm::ask_circles() {
+  kind_ = TargetKind::chessboard;
+  is_printed_ = false;
+  are_circles_ = true;
+  {
+    const QSignalBlocker a(columns_), b(rows_count_), c(square_), d(tag_), e(layout_);
+    columns_->setValue(4);
+    rows_count_->setValue(11);
+    square_->setValue(20);
+    tag_->setValue(15);
+    layout_->setCurrentIndex(layout_->findData("asymmetric"));
+  }
+  numbers_hint_->setText(tr("circles"));
+  show_rows(false);
+  read();
+}
+
+void TargetForm::show_row(QWidget* field, bool visible) {
+  field->setVisible(visible);
+  if (QWidget* label = rows_->labelForField(field)) label->setVisible(visible);
+}
+
+void TargetForm::show_rows(bool printed) {
+  const bool is_tags = kind_ == TargetKind::tags, is_chessboard = kind_ == TargetKind::chessboard && !are_circles_;
+  const auto name = [&](QWidget* field, const QString& text) {
+    if (auto* label = qobject_cast<QLabel*>(rows_->labelForField(field))) label->setText(text);
+  };
+  name(square_, are_circles_ ? tr("Distance of two circles") : tr("Side of a square"));
+  name(tag_, are_circles_ ? tr("Diameter of a circle") : tr("Side of a tag"));
+  square_->setToolTip(are_circles_
+                          ? tr("OpenCV's unit: in an asymmetric grid from a row to the next one, half the step "
+                               "along a row")
+                          : QString());
+  show_row(counts_, !printed && !is_tags);
+  show_row(square_, !printed && (is_chessboard || are_circles_ || kind_ == TargetKind::charuco));
+  show_row(tag_, !printed && !is_chessboard);
+  show_row(spacing_, !printed && kind_ == TargetKind::aprilgrid);
+  show_row(dictionary_, !printed && !is_chessboard && !are_circles_);
+  show_row(ids_, !printed && is_tags);
+  show_row(layout_, are_circles_);
+}
+
+TargetForm::Words TargetForm::circle_words() const {
+  return {{"kind", std::string(circles_kind)},
+          {"columns", std::to_string(columns_->value())},
+          {"rows", std::to_string(rows_count_->value())},
+          {"spacing", metres(square_)},
+          {"diameter", metres(tag_)},
+          {"layout", layout_->currentData().toString().toStdString()}};
 }
 
 TargetForm::Words TargetForm::words() const {
@@ -164,11 +210,15 @@ void TargetForm::read() {
   QString sentence;
   target_.reset();
   try {
-    target_ = target_from_words(words(), "The target");
+    target_ = target_from_words(are_circles_ ? circle_words() : words(), "The target");
     sentence = translated(description_of(*target_)) + ".";
     if (is_printed_) sentence += " " + tr("Print it at 100 %, check its ruler, and glue it to something flat.");
     if (looks_the_same_turned(*target_))
-      sentence += " " + tr("It looks the same after half a turn: one column more or less tells its ends apart.");
+      sentence +=
+          " " + (are_circles_ ? tr("It looks the same after half a turn: an asymmetric grid of an odd number of "
+                                   "rows has two ends that can be told apart.")
+                              : tr("It looks the same after half a turn: one column more or less tells its "
+                                   "ends apart."));
   } catch (const InputError& error) {
     sentence = QString::fromUtf8("✗ ") + translated_error(error);
   }

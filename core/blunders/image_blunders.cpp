@@ -200,10 +200,40 @@ BlunderKind length_unit(bool of_images) {
   return k;
 }
 
+/// A frame with its axes exchanged or one of them turned round is left-handed; which one it was, the place of the
+/// tracker takes up.
+BlunderKind points_mirrored() {
+  BlunderKind k;
+  k.id = "points_mirrored";
+  k.places = [](const Session& s) {
+    const bool is_of_tracker = !s.rig && !s.pose_sensor && !s.is_touch() && s.mount.estimate;
+    return is_of_tracker ? std::vector<std::string>{""} : std::vector<std::string>{};
+  };
+  k.mend = [](const std::string&, Session& s) {
+    if (s.rig || s.pose_sensor) throw InputError("points_mirrored: the session has no points of a tracker.");
+    for (Observation& o : s.observations)
+      for (Sighting& seen : o.sightings)
+        if (seen.point) std::swap(seen.point->y(), seen.point->z());
+  };
+  k.text = [](const std::string&, const Session&) {
+    return std::string(
+        "The tracker's points are mirrored: two of its axes are exchanged, or one counts the other way, so that its "
+        "frame is left-handed.");
+  };
+  k.fix = [](const std::string&, const Session& s) {
+    return fmt::format(
+        "Exchange two coordinates of every point in {} (two columns of the table that it was made of), or export again "
+        "with right-handed axes.",
+        session_name(s));
+  };
+  return k;
+}
+
 }  // namespace
 
 std::vector<BlunderKind> image_blunders() {
-  return {length_unit(true), length_unit(false), sides_swapped(), board_transposed(), marker_order()};
+  return {length_unit(true), length_unit(false), points_mirrored(),
+          sides_swapped(),   board_transposed(), marker_order()};
 }
 
 }  // namespace handsight

@@ -80,6 +80,11 @@ BlunderKind pose_inverted() {
     show_again(s);
   };
   k.text = [](const std::string& where, const Session& s) {
+    if (where == "target" && !s.robot.is_of_poses && s.mount.estimate)
+      return fmt::format(
+          "The target's poses are inverted: they say where the sensor is in the target's frame, where the target in "
+          "the sensor's is expected; or the sensor is on {} and the target on {}, which is the same to these numbers.",
+          s.tcp, s.mount.link);
     if (where == "target")
       return Message(
           "The target's poses are inverted: they say where the sensor is in the target's frame, where the "
@@ -89,6 +94,11 @@ BlunderKind pose_inverted() {
                                    : ", or the flange carries the sensor and the target stands beside the robot");
   };
   k.fix = [](const std::string& where, const Session& s) {
+    if (where == "target" && !s.robot.is_of_poses && s.mount.estimate)
+      return fmt::format(
+          "Invert each <target_pose> in {} (each pose in the table of the target that it was made of), or convert with "
+          "--mount {} --tcp {}.",
+          session_name(s), s.tcp, s.mount.link);
     if (where == "target")
       return message("Invert each <target_pose> in {} (each pose in the table of the target that it was made of).",
                      session_name(s));

@@ -230,7 +230,9 @@ void note(GroupedImages& result, int others) {
       result.notes.push_back(
           message("camera {} has no image of {} of the {} moments", camera.name, missing, result.frames.size()));
   }
-  if (others > 0) result.notes.push_back(message("{} files are no images by their names and were left out", others));
+  if (others > 0)
+    result.notes.push_back(others == 1 ? Message("one file is no image by its name and was left out")
+                                       : message("{} files are no images by their names and were left out", others));
 }
 
 /// Folders in the one that was named: each with images is a camera's; else those in them ("cam0/data").

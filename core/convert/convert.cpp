@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/convert_ways.h"
+#include "convert/opened_folders.h"
 #include "estimation/report/session_doubts.h"
 #include "readers/bags/bag.h"
 #include "readers/robots/robot_file.h"
@@ -54,7 +55,12 @@ void choose_target(Brought& b, const std::string& name) {
 
 std::string names_of(const std::vector<NamedPoses>& poses) {
   std::string names;
-  for (const NamedPoses& p : poses) names += (names.empty() ? "" : ", ") + (p.role.empty() ? p.file : p.role);
+  const bool of_files =
+      std::any_of(poses.begin(), poses.end(), [&](const NamedPoses& p) { return p.file != poses.front().file; });
+  for (const NamedPoses& p : poses)
+    names += (names.empty() ? "" : ", ") + (p.role.empty() ? p.file
+                                            : of_files     ? fmt::format("{} of {}", p.role, p.file)
+                                                           : p.role);
   return names;
 }
 
@@ -111,13 +117,15 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   if (fs::exists(o.out / "session.xml"))
     throw InputError(message("{}: there is a session already; take another folder.", shown_path(o.out)));
   Conversion c;
-  std::vector<fs::path> files = given;
+  const OpenedFolders opened = opened_folders(given);
+  std::vector<fs::path> files = opened.files;
   const std::optional<Bag> bag = find_bag(files);
   if (!bag && !o.camera.empty())
     throw InputError(message("--camera {}: names images of a bag, and no bag is among the files; leave it out.",
                              in_quotes(o.camera)));
   const std::optional<FieldUrdf> robot = find_robot(files, bag, o, c);
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
+  leave_out_unknown(files, opened.found, robot ? &robot->robot : nullptr, c.notes);
   if (are_touches(files, robot ? &robot->robot : nullptr, o)) return from_touches(robot, files, o, std::move(c));
   Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles);
   choose_target(b, o.target_frame);

@@ -23,11 +23,12 @@ bool is_of_flange(const std::string& file) {
   return says(file, {"flange", "robot", "ee", "tool", "hand", "gripper", "arm", "effector", "tcp", "fpe"});
 }
 bool is_of_target(const std::string& file) {
-  return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object"});
+  return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object", "rvec", "pnp"});
 }
 
 /// What their columns call them, or their file (or folder) where columns say nothing of it and each has its own.
 std::string called(const NamedPoses& p, const NamedPoses& other) {
+  if (p.role.empty() && !is_of_flange(p.file) && !is_of_target(p.file)) return p.file + " " + p.turns.columns;
   const bool says_it = is_of_flange(p.role) || is_of_target(p.role);
   return p.role.empty() || (!says_it && p.file != other.file) ? p.file : p.role;
 }
@@ -50,10 +51,11 @@ std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses
   const bool first = is_of_flange(a) && !is_of_flange(b), second = is_of_flange(b) && !is_of_flange(a);
   if (first || (!second && is_of_target(b) && !is_of_target(a))) return {poses[0], poses[1]};
   if (second || (is_of_target(a) && !is_of_target(b))) return {poses[1], poses[0]};
+  const auto name = [](const NamedPoses& p) { return p.role.empty() ? p.file : p.role; };
   throw InputError(
       message("{} and {} are both tables of poses: which is the robot's flange, which the target that "
               "the sensor sees? Name the files so: flange.csv and target.csv.",
-              a, b));
+              name(poses[0]), name(poses[1])));
 }
 
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<Message>& notes) {
@@ -127,8 +129,10 @@ void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts
   parts.tcp = o.tcp;
   parts.mount = o.mount.empty() ? robot.robot.links.front().name : o.mount;
   if (o.mount.empty())
-    notes.push_back(message("--mount is not given: the sensor is taken to stand beside the robot (link {}).",
-                            in_quotes(parts.mount)));
+    notes.push_back(
+        message("--mount is not given: the sensor is taken to stand beside the robot (link {}). Where the hand "
+                "carries it: --mount {} --tcp {} (the link on which the target stands).",
+                in_quotes(parts.mount), parts.tcp, parts.mount));
 }
 
 Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const PointSeries& points,

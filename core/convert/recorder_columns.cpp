@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "convert/program_points.h"
+
 namespace handsight {
 namespace {
 
@@ -55,6 +57,7 @@ void name_tcp_pose(Table& table) {
 
 std::optional<Table> parse_recorded_table(std::string_view text, const std::string& file,
                                           const std::vector<std::string>& names) {
+  if (auto points = program_points(text, file)) return points;
   std::optional<Table> table = parse_table(text, file, names);
   if (!table) return table;
   name_fields(*table);

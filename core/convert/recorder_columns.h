@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Columns as two recorders name them: `rostopic echo -p` of ROS 1, and UR's RTDE.
+// Points of robot programs, and columns as two recorders name them: `rostopic echo -p` of ROS 1, and UR's RTDE.
 #pragma once
 
 #include "readers/table.h"

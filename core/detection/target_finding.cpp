@@ -24,8 +24,8 @@ bool is_to_be_searched(const Observation& o) {
   return o.sightings.empty() && has_images(o) && o.decision != Decision::excluded && o.decision != Decision::rejected;
 }
 
-/// Some images of observations that do not show the target, spread over all of them.
-std::vector<Image> without_target(const Session& session, const std::vector<const Observation*>& observations) {
+/// Some images of these observations, spread over all of them.
+std::vector<Image> some_images(const Session& session, const std::vector<const Observation*>& observations) {
   constexpr std::size_t most = 4;
   std::vector<Image> images;
   const std::size_t step = std::max<std::size_t>(1, observations.size() / most);
@@ -40,6 +40,29 @@ std::vector<Image> without_target(const Session& session, const std::vector<cons
       }
     }
   return images;
+}
+
+int dropped_tags_in(const std::vector<Image>& images, const Target& target) {
+  const PreparedTarget prepared = prepare(target);
+  int dropped = 0;
+  for (const Image& image : images) {
+    const TargetSighting seen = detect_target(image, prepared);
+    dropped += seen.points.empty() ? static_cast<int>(target.columns * target.rows) : seen.dropped_tags;
+  }
+  return dropped;
+}
+
+/// A ChArUco board of the other layout has most of its tags where this one has them, a square aside: it is found, and
+/// its tags of one column do not agree. Empty where the layout is right.
+Message other_layout_text(const std::vector<Image>& images, const Target& described) {
+  if (described.kind != TargetKind::charuco) return {};
+  Target other = described;
+  other.old_layout = !described.old_layout;
+  if (2 * dropped_tags_in(images, other) >= dropped_tags_in(images, described)) return {};
+  return message(
+      "All tags agree with the other layout: write layout=\"{}\" into <target>; as described the board's places are a "
+      "square aside.",
+      other.old_layout ? "old" : "new");
 }
 
 Message repeated_text(const std::map<int, int>& repeated) {
@@ -107,7 +130,7 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
   int unreadable = 0, without = 0;
   Message first_unreadable, first_without;
   std::map<int, int> repeated;  // observations by number of the tag
-  std::vector<const Observation*> not_found;
+  std::vector<const Observation*> not_found, with_dropped;
   for (Observation& o : session.observations) {
     if (!is_to_be_searched(o)) continue;
     TargetFinding finding = finder.find(o);
@@ -120,6 +143,7 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
       first_without = message("{}: {}", o.id, finding.reason);
     for (const int number : finding.repeated) ++repeated[number];
     if (finding.sightings.empty() && finding.unreadable.empty()) not_found.push_back(&o);
+    if (!finding.sightings.empty() && finding.dropped_tags > 0) with_dropped.push_back(&o);
     search.found += finding.sightings.empty() ? 0 : 1;
     o.sightings = std::move(finding.sightings);
     if (progress) progress(++done, all);
@@ -130,12 +154,15 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
     search.notes.push_back(message("It is not found in {} observations, first in {}.", without, first_without));
   if (3 * search.found < search.looked_at && !not_found.empty())
     search.in_its_place =
-        guess_target(without_target(session, not_found), *session.target, TargetWording::attributes).text;
+        guess_target(some_images(session, not_found), *session.target, TargetWording::attributes).text;
   if (!search.in_its_place.empty()) search.notes.push_back(search.in_its_place);
   if (!repeated.empty()) search.notes.push_back(repeated_text(repeated));
   if (search.dropped_points + search.dropped_tags > 0)
     search.notes.push_back(message("{} points and {} tags did not agree with the rest of the target and are left out.",
                                    search.dropped_points, search.dropped_tags));
+  if (2 * with_dropped.size() > static_cast<std::size_t>(search.found))
+    if (const Message text = other_layout_text(some_images(session, with_dropped), *session.target); !text.empty())
+      search.notes.push_back(text);
   if (unreadable > 0)
     search.notes.push_back(
         message("Images of {} observations cannot be read, first: {}", unreadable, first_unreadable));

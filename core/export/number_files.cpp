@@ -107,8 +107,8 @@ std::string transform_node(const std::string& parent, const std::string& child, 
       "             arguments=[\"--x\", \"{}\", \"--y\", \"{}\", \"--z\", \"{}\",\n"
       "                        \"--qx\", \"{}\", \"--qy\", \"{}\", \"--qz\", \"{}\", \"--qw\", \"{}\",\n"
       "                        \"--frame-id\", {}, \"--child-frame-id\", {}]),\n",
-      python_string("handsight_" + child), number(t.x()), number(t.y()), number(t.z()), number(q.x()), number(q.y()),
-      number(q.z()), number(q.w()), python_string(parent), python_string(child));
+      python_string(child), number(t.x()), number(t.y()), number(t.z()), number(q.x()), number(q.y()), number(q.z()),
+      number(q.w()), python_string(parent), python_string(child));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "print/circle_grid.h"
 #include "print/dictionary.h"
 #include "print/target_xml.h"
 #include "targets/board_detection.h"
@@ -97,6 +98,7 @@ std::optional<Target> other_chessboard(const std::vector<Image>& images, const T
     for (const bool is_turned : {false, true}) {
       Target other = described;
       other.kind = TargetKind::chessboard;
+      other.dictionary.clear();
       other.columns = is_turned ? size.second : size.first, other.rows = is_turned ? size.first : size.second;
       if (count <= most || other.columns * other.rows < 6 || other.columns < 2 || other.rows < 2) continue;
       if (found_in(images, other) > 0) best = other, most = count;
@@ -110,6 +112,23 @@ TargetGuess guessed_chessboard(const std::vector<Image>& images, const Target& d
   return {other, message("{}; what they show fits {} (a chessboard is counted by its inner corners, not by its "
                          "squares).",
                          none_of(images, described), in_code(changes(described, *other, wording), wording))};
+}
+
+// ---- circles
+
+/// With columns and rows exchanged, in the other layout, or both; an asymmetric grid's columns counted as some do.
+TargetGuess guessed_circles(const std::vector<Image>& images, const Target& described, TargetWording wording) {
+  for (const bool is_turned : {true, false})
+    for (const bool is_other_layout : {false, true}) {
+      if (!is_turned && !is_other_layout) continue;
+      Target other = described;
+      if (is_turned) std::swap(other.columns, other.rows);
+      if (is_other_layout) other.dictionary = is_asymmetric(described) ? "symmetric" : "asymmetric";
+      if (is_found(images, other))
+        return {other, fmt::format("{}; what they show fits {}.", none_of(images, described),
+                                   in_code(changes(described, other, wording), wording))};
+    }
+  return {};
 }
 
 // ---- tags
@@ -248,6 +267,8 @@ TargetGuess guess_target(const std::vector<Image>& images, const Target& describ
     return {std::nullopt, none_of(images, described) +
                               ": lines or numbers in pure colours are drawn into them, as programs draw what they have "
                               "found; use the images as they came from the camera."};
+  if (is_circle_grid(described))
+    if (TargetGuess circles = guessed_circles(images, described, wording); circles.target) return circles;
   if (has_tags(described)) {
     const Surveyed all = survey(images);
     if (all.most >= least_tags) return guessed_tags(images, all, described, wording);

@@ -5644,6 +5644,46 @@
         <source>hand of %1</source>
         <translation>Hand von %1</translation>
     </message>
+    <message>
+        <source>in columns (symmetric)</source>
+        <translation>in Spalten (symmetrisch)</translation>
+    </message>
+    <message>
+        <source>every second row half a step aside (asymmetric)</source>
+        <translation>jede zweite Reihe um einen halben Schritt versetzt (asymmetrisch)</translation>
+    </message>
+    <message>
+        <source>The circles stand</source>
+        <translation>Die Kreise stehen</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>Distance of two circles</source>
+        <translation>Abstand zweier Kreise</translation>
+    </message>
+    <message>
+        <source>Diameter of a circle</source>
+        <translation>Durchmesser eines Kreises</translation>
+    </message>
+    <message>
+        <source>OpenCV's unit: in an asymmetric grid from a row to the next one, half the step along a row</source>
+        <translation>Die Einheit von OpenCV: im asymmetrischen Gitter von einer Reihe zur nächsten, halb so viel wie der Schritt in einer Reihe</translation>
+    </message>
+    <message>
+        <source>It looks the same after half a turn: an asymmetric grid of an odd number of rows has two ends that can be told apart.</source>
+        <translation>Es sieht nach einer halben Drehung gleich aus: Ein asymmetrisches Gitter mit ungerader Zahl von Reihen hat zwei Enden, die sich unterscheiden lassen.</translation>
+    </message>
+    <message>
+        <source>Grid of circles</source>
+        <translation>Kreisgitter</translation>
+    </message>
+    <message>
+        <source>Found by itself where the whole grid is in sight.</source>
+        <translation>Wird von selbst gefunden, wo das ganze Gitter zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -8959,6 +8999,70 @@
     <message>
         <source>N m/rad</source>
         <translation>N m/rad</translation>
+    </message>
+    <message>
+        <source>--mount is not given: the sensor is taken to stand beside the robot (link %1). Where the hand carries it: --mount %2 --tcp %3 (the link on which the target stands).</source>
+        <translation>--mount fehlt: Der Sensor steht, so wird angenommen, neben dem Roboter (Glied %1). Wo die Hand ihn trägt: --mount %2 --tcp %3 (das Glied, auf dem das Muster steht).</translation>
+    </message>
+    <message>
+        <source>The target's poses are inverted: they say where the sensor is in the target's frame, where the target in the sensor's is expected; or the sensor is on %1 and the target on %2, which is the same to these numbers.</source>
+        <translation>Die Posen des Musters sind umgekehrt: Sie sagen, wo der Sensor im System des Musters ist, wo das Muster in dem des Sensors erwartet wird; oder der Sensor sitzt auf %1 und das Muster auf %2, was für diese Zahlen dasselbe ist.</translation>
+    </message>
+    <message>
+        <source>Invert each &lt;target_pose&gt; in %1 (each pose in the table of the target that it was made of), or convert with --mount %2 --tcp %3.</source>
+        <translation>Jede &lt;target_pose&gt; in %1 umkehren (jede Pose in der Tabelle des Musters, aus der sie gemacht wurde), oder convert mit --mount %2 --tcp %3.</translation>
+    </message>
+    <message>
+        <source>The tracker's points are mirrored: two of its axes are exchanged, or one counts the other way, so that its frame is left-handed.</source>
+        <translation>Die Punkte des Trackers sind gespiegelt: Zwei seiner Achsen sind vertauscht, oder eine zählt andersherum, so dass sein System linkshändig ist.</translation>
+    </message>
+    <message>
+        <source>Exchange two coordinates of every point in %1 (two columns of the table that it was made of), or export again with right-handed axes.</source>
+        <translation>Zwei Koordinaten jedes Punkts in %1 vertauschen (zwei Spalten der Tabelle, aus der sie gemacht wurde), oder noch einmal mit rechtshändigen Achsen exportieren.</translation>
+    </message>
+    <message>
+        <source>Measure it over its whole length and give the right size to the program that told its poses; until then no place of the hand or of a camera is to be trusted (--effects target_scale estimates it with them).</source>
+        <translation>Miss es über die ganze Länge und gib dem Programm, das seine Posen sagt, die richtige Größe; bis dahin ist keinem Ort der Hand oder einer Kamera zu trauen (--effects target_scale schätzt sie mit ihnen).</translation>
+    </message>
+    <message>
+        <source>Measure its black square and put the right size into &lt;target&gt;; until then no place of the hand or of a camera is to be trusted.</source>
+        <translation>Miss sein schwarzes Quadrat und schreibe die richtige Größe in &lt;target&gt;; bis dahin ist keinem Ort der Hand oder einer Kamera zu trauen.</translation>
+    </message>
+    <message>
+        <source>The noise is not declared; the fit can only say how far the poses are apart.</source>
+        <translation>Das Rauschen ist nicht angegeben; die Anpassung kann nur sagen, wie weit die Posen auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>The noise is not declared; it is estimated from the target's points.</source>
+        <translation>Das Rauschen ist nicht angegeben; es wird aus den Punkten des Musters geschätzt.</translation>
+    </message>
+    <message>
+        <source>one file is no image by its name and was left out</source>
+        <translation>eine Datei ist ihrem Namen nach kein Bild und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The target's %1 are of %2 m: if millimetres are meant, write %3 into &lt;target&gt;; its lengths are m.</source>
+        <translation>Die %1 des Musters messen %2 m: Sind Millimeter gemeint, schreibe %3 in &lt;target&gt;; seine Längen sind m.</translation>
+    </message>
+    <message>
+        <source>%1: %2 points of a program in %3, in its order; where nothing was measured at one of them, take it out.</source>
+        <translation>%1: %2 Punkte eines Programms in %3, in dessen Reihenfolge; wo an einem nichts gemessen wurde, nimm ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Left out, as nothing that is read: %1.</source>
+        <translation>Ausgelassen, weil nichts davon gelesen wird: %1.</translation>
+    </message>
+    <message>
+        <source>All tags agree with the other layout: write layout="%1" into &lt;target&gt;; as described the board's places are a square aside.</source>
+        <translation>Alle Tags passen zur anderen Anordnung: schreibe layout="%1" in &lt;target&gt;; wie beschrieben liegen die Orte auf dem Brett um ein Feld daneben.</translation>
+    </message>
+    <message>
+        <source>%1; what they show fits %2.</source>
+        <translation>%1; was sie zeigen, passt zu %2.</translation>
+    </message>
+    <message>
+        <source>points_mirrored: the session has no points of a tracker.</source>
+        <translation>points_mirrored: Die Sitzung hat keine Punkte eines Trackers.</translation>
     </message>
 </context>
 <context>

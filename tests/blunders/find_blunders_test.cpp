@@ -186,6 +186,16 @@ TEST(FindBlunders, MillimetresForMetres) {
   EXPECT_THAT(blunders_in(rig), ElementsAre("length_unit:rig"));
 }
 
+/// A tracker whose axes are left-handed: whichever they are, its place takes up the rest.
+TEST(FindBlunders, PointsInAMirror) {
+  for (const int axis : {0, 1, 2}) {
+    Session tracker = fixture::simulated_right(fixture::with_free_mount(fixture::tracker_session(4)), 9);
+    for (Observation& o : tracker.observations)
+      for (Sighting& s : o.sightings) (*s.point)[axis] *= -1;
+    EXPECT_THAT(blunders_in(tracker), ElementsAre("points_mirrored")) << axis;
+  }
+}
+
 TEST(FindBlunders, AnotherLink) {
   Session s = six_axes(10);
   s.tcp = "l4";

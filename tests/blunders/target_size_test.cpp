@@ -55,6 +55,23 @@ TEST(TargetSizeAtOnce, IsNotToldWhereItIsInTheModel) {
   EXPECT_FALSE(other_target_size(session, fit(session, with), with).has_value());
 }
 
+/// Tags that each lie anywhere have a size, too.
+TEST(TargetSizeAtOnce, OfSingleTags) {
+  Session like = eye_in_hand_session();
+  set_target(like, {.kind = TargetKind::tags, .tag = 0.06, .dictionary = "tag36h11", .ids = {0, 1}});
+  const SimulatedSession right = simulated(like, 6);
+  EXPECT_FALSE(size_of(right.session).has_value());
+  for (const double by : {0.2, -0.15, 0.03}) {
+    Session session = right.session;
+    set_target(session, scaled(*session.target, 1 / (1 + by)));
+    const auto size = size_of(session);
+    ASSERT_TRUE(size.has_value()) << by;
+    EXPECT_NEAR(size->scale, by, 4 * size->sigma + 0.01 * std::abs(by));
+    EXPECT_NE(size->text.find("its tags are about "), std::string::npos) << size->text;
+    EXPECT_EQ(size->fix.find("target_scale"), std::string::npos) << "no effect says it of single tags";
+  }
+}
+
 /// Squares of 21.8 mm, described as 20, 19 % and 118 % off: what the fit leaves is never called converged beyond what
 /// any robot explains.
 TEST(TargetSizeAtOnce, OfARealBoard) {

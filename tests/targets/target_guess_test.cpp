@@ -6,6 +6,7 @@
 
 #include "board_targets.h"
 #include "fixtures/target_images.h"
+#include "print/target_xml.h"
 #include "targets/drawn_over.h"
 #include "targets/tag_survey.h"
 #include "targets/target_detection.h"
@@ -165,6 +166,27 @@ TEST(TargetGuess, ImagesOfCamerasAreNotDrawnOver) {
   for (const Target& target : {charuco, grid, chessboard})
     for (const Image& image : images_of(target)) EXPECT_FALSE(is_drawn_over(image));
   EXPECT_FALSE(is_drawn_over(Image(640, 480, 120)));
+}
+
+TEST(TargetGuess, OfCircles) {
+  const Target real = target_from_words({{"kind", "circles"},
+                                         {"columns", "4"},
+                                         {"rows", "9"},
+                                         {"spacing", "0.018"},
+                                         {"diameter", "0.014"},
+                                         {"layout", "asymmetric"}},
+                                        "test");
+  const std::vector<Image> images = images_of(real);
+  Target turned = real;
+  std::swap(turned.columns, turned.rows);
+  EXPECT_NE(guess_target(images, turned, TargetWording::options).text.find("fits `--columns 4 --rows 9`"),
+            std::string::npos);
+  Target symmetric = real;
+  symmetric.dictionary = "symmetric";
+  const TargetGuess guess = guess_target(images, symmetric, TargetWording::attributes);
+  EXPECT_NE(guess.text.find("layout=\"asymmetric\""), std::string::npos) << guess.text;
+  const TargetGuess other = guess_target(images_of(chessboard), real, TargetWording::options);
+  EXPECT_NE(other.text.find("--kind chessboard"), std::string::npos) << other.text;
 }
 
 TEST(TargetGuess, OfImagesThatWereDrawnOver) {

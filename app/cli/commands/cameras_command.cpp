@@ -232,7 +232,7 @@ int run(const CamerasArguments& o) {
   o.output.require_places();
   for (const Message& line : grouped.notes) Output::note(line);
   if (looks_the_same_turned(target))
-    Output::note("this chessboard looks the same after half a turn: each image is taken as standing upright.");
+    Output::note("this board looks the same after half a turn: each image is taken as standing upright.");
   Progress progress("images", count);
   const DetectedImages detected = detect_in_images(grouped, target, [&](std::size_t at) { progress.at(at); });
   const Message in_its_place = shown_in_its_place(detected, target);

@@ -43,6 +43,10 @@ ExportOptions options_of(const ExportArguments& o) {
 }
 
 int run(const ExportArguments& o) {
+  if (o.kind.empty())
+    throw InputError(
+        message("--as is missing: for what the file is; expected one of {}.", fmt::join(export_kinds, ", ")));
+  if (o.file.empty()) throw InputError("--out is missing: name the file to write; - is standard output.");
   note_input(o.lerobot);
   const CalibratedRobot robot = predict_source(o.source);
   require_output(o.file, "--out");
@@ -74,9 +78,8 @@ Command add_export(const CommandLine& program) {
               "urdf, xacro (a macro with name and parent), mjcf (MuJoCo), sdf (Gazebo), dh (tables, CSV or YAML), "
               "ur_calibration (UR's ROS drivers), static_tf (a ROS 2 launch file), ros2_control and lerobot (joint "
               "offsets), opencv, yaml, csv, cpp or python (the corrected hand pose in one file)")
-      .required()
       .one_of(std::vector<std::string>(export_kinds.begin(), export_kinds.end()));
-  command.option("--out", options->file, "The file to write; - is standard output").required();
+  command.option("--out", options->file, "The file to write; - is standard output");
   command.option("--lerobot", options->lerobot,
                  "With --as lerobot: the arm's calibration as lerobot wrote it, to be changed");
   add_json_option(command, options->output);

@@ -6,6 +6,7 @@
 #include "certify/touch_page.h"
 #include "command.h"
 #include "options/target_option.h"
+#include "print/circle_grid.h"
 #include "printing/outputs.h"
 #include "targets/sheet.h"
 
@@ -55,8 +56,12 @@ int run(const TargetArguments& o) {
                        sheet.paper == "own size" ? "A" : sheet.paper, 1e3 * sheet.width, 1e3 * sheet.height));
   if (looks_the_same_turned(target))
     Output::note(
-        "A board with this number of columns and rows looks the same after half a turn; one column more or less tells "
-        "its ends apart.");
+        is_circle_grid(target) && !is_asymmetric(target)
+            ? "A symmetric grid of circles looks the same after half a turn; an asymmetric one of an odd number of "
+              "rows "
+              "has two ends that can be told apart."
+            : "A board with this number of columns and rows looks the same after half a turn; one column (of circles: "
+              "row) more or less tells its ends apart.");
   return done;
 }
 

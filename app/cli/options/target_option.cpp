@@ -2,6 +2,7 @@
 #include "target_option.h"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 
@@ -31,6 +32,29 @@ Target target_from_xml_file(const std::string& file) {
   return read_target(root_of(*document, file, "target"));
 }
 
+/// A target of this kind in words.
+const char* example_of(const std::string& kind) {
+  constexpr std::pair<const char*, const char*> examples[] = {
+      {"chessboard", "chessboard columns=9 rows=6 square=25mm"},
+      {"circles", "circles columns=4 rows=11 spacing=20mm diameter=15mm layout=asymmetric"},
+      {"aprilgrid", "aprilgrid columns=6 rows=6 tag=25mm spacing=0.3"},
+      {"grid", "grid columns=5 rows=7 marker=30mm separation=8mm dictionary=DICT_6X6_250"},
+      {"tags", "tags dictionary=tag36h11 size=50mm ids=3,7,9"}};
+  for (const auto& [name, example] : examples)
+    if (kind == name) return example;
+  return "charuco columns=8 rows=6 square=30mm marker=22mm dictionary=DICT_5X5_100";
+}
+
+/// "25mm" and "2.5cm" in metres; other words as they are.
+std::string in_metres(const std::string& value) {
+  for (const auto& [unit, metre] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}}) {
+    if (!value.ends_with(unit)) continue;
+    const auto number = parse_number(std::string_view(value).substr(0, value.size() - std::strlen(unit)));
+    if (number) return format_number(*number * metre);
+  }
+  return value;
+}
+
 /// "charuco columns=8 ...": the kind first, or kind=charuco.
 Words words_from(const std::string& text) {
   Words words;
@@ -41,10 +65,8 @@ Words words_from(const std::string& text) {
     else if (equals == std::string_view::npos && words.back().first == "ids")
       words.back().second += ' ' + std::string(word);
     else if (equals == std::string_view::npos)
-      throw InputError(
-          message("--target: {} is no NAME=VALUE; expected, for example, charuco columns=8 rows=6 square=0.03 "
-                  "marker=0.022 dictionary=DICT_5X5_100.",
-                  in_quotes(word)));
+      throw InputError(message("--target: {} is no NAME=VALUE; expected, for example, {}.", in_quotes(word),
+                               example_of(words.front().second)));
     else
       words.emplace_back(word.substr(0, equals), word.substr(equals + 1));
   }
@@ -116,6 +138,7 @@ Target target_from(const TargetOptions& o) {
   Words words = words_from(whole);
   for (const TargetWord& word : target_words)
     if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);
+  for (auto& [name, value] : words) value = in_metres(value);
   return target_from_words(words, "The target");
 }
 

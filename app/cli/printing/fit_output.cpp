@@ -167,9 +167,9 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
   print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed);
-  out.line(fit.covariance_kind == CovarianceKind::noise
-               ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
-               : "  (sigmas from how the observations differ: the model does not agree with them to the noise)");
+  out.line(fit.covariance_kind == CovarianceKind::noise ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
+           : fit.noise ? "  (sigmas from how the observations differ: the model does not agree with them to the noise)"
+                       : "  (sigmas from how the observations differ: the noise is not known)");
   if (const auto target = tcp_from_target(session, fit)) {
     const Vector3 xyz = 1e3 * target->translation, angles = degrees * rpy_from_rotation(target->rotation);
     out.line(fmt::format("The target's own frame in the TCP's: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",

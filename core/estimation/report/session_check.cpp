@@ -108,8 +108,10 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
   if (session.is_touch()) return;
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
-      declared ? message("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
-               : "The noise is not declared; it is estimated where three markers are seen."));
+      declared              ? message("Declared noise of one coordinate: {:g} {}.", *declared, session.rig ? "px" : "m")
+      : session.pose_sensor ? Message("The noise is not declared; the fit can only say how far the poses are apart.")
+      : session.target      ? Message("The noise is not declared; it is estimated from the target's points.")
+                            : Message("The noise is not declared; it is estimated where three markers are seen."));
 }
 
 void check_images(const Session& session, SessionCheck& check) {

@@ -58,6 +58,19 @@ void doubt_markers(const Session& session, std::vector<Message>& doubts) {
               session.marker_count, names, unseen == 1 ? "is" : "are", session.marker_count - unseen));
 }
 
+/// Boards of metres are millimetres, mostly.
+void doubt_target(const Session& session, std::vector<Message>& doubts) {
+  constexpr double largest = 0.7;  // m: of one square or tag
+  if (!session.target) return;
+  const Target& t = *session.target;
+  const bool has_squares = t.kind == TargetKind::chessboard || t.kind == TargetKind::charuco;
+  const double length = has_squares ? t.square : t.tag;
+  if (length <= largest) return;
+  doubts.push_back(
+      message("The target's {} are of {:g} m: if millimetres are meant, write {:g} into <target>; its lengths are m.",
+              has_squares ? "squares" : "tags", length, 1e-3 * length));
+}
+
 void doubt_angles(const Session& session, const Chain& chain, std::vector<Message>& doubts) {
   std::string worst;
   double largest = 0;
@@ -191,6 +204,7 @@ std::vector<Message> session_doubts(const Session& session) {
   const Chain chain = chain_of(session);
   doubt_points(session, doubts);
   doubt_markers(session, doubts);
+  doubt_target(session, doubts);
   const std::size_t before = doubts.size();
   doubt_angles(session, chain, doubts);
   if (doubts.size() == before) doubt_turns(session, doubts);

@@ -87,9 +87,9 @@ TEST_F(BoardWizard, AnswersChooseTheLinksAndNeverLeaveNothingToMove) {
 TEST_F(BoardWizard, WhatIsAskedForFollowsWhatIsKnown) {
   ASSERT_TRUE(wizard.open());
   const auto is_asked = [&](const char* name) { return desk.find<QWidget>(name)->isVisibleTo(wizard.dialog()); };
-  const char* fields[] = {"wizard_left",    "wizard_right",  "wizard_more",      "wizard_calibration", "wizard_poses",
-                          "wizard_markers", "target_square", "target_tag",       "target_spacing",     "target_ids",
-                          "target_columns", "target_sheet",  "target_dictionary"};
+  const char* fields[] = {"wizard_left",    "wizard_right",  "wizard_more",       "wizard_calibration", "wizard_poses",
+                          "wizard_markers", "target_square", "target_tag",        "target_spacing",     "target_ids",
+                          "target_columns", "target_sheet",  "target_dictionary", "target_layout"};
   const std::pair<int, std::set<std::string>> wanted[] = {
       {0, {"wizard_left", "wizard_right", "wizard_calibration", "wizard_markers"}},
       {1,
@@ -102,12 +102,18 @@ TEST_F(BoardWizard, WhatIsAskedForFollowsWhatIsKnown) {
        {"wizard_left", "wizard_right", "wizard_more", "wizard_calibration", "target_tag", "target_ids", "target_sheet",
         "target_dictionary"}},
       {5, {"wizard_left", "wizard_right", "wizard_more", "wizard_calibration", "target_sheet"}},
-      {6, {"wizard_poses"}}};
+      {6, {"wizard_poses"}},
+      {7,
+       {"wizard_left", "wizard_right", "wizard_more", "wizard_calibration", "target_square", "target_tag",
+        "target_columns", "target_sheet", "target_layout"}}};
   for (const auto& [option, asked] : wanted) {
     wizard.answer("known", option);
     for (const char* field : fields)
       EXPECT_EQ(is_asked(field), asked.contains(field)) << "option " << option << ": " << field;
   }
+  EXPECT_EQ(wizard.said("target_said"), "asymmetric grid of 4 × 11 circles of 15 mm, unit 20 mm.");
+  desk.find<QComboBox>("target_layout")->setCurrentIndex(0);
+  EXPECT_TRUE(wizard.said("target_said").contains("an asymmetric grid of an odd number of rows"));
 }
 
 TEST_F(BoardWizard, ABoardIsSavedToBePrinted) {
