@@ -60,6 +60,7 @@ class Experiment {
   void make_reach();
   void round();
   void learn(bool with_diagnosis);
+  void learn_from_look();
   void check_goals();
   bool is_settled(const Knowledge& known);
   void check_limits() const;
@@ -177,6 +178,18 @@ void Experiment::learn(bool with_diagnosis) {
     known.hand_limit = hand_limit(*known.fit, judged_by_);
   }
   if (options_.between) known.rivals = options_.between;
+  result_.known = std::move(known);
+  if (options_.on_knowledge) options_.on_knowledge(result_.known);
+}
+
+/// Between two diagnoses: a fit, beside what the last one found.
+void Experiment::learn_from_look() {
+  Knowledge before = std::move(result_.known);
+  Knowledge known = known_of(session_, model_, false, judged_by_);
+  known.diagnosis = std::move(before.diagnosis);
+  known.settled = std::move(before.settled);
+  known.rivals = std::move(before.rivals);
+  known.likely = std::move(before.likely);
   result_.known = std::move(known);
   if (options_.on_knowledge) options_.on_knowledge(result_.known);
 }
@@ -317,6 +330,7 @@ void Experiment::drive(const PlannedMove& move) {
   step.reached = true;
   if (is_interrupted()) throw Ended{ExperimentEnd::interrupted, "The experiment was interrupted after a move."};
   look(step, stood);
+  if (step.accepted && options_.fit_each_look && options_.given.empty()) learn_from_look();
   told(step);
 }
 
