@@ -6147,6 +6147,22 @@
         <source>time (s since 1970)</source>
         <translation>Zeit (s seit 1970)</translation>
     </message>
+    <message>
+        <source>Where the hand works: expected six numbers, x y z x y z of two corners of a box in m.</source>
+        <translation>Wo die Hand arbeitet: erwartet werden sechs Zahlen, x y z x y z von zwei Ecken eines Kastens in m.</translation>
+    </message>
+    <message>
+        <source>Choose the calibration that is to be asked whether it still holds; Export writes one.</source>
+        <translation>Wähle die Kalibrierung, die gefragt werden soll, ob sie noch gilt; Export schreibt eine.</translation>
+    </message>
+    <message>
+        <source>Say where the log of the rechecks is to be kept: a CSV file.</source>
+        <translation>Sage, wo das Protokoll der Nachprüfungen liegen soll: eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>handsight-driver-simulated is not found beside this program; install it with Handsight.</source>
+        <translation>handsight-driver-simulated ist neben diesem Programm nicht zu finden; installiere es mit Handsight.</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -8036,14 +8052,6 @@
         <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Stellungen zeigen könnten, und die Hand ist auf %1 mm bekannt (95 %).</translation>
     </message>
     <message>
-        <source>What was asked for is reached: %1 of %2 is missing (odds of %3).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: %1 von %2 fehlt (Quote %3).</translation>
-    </message>
-    <message>
-        <source>What was asked for is reached: %1 is missing (odds of %2).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2).</translation>
-    </message>
-    <message>
         <source>What was asked for is reached: the hand is known to %1 mm (95 %).</source>
         <translation>Erreicht ist, wonach gefragt wurde: die Hand ist auf %1 mm bekannt (95 %).</translation>
     </message>
@@ -8102,6 +8110,14 @@
     <message>
         <source>The driver has not answered "%1" for %2 s, which is the limit; it was told to stop and the experiment ends.</source>
         <translation>Der Treiber hat auf "%1" seit %2 s nicht geantwortet, das ist die Grenze; er wurde angehalten, und das Experiment endet.</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: %1 is missing (odds of %2).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2).</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: %1 is missing (odds of %2), and the hand is known to %3 mm (95 %).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2), und die Hand ist auf %3 mm bekannt (95 %).</translation>
     </message>
 </context>
 <context>
@@ -9894,22 +9910,6 @@
     <message>
         <source>lies neither inside the folder of %1 nor beside it; write the collection into the folder that holds the sessions.</source>
         <translation>liegt weder im Ordner von %1 noch daneben; schreibe die Sammlung in den Ordner, der die Sitzungen enthält.</translation>
-    </message>
-    <message>
-        <source>Where the hand works: expected six numbers, x y z x y z of two corners of a box in m.</source>
-        <translation>Wo die Hand arbeitet: erwartet werden sechs Zahlen, x y z x y z von zwei Ecken eines Kastens in m.</translation>
-    </message>
-    <message>
-        <source>Choose the calibration that is to be asked whether it still holds; Export writes one.</source>
-        <translation>Wähle die Kalibrierung, die gefragt werden soll, ob sie noch gilt; Export schreibt eine.</translation>
-    </message>
-    <message>
-        <source>Say where the log of the rechecks is to be kept: a CSV file.</source>
-        <translation>Sage, wo das Protokoll der Nachprüfungen liegen soll: eine CSV-Datei.</translation>
-    </message>
-    <message>
-        <source>handsight-driver-simulated is not found beside this program; install it with Handsight.</source>
-        <translation>handsight-driver-simulated ist neben diesem Programm nicht zu finden; installiere es mit Handsight.</translation>
     </message>
     <message>
         <source>is no log of recheck; expected the columns %1.</source>

@@ -30,6 +30,26 @@ struct Ended {
   std::string reason;
 };
 
+/// Why everything that was asked for is reached.
+std::string reached_text(const Goals& until, const ExperimentResult& result) {
+  const std::string hand = until.hand ? fmt::format("{:.3g}", 1e3 * *result.known.hand_limit) : std::string();
+  if (!until.odds) return fmt::format("What was asked for is reached: the hand is known to {} mm (95 %).", hand);
+  if (result.settled->id.empty())
+    return until.hand ? fmt::format(
+                            "What was asked for is reached: nothing is missing that these poses could show, and "
+                            "the hand is known to {} mm (95 %).",
+                            hand)
+                      : "What was asked for is reached: nothing is missing that these poses could show.";
+  std::string cause = result.settled->id;
+  if (!result.settled->where.empty()) cause += " of " + result.settled->where.front();
+  return until.hand ? fmt::format(
+                          "What was asked for is reached: {} is missing (odds of {:.3g}), and the hand is known "
+                          "to {} mm (95 %).",
+                          cause, result.settled->odds, hand)
+                    : fmt::format("What was asked for is reached: {} is missing (odds of {:.3g}).", cause,
+                                  result.settled->odds);
+}
+
 class Experiment {
  public:
   Experiment(Session session, DrivenRobot& robot, const ExperimentOptions& options)
@@ -227,18 +247,7 @@ void Experiment::check_goals() {
   const bool has_odds = !until.odds || result_.settled;
   const bool has_hand = !until.hand || (result_.known.hand_limit && *result_.known.hand_limit <= *until.hand);
   if (until.wants_something() && has_odds && has_hand) {
-    std::string reason = "What was asked for is reached:";
-    if (until.odds)
-      reason += result_.settled->id.empty()
-                    ? std::string(" nothing is missing that these poses could show")
-                    : fmt::format(" {}{}{} is missing (odds of {:.3g})", result_.settled->id,
-                                  result_.settled->where.empty() ? "" : " of ",
-                                  result_.settled->where.empty() ? "" : result_.settled->where.front(),
-                                  result_.settled->odds);
-    if (until.hand)
-      reason += fmt::format("{} the hand is known to {:.3g} mm (95 %)", until.odds ? ", and" : "",
-                            1e3 * *result_.known.hand_limit);
-    throw Ended{ExperimentEnd::reached, reason + "."};
+    throw Ended{ExperimentEnd::reached, reached_text(until, result_)};
   }
   check_limits();
 }

@@ -18,7 +18,7 @@ class RecheckInWindow : public testing::Test {
     if (what_paths_need()) GTEST_SKIP() << *what_paths_need();
     // A robot that was calibrated, and an empty session of later looks at it.
     const auto calibrated = fixture::written_session(fixture::tracker_session(), folder.path, 40, 5, "calibrated");
-    const auto made = run_cli(folder.path, {"fit", calibrated.string(), "--out", calibration().string()});
+    const auto made = run_cli(folder.path, {"fit", calibrated.string(), "--export", calibration().string()});
     ASSERT_EQ(made.exit_code, 0) << made.errors;
     session = calibrated;
     desk.window.resize(1366, 728);
