@@ -20,8 +20,8 @@
 
 namespace handsight::app {
 
-/// The five workspaces, in the order of the work.
-enum class Place { label, calibrate, inspect, explain, write_out };
+/// The six workspaces, in the order of the work.
+enum class Place { label, calibrate, experiment, inspect, explain, write_out };
 
 class Workbench : public QObject {
   Q_OBJECT

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One of the five pages of the window's centre.
+// One of the six pages of the window's centre.
 #pragma once
 
 #include <QWidget>

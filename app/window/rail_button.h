@@ -16,7 +16,7 @@ class RailButton : public QAbstractButton {
   void set_status(const WorkStatus& status);
   const WorkStatus& status() const { return status_; }
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {104, 70}; }
+  QSize minimumSizeHint() const override { return {104, 58}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

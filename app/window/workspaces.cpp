@@ -5,6 +5,7 @@
 #include <QKeySequence>
 
 #include "calibrate/calibrate_workspace.h"
+#include "experiment/experiment_workspace.h"
 #include "explain/explain_workspace.h"
 #include "export/export_workspace.h"
 #include "inspect/inspect_workspace.h"
@@ -31,6 +32,9 @@ std::span<const WorkspaceKind> workspace_kinds() {
       {Place::label, "label", "label", Qt::Key_1, QT_TRANSLATE_NOOP("workspaces", "Label"), made<LabelWorkspace>},
       {Place::calibrate, "calibrate", "calibrate", Qt::Key_2, QT_TRANSLATE_NOOP("workspaces", "Calibrate"),
        made<CalibrateWorkspace>},
+      // It came last, and the keys of the others are in people's fingers.
+      {Place::experiment, "experiment", "experiment", Qt::Key_6, QT_TRANSLATE_NOOP("workspaces", "Experiment"),
+       made<ExperimentWorkspace>},
       {Place::inspect, "inspect", "inspect", Qt::Key_3, QT_TRANSLATE_NOOP("workspaces", "Inspect"),
        made<InspectWorkspace>},
       {Place::explain, "explain", "explain", Qt::Key_4, QT_TRANSLATE_NOOP("workspaces", "Explain"),

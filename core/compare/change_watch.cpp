@@ -147,6 +147,7 @@ struct ChangeWatch::Parts {
   Start start_at(std::size_t number, const Normal& normal) const;
   std::vector<Start> starts() const;
   double mixture(const std::vector<double>& evidence, std::string* group = nullptr) const;
+  WatchedChange size_of(std::size_t unit, const Start& start) const;
   WatchStep told(const std::vector<Start>& starts) const;
 };
 
@@ -270,6 +271,23 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
   return all;
 }
 
+/// Its numbers and their sigmas, each held at three plausible sizes.
+WatchedChange ChangeWatch::Parts::size_of(std::size_t unit, const Start& start) const {
+  const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
+  Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
+  information.diagonal().array() += 1 / (change_scale * change_scale);
+  const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(numbers, numbers));
+  const Eigen::VectorXd size = sizes.segment(first, numbers);
+  const Eigen::VectorXd values = size.cwiseProduct(covariance * start.gradient.segment(first, numbers));
+  WatchedChange change{units[unit].group, units[unit].where, units[unit].terms,
+                       size.cwiseProduct(covariance.diagonal().cwiseMax(0).cwiseSqrt())};
+  Eigen::Index next = 0;
+  for (EffectTerm& term : change.terms)
+    for (std::size_t p = 0; p < term.values.size(); ++p)
+      if (!effect_of(term).parameters[p].is_choice) term.values[p] = values[next++];
+  return change;
+}
+
 WatchStep ChangeWatch::Parts::told(const std::vector<Start>& all) const {
   WatchStep step;
   std::vector<double> weighed;
@@ -284,18 +302,9 @@ WatchStep ChangeWatch::Parts::told(const std::vector<Start>& all) const {
   std::size_t unit = units.size();
   for (std::size_t u = 0; u < units.size(); ++u)
     if (units[u].group == step.what && (unit == units.size() || start.evidence[u] > start.evidence[unit])) unit = u;
-  const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
-  Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
-  information.diagonal().array() += 1 / (change_scale * change_scale);
-  const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(numbers, numbers));
-  const Eigen::VectorXd size = sizes.segment(first, numbers);
-  const Eigen::VectorXd values = size.cwiseProduct(covariance * start.gradient.segment(first, numbers));
-  step.sigma = size.cwiseProduct(covariance.diagonal().cwiseMax(0).cwiseSqrt());
-  step.terms = units[unit].terms;
-  Eigen::Index next = 0;
-  for (EffectTerm& term : step.terms)
-    for (std::size_t p = 0; p < term.values.size(); ++p)
-      if (!effect_of(term).parameters[p].is_choice) term.values[p] = values[next++];
+  for (std::size_t u = 0; u < units.size(); ++u) step.each.push_back(size_of(u, start));
+  step.terms = step.each[unit].terms;
+  step.sigma = step.each[unit].sigma;
   step.where = units[unit].where;
   step.text = change_text(units[unit], step.terms, step.sigma, *chain);
   return step;

@@ -5684,6 +5684,529 @@
         <source>Found by itself where the whole grid is in sight.</source>
         <translation>Wird von selbst gefunden, wo das ganze Gitter zu sehen ist.</translation>
     </message>
+    <message>
+        <source>%n pose(s)</source>
+        <translation>
+            <numerusform>%n Stellung</numerusform>
+            <numerusform>%n Stellungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Command of the driver</source>
+        <translation>Befehl des Treibers</translation>
+    </message>
+    <message>
+        <source>the command of your robot's driver: python3 my_driver.py</source>
+        <translation>der Befehl des Treibers deines Roboters: python3 mein_treiber.py</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>The driver is ended; nothing has moved</source>
+        <translation>Der Treiber wird beendet; nichts hat sich bewegt</translation>
+    </message>
+    <message>
+        <source>Try it with the simulated robot</source>
+        <translation>Mit dem simulierten Roboter probieren</translation>
+    </message>
+    <message>
+        <source>A copy of this session with a few observations, and a robot that is computed: one of its joints is a little off, and the experiment finds out which</source>
+        <translation>Eine Kopie dieser Sitzung mit wenigen Beobachtungen und ein berechneter Roboter: eines seiner Gelenke ist ein wenig verstellt, und das Experiment findet heraus, welches</translation>
+    </message>
+    <message>
+        <source>Move the robot</source>
+        <translation>Roboter bewegen</translation>
+    </message>
+    <message>
+        <source>Nothing moves (Esc)</source>
+        <translation>Nichts bewegt sich (Esc)</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Treiber</translation>
+    </message>
+    <message>
+        <source>Start…</source>
+        <translation>Start …</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Asks once more before the robot moves</source>
+        <translation>Fragt noch einmal, bevor sich der Roboter bewegt</translation>
+    </message>
+    <message>
+        <source>Starts the driver and chooses the poses to recheck in; nothing moves yet</source>
+        <translation>Startet den Treiber und wählt die Stellungen zum Nachprüfen; noch bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>Starts the driver and shows the first poses; nothing moves yet</source>
+        <translation>Startet den Treiber und zeigt die ersten Stellungen; noch bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>error of the hand, 95 %</source>
+        <translation>Fehler der Hand, 95 %</translation>
+    </message>
+    <message>
+        <source>How well the hand is known</source>
+        <translation>Wie gut die Hand bekannt ist</translation>
+    </message>
+    <message>
+        <source>Measure, and the expected error of the hand falls here.</source>
+        <translation>Beim Messen fällt hier der erwartete Fehler der Hand.</translation>
+    </message>
+    <message>
+        <source>odds, to one</source>
+        <translation>Quote, zu eins</translation>
+    </message>
+    <message>
+        <source>How sure the cause is</source>
+        <translation>Wie sicher die Ursache ist</translation>
+    </message>
+    <message>
+        <source>Measure, and the odds of the likeliest cause rise here.</source>
+        <translation>Beim Messen steigt hier die Quote der wahrscheinlichsten Ursache.</translation>
+    </message>
+    <message>
+        <source>Let the robot measure by itself</source>
+        <translation>Den Roboter selbst messen lassen</translation>
+    </message>
+    <message>
+        <source>The program chooses the most useful poses, drives there, looks, and stops when enough is known: where the hand sits, and what is missing in the model.</source>
+        <translation>Das Programm wählt die nützlichsten Stellungen, fährt hin, schaut und hört auf, wenn genug bekannt ist: wo die Hand sitzt und was im Modell fehlt.</translation>
+    </message>
+    <message>
+        <source>1.  Write the command of your robot's driver above: a program of yours that moves the robot and takes the images. A template of thirty lines is in docs/examples/drivers.</source>
+        <translation>1.  Schreibe oben den Befehl des Treibers deines Roboters: ein Programm von dir, das den Roboter bewegt und die Bilder macht. Eine Vorlage von dreißig Zeilen liegt in docs/examples/drivers.</translation>
+    </message>
+    <message>
+        <source>2.  Connect. The driver says where the robot stands, and the first poses and the ways to them are shown. Nothing moves.</source>
+        <translation>2.  Verbinden. Der Treiber sagt, wo der Roboter steht; die ersten Stellungen und die Wege dorthin werden gezeigt. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>3.  Start. You are asked once more. Then each move is shown as it happens; Esc and the red button stop the robot at any time.</source>
+        <translation>3.  Start. Du wirst noch einmal gefragt. Dann wird jede Bewegung gezeigt, während sie geschieht; Esc und der rote Knopf halten den Roboter jederzeit an.</translation>
+    </message>
+    <message>
+        <source>No robot at hand? Try it with the simulated one: a copy of this session is measured on, and nothing comes among your own measurements.</source>
+        <translation>Kein Roboter da? Probiere es mit dem simulierten: in einer Kopie dieser Sitzung wird weitergemessen, und nichts kommt unter deine eigenen Messungen.</translation>
+    </message>
+    <message>
+        <source>Likeliest</source>
+        <translation>Am wahrscheinlichsten</translation>
+    </message>
+    <message>
+        <source>Next likeliest</source>
+        <translation>Am zweitwahrscheinlichsten</translation>
+    </message>
+    <message>
+        <source>Next pose</source>
+        <translation>Nächste Stellung</translation>
+    </message>
+    <message>
+        <source>One more hour</source>
+        <translation>Eine Stunde mehr</translation>
+    </message>
+    <message>
+        <source>When to stop</source>
+        <translation>Wann Schluss ist</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>Poses that were taken and that come next</source>
+        <translation>Stellungen, die eingenommen wurden und die als Nächstes kommen</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Stellung</translation>
+    </message>
+    <message>
+        <source>What for</source>
+        <translation>Wozu</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>nothing measured yet</source>
+        <translation>noch nichts gemessen</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>none chosen yet</source>
+        <translation>noch keine gewählt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>als Nächstes</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Experiment</translation>
+    </message>
+    <message>
+        <source>Observation %1 came from somewhere else meanwhile: the experiment stops.</source>
+        <translation>Beobachtung %1 kam inzwischen von anderswo: das Experiment hält an.</translation>
+    </message>
+    <message>
+        <source>measured observation %1</source>
+        <translation>Beobachtung %1 gemessen</translation>
+    </message>
+    <message>
+        <source>measured observation %1: taken</source>
+        <translation>Beobachtung %1 gemessen: genommen</translation>
+    </message>
+    <message>
+        <source>measured observation %1: rejected</source>
+        <translation>Beobachtung %1 gemessen: verworfen</translation>
+    </message>
+    <message>
+        <source>Several sessions are open together. An experiment adds to one: open it by itself.</source>
+        <translation>Mehrere Sitzungen sind zusammen offen. Ein Experiment erweitert eine: öffne sie allein.</translation>
+    </message>
+    <message>
+        <source>Of this session's robot only the flange's poses are known, and an experiment moves joints.</source>
+        <translation>Vom Roboter dieser Sitzung sind nur Flanschposen bekannt, und ein Experiment bewegt Gelenke.</translation>
+    </message>
+    <message>
+        <source>This session is of touches. An experiment looks from where nothing is touched; Explain plans which posture on which fixture comes next.</source>
+        <translation>Diese Sitzung besteht aus Berührungen. Ein Experiment schaut, ohne etwas zu berühren; Erklären plant, welche Haltung an welcher Aufnahme als Nächstes kommt.</translation>
+    </message>
+    <message>
+        <source>An experiment begins with one observation at least: add it, and it goes on from there.</source>
+        <translation>Ein Experiment beginnt mit mindestens einer Beobachtung: füge sie hinzu, dann geht es von dort weiter.</translation>
+    </message>
+    <message>
+        <source>No robot is connected.</source>
+        <translation>Kein Roboter ist verbunden.</translation>
+    </message>
+    <message>
+        <source>The driver is started and asked where the robot stands ...</source>
+        <translation>Der Treiber wird gestartet und gefragt, wo der Roboter steht ...</translation>
+    </message>
+    <message>
+        <source>%1: what was measured is fitted and diagnosed, and the next poses are chosen ...</source>
+        <translation>%1: das Gemessene wird angepasst und untersucht, und die nächsten Stellungen werden gewählt ...</translation>
+    </message>
+    <message>
+        <source>%1 is connected. These poses come first; nothing has moved.</source>
+        <translation>%1 ist verbunden. Diese Stellungen kommen zuerst; nichts hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The robot moves.</source>
+        <translation>Der Roboter bewegt sich.</translation>
+    </message>
+    <message>
+        <source>The robot looks.</source>
+        <translation>Der Roboter schaut.</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Hält an ...</translation>
+    </message>
+    <message>
+        <source>The robot was told to stop and stands still; what was measured is summed up ...</source>
+        <translation>Der Roboter wurde angehalten und steht still; das Gemessene wird zusammengefasst ...</translation>
+    </message>
+    <message>
+        <source>to settle the estimate</source>
+        <translation>um die Schätzung zu festigen</translation>
+    </message>
+    <message>
+        <source>for the precision of the hand</source>
+        <translation>für die Genauigkeit der Hand</translation>
+    </message>
+    <message>
+        <source>to tell two causes apart</source>
+        <translation>um zwei Ursachen zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>where it has not been measured yet</source>
+        <translation>wo noch nicht gemessen wurde</translation>
+    </message>
+    <message>
+        <source>a repeat, for the scatter</source>
+        <translation>eine Wiederholung, für die Streuung</translation>
+    </message>
+    <message>
+        <source>within %1 mm</source>
+        <translation>auf %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 in the box (95 %)</source>
+        <translation>%1 im Kasten (95 %)</translation>
+    </message>
+    <message>
+        <source>%1 wherever it can be seen (95 %)</source>
+        <translation>%1 überall, wo sie zu sehen ist (95 %)</translation>
+    </message>
+    <message>
+        <source>asked from ten observations on</source>
+        <translation>wird ab zehn Beobachtungen gefragt</translation>
+    </message>
+    <message>
+        <source>nothing that these poses can show, %1</source>
+        <translation>nichts, was diese Stellungen zeigen können, %1</translation>
+    </message>
+    <message>
+        <source>nothing is sure yet</source>
+        <translation>noch ist nichts sicher</translation>
+    </message>
+    <message>
+        <source>less likely than none</source>
+        <translation>unwahrscheinlicher als keine</translation>
+    </message>
+    <message>
+        <source>%1 rad away</source>
+        <translation>%1 rad entfernt</translation>
+    </message>
+    <message>
+        <source>%1, round what is in the way</source>
+        <translation>%1, um das Hindernis herum</translation>
+    </message>
+    <message>
+        <source>The robot moves now: %1 at first, the first one at a tenth of %2 rad/s. Is nobody within its reach, and is the emergency stop at hand?</source>
+        <translation>Der Roboter bewegt sich jetzt: zuerst %1, die erste mit einem Zehntel von %2 rad/s. Ist niemand in seiner Reichweite und der Not-Halt zur Hand?</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Recheck</source>
+        <translation>Nachprüfen</translation>
+    </message>
+    <message>
+        <source>not of this session</source>
+        <translation>nicht für diese Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 gemessen</translation>
+    </message>
+    <message>
+        <source>no robot connected</source>
+        <translation>kein Roboter verbunden</translation>
+    </message>
+    <message>
+        <source>ready to start</source>
+        <translation>startbereit</translation>
+    </message>
+    <message>
+        <source>the robot moves</source>
+        <translation>Roboter bewegt sich</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>verbindet</translation>
+    </message>
+    <message>
+        <source>the robot waits</source>
+        <translation>Roboter wartet</translation>
+    </message>
+    <message>
+        <source>choosing poses</source>
+        <translation>wählt Stellungen</translation>
+    </message>
+    <message>
+        <source>stop the robot, from everywhere</source>
+        <translation>den Roboter anhalten, von überall</translation>
+    </message>
+    <message>
+        <source> to one</source>
+        <translation> zu eins</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source> rad/s</source>
+        <translation> rad/s</translation>
+    </message>
+    <message>
+        <source>Of the fastest joint (m/s where it slides); the first move takes a tenth of it</source>
+        <translation>Des schnellsten Gelenks (m/s, wo es schiebt); die erste Bewegung nimmt ein Zehntel davon</translation>
+    </message>
+    <message>
+        <source>the hand is known within</source>
+        <translation>die Hand ist bekannt auf</translation>
+    </message>
+    <message>
+        <source>In 95 of 100 cases, in 95 of 100 poses over what can be reached and seen</source>
+        <translation>In 95 von 100 Fällen, in 95 von 100 Stellungen über alles, was erreicht und gesehen werden kann</translation>
+    </message>
+    <message>
+        <source>one cause, or none, by odds of</source>
+        <translation>eine Ursache oder keine, Quote</translation>
+    </message>
+    <message>
+        <source>poses, at most</source>
+        <translation>höchstens Stellungen</translation>
+    </message>
+    <message>
+        <source>time, at most</source>
+        <translation>höchstens Zeit</translation>
+    </message>
+    <message>
+        <source>everywhere; or x y z x y z in m</source>
+        <translation>überall; oder x y z x y z in m</translation>
+    </message>
+    <message>
+        <source>Two corners of a box in the root's frame: where the hand is to be known</source>
+        <translation>Zwei Ecken eines Kastens im System der Wurzel: wo die Hand bekannt sein soll</translation>
+    </message>
+    <message>
+        <source>the floor alone; or cell.xml</source>
+        <translation>nur der Boden; oder cell.xml</translation>
+    </message>
+    <message>
+        <source>What stands about the robot: boxes and planes (docs/experiment.md)</source>
+        <translation>Was um den Roboter steht: Kästen und Ebenen (docs/experiment.md)</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>where the hand works</source>
+        <translation>wo die Hand arbeitet</translation>
+    </message>
+    <message>
+        <source>what stands about</source>
+        <translation>was herumsteht</translation>
+    </message>
+    <message>
+        <source>What stands about the robot</source>
+        <translation>Was um den Roboter steht</translation>
+    </message>
+    <message>
+        <source>Cells (*.xml)</source>
+        <translation>Zellen (*.xml)</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The one that is asked whether it still holds; Export writes it</source>
+        <translation>Die gefragt wird, ob sie noch gilt; Export schreibt sie</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.xml)</source>
+        <translation>Kalibrierungen (*.xml)</translation>
+    </message>
+    <message>
+        <source>calibration.xml, as Export writes it</source>
+        <translation>calibration.xml, wie Export sie schreibt</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>A line is added for every observation; recheck --csv writes the same</source>
+        <translation>Jede Beobachtung fügt eine Zeile hinzu; recheck --csv schreibt dasselbe</translation>
+    </message>
+    <message>
+        <source>Logs (*.csv)</source>
+        <translation>Protokolle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Evidence that something has changed</source>
+        <translation>Was dafür spricht, dass sich etwas geändert hat</translation>
+    </message>
+    <message>
+        <source>e-value</source>
+        <translation>E-Wert</translation>
+    </message>
+    <message>
+        <source>1000: it has changed</source>
+        <translation>1000: es hat sich geändert</translation>
+    </message>
+    <message>
+        <source>Each observation of a recheck is a point here.</source>
+        <translation>Jede Beobachtung einer Nachprüfung ist hier ein Punkt.</translation>
+    </message>
+    <message>
+        <source>How each number of mount, hand and joint zeros went, with two sigma.</source>
+        <translation>Wie jede Zahl von Halterung, Hand und Gelenknullpunkten lief, mit zwei Sigma.</translation>
+    </message>
+    <message>
+        <source>The number whose history is shown</source>
+        <translation>Die Zahl, deren Verlauf gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Reading the log</source>
+        <translation>Das Protokoll wird gelesen</translation>
+    </message>
+    <message>
+        <source>Has anything changed since a calibration?</source>
+        <translation>Hat sich seit einer Kalibrierung etwas geändert?</translation>
+    </message>
+    <message>
+        <source>Choose the calibration and connect the driver: the robot goes to the five poses that show mount, hand and joint zeros best. It may be asked every hour, for ever: of a robot that has not changed, the chance of ever being told otherwise is 1 in 1000. Keep one session for all rechecks of a calibration.</source>
+        <translation>Wähle die Kalibrierung und verbinde den Treiber: der Roboter fährt in die fünf Stellungen, die Halterung, Hand und Gelenknullpunkte am besten zeigen. Das darf jede Stunde gefragt werden, für immer: bei einem Roboter, der sich nicht geändert hat, ist die Aussicht, je das Gegenteil zu hören, 1 zu 1000. Nimm eine Sitzung für alle Nachprüfungen einer Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Something has changed: %1.</source>
+        <translation>Etwas hat sich geändert: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing speaks for a change.</source>
+        <translation>Nichts spricht für eine Änderung.</translation>
+    </message>
+    <message>
+        <source>%1 looked at, the last at %2 UTC; e-value %3, where 1000 would count as a change.</source>
+        <translation>%1 angesehen, zuletzt um %2 UTC; E-Wert %3, wo 1000 als Änderung gälte.</translation>
+    </message>
+    <message>
+        <source>The robot stands still as soon as it can (Esc, wherever you are in the window)</source>
+        <translation>Der Roboter steht so bald wie möglich still (Esc, wo immer du im Fenster bist)</translation>
+    </message>
+    <message>
+        <source>after %1</source>
+        <translation>nach %1</translation>
+    </message>
+    <message>
+        <source>time (s since 1970)</source>
+        <translation>Zeit (s seit 1970)</translation>
+    </message>
+    <message>
+        <source>Where the hand works: expected six numbers, x y z x y z of two corners of a box in m.</source>
+        <translation>Wo die Hand arbeitet: erwartet werden sechs Zahlen, x y z x y z von zwei Ecken eines Kastens in m.</translation>
+    </message>
+    <message>
+        <source>Choose the calibration that is to be asked whether it still holds; Export writes one.</source>
+        <translation>Wähle die Kalibrierung, die gefragt werden soll, ob sie noch gilt; Export schreibt eine.</translation>
+    </message>
+    <message>
+        <source>Say where the log of the rechecks is to be kept: a CSV file.</source>
+        <translation>Sage, wo das Protokoll der Nachprüfungen liegen soll: eine CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>handsight-driver-simulated is not found beside this program; install it with Handsight.</source>
+        <translation>handsight-driver-simulated ist neben diesem Programm nicht zu finden; installiere es mit Handsight.</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -9063,6 +9586,62 @@
     <message>
         <source>points_mirrored: the session has no points of a tracker.</source>
         <translation>points_mirrored: Die Sitzung hat keine Punkte eines Trackers.</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: nothing is missing that these poses could show.</source>
+        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Stellungen zeigen könnten.</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: nothing is missing that these poses could show, and the hand is known to %1 mm (95 %).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Stellungen zeigen könnten, und die Hand ist auf %1 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: the hand is known to %1 mm (95 %).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: die Hand ist auf %1 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>The experiment was interrupted between two moves.</source>
+        <translation>Das Experiment wurde zwischen zwei Bewegungen unterbrochen.</translation>
+    </message>
+    <message>
+        <source>The experiment was interrupted after a move.</source>
+        <translation>Das Experiment wurde nach einer Bewegung unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Nothing was confirmed, so that nothing has moved.</source>
+        <translation>Nichts wurde bestätigt, also hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>No further pose was found that the robot can reach without a collision and where the target is seen.</source>
+        <translation>Es wurde keine weitere Stellung gefunden, die der Roboter ohne Zusammenstoß erreicht und in der das Ziel zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: %1 is missing (odds of %2).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2).</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: %1 is missing (odds of %2), and the hand is known to %3 mm (95 %).</source>
+        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2), und die Hand ist auf %3 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>is no log of recheck; expected the columns %1.</source>
+        <translation>ist kein Protokoll von recheck; erwartet werden die Spalten %1.</translation>
+    </message>
+    <message>
+        <source>has %1 columns, expected %2 at least.</source>
+        <translation>hat %1 Spalten; erwartet werden mindestens %2.</translation>
+    </message>
+    <message>
+        <source>expected a time, an observation's number, an e-value and 0 or 1, as recheck --csv writes them; move the file away, and recheck begins a new one.</source>
+        <translation>erwartet werden eine Zeit, die Nummer einer Beobachtung, ein E-Wert und 0 oder 1, wie recheck --csv sie schreibt; lege die Datei beiseite, dann beginnt recheck eine neue.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written; is the disk full?</source>
+        <translation>%1 lässt sich nicht schreiben; ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>Neither the calibration nor the session says where the robot was measured: no pose to recheck in.</source>
+        <translation>Weder Kalibrierung noch Sitzung sagt, wo der Roboter gemessen wurde: keine Stellung zum Nachprüfen.</translation>
     </message>
 </context>
 <context>

@@ -199,6 +199,17 @@ void show_ellipsoid(vtkRenderer& renderer, ActorGroup& group, const SceneEllipso
   group.add(renderer, actor);
 }
 
+void show_path(vtkRenderer& renderer, ActorGroup& group, const ScenePath& path) {
+  std::vector<Segment> segments;
+  for (std::size_t i = 1; i < path.points.size(); ++i) segments.emplace_back(path.points[i - 1], path.points[i]);
+  if (segments.empty()) return;
+  const QColor color = path.is_now ? colors().accent : colors().ink2;
+  group.add(renderer, lines_actor(segments, color, path.is_now ? 4 : 2));
+  auto end = make_actor(ball(path.points.back(), path.is_now ? 0.014 : 0.009), color);
+  end->PickableOff();
+  group.add(renderer, end);
+}
+
 void show_floor(vtkRenderer& renderer, ActorGroup& group, double height) {
   std::vector<Segment> segments;
   constexpr int half = 4;

@@ -31,6 +31,8 @@ void show_arrows(vtkRenderer& renderer, ActorGroup& group, const std::vector<Sce
 void show_arrow(vtkRenderer& renderer, ActorGroup& group, const SceneArrow& arrow, double times, double metres_per_px,
                 const QColor& color);
 void show_ellipsoid(vtkRenderer& renderer, ActorGroup& group, const SceneEllipsoid& ellipsoid);
+/// A line along the way and a ball at its end.
+void show_path(vtkRenderer& renderer, ActorGroup& group, const ScenePath& path);
 /// A faint grid of 0.5 m on the plane z = height.
 void show_floor(vtkRenderer& renderer, ActorGroup& group, double height);
 

@@ -191,6 +191,12 @@ const std::vector<SceneFixture>& RobotView::fixtures() const { return parts_->fi
 
 const std::vector<SceneArrow>& RobotView::arrows() const { return parts_->arrows; }
 
+void RobotView::set_paths(std::vector<ScenePath> paths) {
+  parts_->paths = std::move(paths);
+  parts_->paths_changed = true;
+  change();
+}
+
 void RobotView::set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid) {
   parts_->ellipsoid = ellipsoid;
   parts_->marks_changed = true;

@@ -54,6 +54,7 @@ class RobotView : public QWidget {
   void set_fixtures(std::vector<SceneFixture> fixtures);
   const std::vector<SceneFixture>& fixtures() const;
   const std::vector<SceneArrow>& arrows() const;
+  void set_paths(std::vector<ScenePath> paths);
   void set_ellipsoid(const std::optional<SceneEllipsoid>& ellipsoid);
   void set_selected_observation(ObservationId id);
   void set_hovered_observation(ObservationId id);

@@ -53,6 +53,7 @@ void RobotViewParts::make_ready() {
   const bool has_moved_robot = posture_changed;
   if (posture_changed || ghost_changed) place_robot();
   if (marks_changed) make_marks();
+  if (paths_changed) make_paths();
   if (wants_fit && has_robot() && !posture.empty()) {
     look(StandardView::all);
     wants_fit = false;
@@ -110,7 +111,7 @@ void RobotViewParts::set_colors() {
   for (const LinkActor& part : links.parts)
     set_color(*part.actor, part.link == tinted ? colors().accent : off_the_ground(part.color));
   theme_changed = false;
-  marks_changed = arrows_changed = posture_changed = true;
+  marks_changed = arrows_changed = posture_changed = paths_changed = true;
 }
 
 void RobotViewParts::place_robot() {
@@ -142,6 +143,12 @@ void RobotViewParts::make_marks() {
   show_markers(*renderer, marker_actors, markers);
   if (ellipsoid) show_ellipsoid(*renderer, ellipsoid_actors, *ellipsoid);
   marks_changed = false;
+}
+
+void RobotViewParts::make_paths() {
+  path_actors.clear(*renderer);
+  for (const ScenePath& path : paths) show_path(*renderer, path_actors, path);
+  paths_changed = false;
 }
 
 double RobotViewParts::metres_per_px() const {
@@ -188,6 +195,7 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
   for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
   for (const SceneFixture& fixture : fixtures) points.push_back(middle_of(fixture));
   for (const SceneMarker& marker : markers) points.push_back(marker.in_root);
+  for (const ScenePath& path : paths) points.insert(points.end(), path.points.begin(), path.points.end());
   if (tcp) points.push_back(tcp->translation);
   for (const SceneHand& hand : other_hands) points.push_back(hand.root_from_tcp.translation);
   Vector3 low = Vector3::Constant(1e300), high = -low;

@@ -50,6 +50,7 @@ struct RobotViewParts {
   std::vector<SceneMarker> markers;
   std::vector<SceneArrow> arrows;
   std::vector<SceneFixture> fixtures;
+  std::vector<ScenePath> paths;
   std::optional<SceneEllipsoid> ellipsoid;
   ObservationId selected = kNoObservation, hovered = kNoObservation;
   QString selected_joint, empty_text;
@@ -59,10 +60,11 @@ struct RobotViewParts {
   Ghost ghost;
   std::vector<Rigid> ghost_posture;  // as it is drawn, magnified
   double arrow_scale = 0;            // m for each px with which the arrows were made
-  ActorGroup floor, camera_actors, fixture_actors, axes, marker_actors, arrow_actors, ring_actors, ellipsoid_actors;
+  ActorGroup floor, camera_actors, fixture_actors, path_actors, axes, marker_actors, arrow_actors, ring_actors,
+      ellipsoid_actors;
   // What has to be made anew before the next picture: actors may only go while the context is current.
-  bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, arrows_changed = true,
-       rings_changed = true, theme_changed = true;
+  bool robot_changed = false, posture_changed = true, ghost_changed = true, marks_changed = true, paths_changed = true,
+       arrows_changed = true, rings_changed = true, theme_changed = true;
   bool wants_fit = true;
   bool is_framed = false;    // the eye is where the view itself put it: it may follow a robot that leaves the picture
   bool was_painted = false;  // once at least, with the scene or before there was one
@@ -86,6 +88,7 @@ struct RobotViewParts {
   void set_clipping_range();
   void place_robot();
   void make_marks();
+  void make_paths();
   void make_arrows();
   void set_colors();
   bool has_robot() const { return !robot.links.empty(); }

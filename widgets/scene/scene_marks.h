@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "camera/camera.h"
 #include "widgets/base/cells.h"
@@ -39,6 +40,12 @@ struct SceneArrow {
   Vector3 residual{0, 0, 0};  // m, true size
   std::optional<double> rms_over_sigma;
   int coordinates = 12;
+};
+
+/// A way of the TCP.
+struct ScenePath {
+  std::vector<Vector3> points;
+  bool is_now = false;  // the robot is on it; else it is to come
 };
 
 enum class SceneFixtureKind { plane, socket, edge, gauge, length };

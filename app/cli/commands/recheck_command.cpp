@@ -5,19 +5,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <thread>
 
 #include "base/text.h"
 #include "base/utc_now.h"
 #include "command.h"
-#include "compare/change_watch.h"
 #include "detection/target_finding.h"
 #include "experiment/driver/child_driver.h"
 #include "experiment/loop/experiment.h"
+#include "experiment/recheck/recheck_log.h"
+#include "experiment/recheck/recheck_poses.h"
 #include "live/arrivals.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
@@ -54,23 +53,15 @@ Json size_json(const WatchStep& step) {
   return sizes;
 }
 
-double e_value(const WatchStep& step) { return std::exp(std::min(step.ln_e_value, 690.0)); }
-
 Json step_json(const Observation& o, const WatchStep& step) {
   return {{"id", o.id},
-          {"e_value", number(e_value(step))},
+          {"e_value", number(e_value_of(step))},
           {"ln_e_value", number(step.ln_e_value)},
           {"changed", step.changed},
           {"what", step.what},
           {"where", step.where},
           {"text", step.text},
           {"size", size_json(step)}};
-}
-
-std::string csv_cell(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return cell + "\"";
 }
 
 /// Hears of every observation: says a line, keeps the log.
@@ -89,10 +80,10 @@ class Rechecking {
       std::cout << json_text(step_json(o, *step), -1) << '\n' << std::flush;
     else
       lines_ += json_text(step_json(o, *step), -1) + '\n';
-    options_.output.line(fmt::format("{:>6}  e-value {:>9.3g}  {}{}", o.id, e_value(*step),
+    options_.output.line(fmt::format("{:>6}  e-value {:>9.3g}  {}{}", o.id, e_value_of(*step),
                                      step->changed ? "CHANGED  " : "", step->changed ? step->text : ""));
     std::cout.flush();
-    log(o, *step);
+    if (!options_.csv.empty()) add_to_log(options_.csv, recheck_entry(utc_now(), o.id, *step));
   }
 
   int finish() {
@@ -106,21 +97,11 @@ class Rechecking {
                           "time). {}.",
                           last_->text)
             : fmt::format("Nothing speaks for a change after {} observations (e-value {:.3g}; 1000 would).", count_,
-                          e_value(*last_)));
+                          e_value_of(*last_)));
     return last_->changed ? answer_is_no : done;
   }
 
  private:
-  void log(const Observation& o, const WatchStep& step) const {
-    if (options_.csv.empty()) return;
-    const bool is_first = !std::filesystem::exists(options_.csv);
-    std::ofstream file(options_.csv, std::ios::app | std::ios::binary);
-    if (is_first) file << "utc,id,e_value,changed,what,where,text\n";
-    file << fmt::format("{},{},{:.6g},{},{},{},{}\n", utc_now(), o.id, e_value(step), step.changed ? 1 : 0, step.what,
-                        csv_cell(step.where), csv_cell(step.text));
-    if (!file.flush()) throw InputError(message("{} cannot be written; is the disk full?", shown_path(options_.csv)));
-  }
-
   const RecheckArguments& options_;
   ChangeWatch watch_;
   std::optional<WatchStep> last_;
@@ -152,28 +133,6 @@ Session session_of(const CalibratedRobot& before) {
   return s;
 }
 
-std::vector<Eigen::VectorXd> poses_of(const RecheckArguments& o, const CalibratedRobot& before,
-                                      const Session& session) {
-  std::vector<Eigen::VectorXd> positions = before.positions;
-  if (positions.empty())
-    for (const Observation& one : session.observations)
-      if (is_used(one)) positions.push_back(one.position);
-  if (positions.empty())
-    throw InputError(
-        "Neither the calibration nor the session says where the robot was measured: no pose to recheck in.");
-  // Where the shapes touch nothing, as far as there are such poses.
-  std::vector<Eigen::VectorXd> taken, free;
-  for (const Observation& one : session.observations) taken.push_back(one.position);
-  const CollisionWorld world(chain_of(session), robot_solids(session), o.cell.empty() ? Cell{} : read_cell(o.cell),
-                             taken);
-  for (const Eigen::VectorXd& q : positions)
-    if (!world.touching(q)) free.push_back(q);
-  if (static_cast<int>(free.size()) >= o.poses) positions = free;
-  std::vector<Eigen::VectorXd> poses;
-  for (const std::size_t place : telling_poses(before, session, positions, o.poses)) poses.push_back(positions[place]);
-  return poses;
-}
-
 bool is_confirmed(const RecheckArguments& o, std::size_t poses) {
   if (o.yes) return true;
   if (isatty(STDIN_FILENO) == 0) throw InputError("The robot would move now, and nobody can be asked: give --yes.");
@@ -189,10 +148,10 @@ void drive(const RecheckArguments& o, const CalibratedRobot& before, const Sessi
            Rechecking& rechecking) {
   if (const auto need = what_paths_need()) throw InputError(*need);
   ExperimentOptions options;
-  options.given = poses_of(o, before, session);
   options.save = keeps;
   options.speed = o.speed;
   if (!o.cell.empty()) options.cell = read_cell(o.cell);
+  options.given = recheck_poses(before, session, options.cell, o.poses);
   options.confirm = [&](const std::vector<PlannedMove>& moves) { return is_confirmed(o, moves.size()); };
   options.on_observation = [&](const Session& now, const Observation& one) { rechecking.take(now, one); };
   options.on_note = [](const std::string& text) { Output::note(text); };

@@ -30,6 +30,26 @@ struct Ended {
   Message reason;
 };
 
+/// Why everything that was asked for is reached.
+Message reached_text(const Goals& until, const ExperimentResult& result) {
+  const Message hand = until.hand ? message("{:.3g}", 1e3 * *result.known.hand_limit) : Message();
+  if (!until.odds) return message("What was asked for is reached: the hand is known to {} mm (95 %).", hand);
+  if (result.settled->id.empty())
+    return until.hand ? message(
+                            "What was asked for is reached: nothing is missing that these poses could show, and "
+                            "the hand is known to {} mm (95 %).",
+                            hand)
+                      : Message("What was asked for is reached: nothing is missing that these poses could show.");
+  Message cause = verbatim(result.settled->id);
+  if (!result.settled->where.empty()) cause = message("{} of {}", cause, result.settled->where.front());
+  return until.hand
+             ? message(
+                   "What was asked for is reached: {} is missing (odds of {:.3g}), and the hand is known "
+                   "to {} mm (95 %).",
+                   cause, result.settled->odds, hand)
+             : message("What was asked for is reached: {} is missing (odds of {:.3g}).", cause, result.settled->odds);
+}
+
 class Experiment {
  public:
   Experiment(Session session, DrivenRobot& robot, const ExperimentOptions& options)
@@ -60,6 +80,7 @@ class Experiment {
   void make_reach();
   void round();
   void learn(bool with_diagnosis);
+  void learn_from_look();
   void check_goals();
   bool is_settled(const Knowledge& known);
   void check_limits() const;
@@ -181,6 +202,18 @@ void Experiment::learn(bool with_diagnosis) {
   if (options_.on_knowledge) options_.on_knowledge(result_.known);
 }
 
+/// Between two diagnoses: a fit, beside what the last one found.
+void Experiment::learn_from_look() {
+  Knowledge before = std::move(result_.known);
+  Knowledge known = known_of(session_, model_, false, judged_by_);
+  known.diagnosis = std::move(before.diagnosis);
+  known.settled = std::move(before.settled);
+  known.rivals = std::move(before.rivals);
+  known.likely = std::move(before.likely);
+  result_.known = std::move(known);
+  if (options_.on_knowledge) options_.on_knowledge(result_.known);
+}
+
 void Experiment::check_limits() const {
   if (is_interrupted()) throw Ended{ExperimentEnd::interrupted, "The experiment was interrupted between two moves."};
   if (options_.until.count && result_.observations >= *options_.until.count)
@@ -214,18 +247,7 @@ void Experiment::check_goals() {
   const bool has_odds = !until.odds || result_.settled;
   const bool has_hand = !until.hand || (result_.known.hand_limit && *result_.known.hand_limit <= *until.hand);
   if (until.wants_something() && has_odds && has_hand) {
-    Message reason = "What was asked for is reached:";
-    if (until.odds)
-      reason +=
-          result_.settled->id.empty()
-              ? Message(" nothing is missing that these poses could show")
-              : message(" {}{} is missing (odds of {:.3g})", result_.settled->id,
-                        result_.settled->where.empty() ? Message() : message(" of {}", result_.settled->where.front()),
-                        result_.settled->odds);
-    if (until.hand)
-      reason += message("{} the hand is known to {:.3g} mm (95 %)", until.odds ? ", and" : "",
-                        1e3 * *result_.known.hand_limit);
-    throw Ended{ExperimentEnd::reached, message("{}.", reason)};
+    throw Ended{ExperimentEnd::reached, reached_text(until, result_)};
   }
   check_limits();
 }
@@ -317,6 +339,7 @@ void Experiment::drive(const PlannedMove& move) {
   step.reached = true;
   if (is_interrupted()) throw Ended{ExperimentEnd::interrupted, "The experiment was interrupted after a move."};
   look(step, stood);
+  if (step.accepted && options_.fit_each_look && options_.given.empty()) learn_from_look();
   told(step);
 }
 

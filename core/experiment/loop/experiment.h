@@ -41,6 +41,7 @@ struct ExperimentOptions {
   int batch = 5;                       // poses that are chosen at once; then it is diagnosed
   bool dry_run = false;                // nothing moves
   bool save = true;                    // the session is written after each look
+  bool fit_each_look = false;          // on_knowledge after each accepted observation, what was diagnosed last with it
   /// Asked once, before anything moves, with what is to come. Empty: yes.
   std::function<bool(const std::vector<PlannedMove>&)> confirm;
   std::function<void(const std::vector<PlannedMove>&)> on_plan;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiment/experiment_texts.h"
+
+#include <QObject>
+#include <cmath>
+
+#include "bench/session_parts.h"
+#include "document/effect_words.h"
+#include "experiment/paths/collision_world.h"
+#include "findings/explain_texts.h"
+#include "words/core_words.h"
+#include "words/counted.h"
+
+namespace handsight::app {
+namespace {
+
+constexpr std::size_t causes_shown = 2;
+
+}  // namespace
+
+QString why_no_experiment(const Session& session) {
+  if (is_joined(session))
+    return QObject::tr("Several sessions are open together. An experiment adds to one: open it by itself.");
+  if (session.robot.is_of_poses)
+    return QObject::tr("Of this session's robot only the flange's poses are known, and an experiment moves joints.");
+  if (session.is_touch())
+    return QObject::tr(
+        "This session is of touches. An experiment looks from where nothing is touched; Explain plans "
+        "which posture on which fixture comes next.");
+  if (session.observations.empty())
+    return QObject::tr("An experiment begins with one observation at least: add it, and it goes on from there.");
+  if (const auto need = what_paths_need()) return translated(*need);
+  return {};
+}
+
+QString state_text(RunState state, const QString& driver) {
+  switch (state) {
+    case RunState::resting:
+      return QObject::tr("No robot is connected.");
+    case RunState::greeting:
+      return QObject::tr("The driver is started and asked where the robot stands ...");
+    case RunState::thinking:
+      return QObject::tr("%1: what was measured is fitted and diagnosed, and the next poses are chosen ...")
+          .arg(driver);
+    case RunState::asking:
+      return QObject::tr("%1 is connected. These poses come first; nothing has moved.").arg(driver);
+    case RunState::moving:
+      return QObject::tr("The robot moves.");
+    case RunState::looking:
+      return QObject::tr("The robot looks.");
+    case RunState::stopping:
+      return QObject::tr("Stopping ...");
+    case RunState::halted:
+      return QObject::tr("The robot was told to stop and stands still; what was measured is summed up ...");
+  }
+  return {};
+}
+
+QString reason_in_words(PoseReason reason) {
+  switch (reason) {
+    case PoseReason::spread:
+      return QObject::tr("to settle the estimate");
+    case PoseReason::precision:
+      return QObject::tr("for the precision of the hand");
+    case PoseReason::between:
+      return QObject::tr("to tell two causes apart");
+    case PoseReason::region:
+      return QObject::tr("where it has not been measured yet");
+    case PoseReason::repeat:
+      return QObject::tr("a repeat, for the scatter");
+  }
+  return {};
+}
+
+QString hand_text(const Knowledge& known, bool has_box) {
+  if (!known.hand_limit) return QObject::tr("not known yet");
+  const QString limit = QObject::tr("within %1 mm").arg(short_number(1e3 * *known.hand_limit));
+  return (has_box ? QObject::tr("%1 in the box (95 %)") : QObject::tr("%1 wherever it can be seen (95 %)")).arg(limit);
+}
+
+QString verdict_in_words(const Knowledge& known) {
+  if (!known.diagnosis) return QObject::tr("asked from ten observations on");
+  if (!known.settled) return translated(verdict_text(known.diagnosis->verdict));
+  const QString odds = odds_text(std::log(std::max(known.settled->odds, 1.0)));
+  if (!known.settled->id.empty())
+    return QObject::tr("%1, %2").arg(effect_of(known.settled->id, known.settled->where), odds);
+  return known.settled->odds > 1 ? QObject::tr("nothing that these poses can show, %1").arg(odds)
+                                 : QObject::tr("nothing is sure yet");
+}
+
+std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
+  std::vector<CauseInWords> causes;
+  if (!known.diagnosis) return causes;
+  for (const DiagnosisCandidate& c : known.diagnosis->candidates) {
+    if (c.id.empty() || c.unnamed || c.terms.empty()) continue;
+    causes.push_back({effect_of(c.id, c.where),
+                      c.ln_bayes_factor > 0 ? odds_text(c.ln_bayes_factor) : QObject::tr("less likely than none")});
+    if (causes.size() == causes_shown) break;
+  }
+  return causes;
+}
+
+QString step_text(const ExperimentStep& step) {
+  const QString reason = translated(step.reason);
+  if (step.id < 0) return reason;
+  if (step.accepted) return QObject::tr("taken");
+  return QObject::tr("rejected: %1").arg(reason);
+}
+
+QString way_text(const PlannedMove& move) {
+  const QString length = QObject::tr("%1 rad away").arg(short_number(move.length));
+  return move.way.size() > 1 ? QObject::tr("%1, round what is in the way").arg(length) : length;
+}
+
+QString question_text(std::size_t poses, double speed) {
+  return QObject::tr(
+             "The robot moves now: %1 at first, the first one at a tenth of %2 rad/s. Is nobody within its "
+             "reach, and is the emergency stop at hand?")
+      .arg(counted(static_cast<qint64>(poses), "%n pose(s)"))
+      .arg(short_number(speed, 3));
+}
+
+}  // namespace handsight::app

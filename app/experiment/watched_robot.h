@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A driven robot that somebody watches: what it is asked and what it answers is told as it happens.
+#pragma once
+
+#include <functional>
+
+#include "experiment/driver/driven_robot.h"
+
+namespace handsight::app {
+
+/// Called in the thread that asks the robot; positions in the order of DriverHello::joints.
+struct RobotWatch {
+  std::function<void(const DriverHello&)> greeted;
+  std::function<void(const std::vector<Eigen::VectorXd>& path, double speed)> moving;
+  std::function<void(const MoveAnswer&)> stood;
+  std::function<void()> looking;
+  std::function<void()> halted;  // it was told to stop, and has answered or never will
+};
+
+class WatchedRobot : public DrivenRobot {
+ public:
+  /// `robot` outlives it.
+  WatchedRobot(DrivenRobot& robot, RobotWatch watch) : robot_(robot), watch_(std::move(watch)) {}
+
+  DriverHello hello() override {
+    DriverHello hello = robot_.hello();
+    watch_.greeted(hello);
+    return hello;
+  }
+  MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) override {
+    watch_.moving(path, speed);
+    MoveAnswer answer = robot_.move(path, speed);
+    watch_.stood(answer);
+    return answer;
+  }
+  LookAnswer look() override {
+    watch_.looking();
+    return robot_.look();
+  }
+  void stop() noexcept override {
+    robot_.stop();
+    watch_.halted();
+  }
+
+ private:
+  DrivenRobot& robot_;
+  RobotWatch watch_;
+};
+
+}  // namespace handsight::app
