@@ -12088,6 +12088,10 @@
         <source> (is this a xacro file? Make a URDF of it first)</source>
         <translation> (ist das eine xacro-Datei? Zuerst eine URDF daraus machen)</translation>
     </message>
+    <message>
+        <source>%1: was expanded by xacro, with the arguments that it has by itself.</source>
+        <translation>%1: wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
+    </message>
 </context>
 <context>
     <name>system</name>
