@@ -21,6 +21,7 @@ ShownUnit shown_unit(const std::string& unit);
 
 /// What a number is called: its name, abbreviations in words ("tu": "shift across, u").
 QString number_title(const std::string& name);
+inline QString number_title(const char* name) { return number_title(std::string(name)); }
 inline QString number_title(const Message& quantity) {
   return quantity.arguments().empty() ? number_title(quantity.form()) : translated(quantity);
 }

@@ -362,7 +362,7 @@ void FailingPane::show_variable(const std::string& variable) {
     choose_plot(place);
   };
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (places_[i].variable.english() == variable) return choose(static_cast<int>(i));
+    if (places_[i].variable == variable) return choose(static_cast<int>(i));
   // A variable that has no place yet takes the last one.
   for (const Pattern& p : residuals_->patterns) {
     if (residuals_->views.variables[p.variable].name.english() != variable) continue;

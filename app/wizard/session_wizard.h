@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <optional>
 
+#include "base/message.h"
 #include "session/new_session.h"
 
 class QCheckBox;
@@ -73,11 +74,11 @@ class SessionWizard : public QDialog {
   void offer_links();
   void read_images();
   void read_angles();
-  void read_joints(std::vector<std::string>& notes);
-  void read_flange(std::vector<std::string>& notes);
+  void read_joints(std::vector<Message>& notes);
+  void read_flange(std::vector<Message>& notes);
   void read_calibration();
   enum class PosesOf { flange, target };
-  std::vector<Rigid> poses_in(const Part& part, PosesOf of_what, std::vector<std::string>& notes) const;
+  std::vector<Rigid> poses_in(const Part& part, PosesOf of_what, std::vector<Message>& notes) const;
   void read_poses_of_target();
   void read_target();
   void refresh();

@@ -107,7 +107,7 @@ void SessionWizard::read_angles() {
     return refresh();
   }
   try {
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     if (is_flange_only())
       read_flange(notes);
     else
@@ -118,13 +118,13 @@ void SessionWizard::read_angles() {
   refresh();
 }
 
-void SessionWizard::read_joints(std::vector<std::string>& notes) {
+void SessionWizard::read_joints(std::vector<Message>& notes) {
   joints_ = joints_of_table(path_of(angles_.path), *read_robot_);
   positions_ = read_poses(path_of(angles_.path), joints_, &notes);
   say(angles_, with_notes(tr("%1 poses of %2 joints.").arg(positions_.size()).arg(joints_.size()), notes), false);
 }
 
-void SessionWizard::read_flange(std::vector<std::string>& notes) {
+void SessionWizard::read_flange(std::vector<Message>& notes) {
   NewSession flange;
   set_flange_poses(flange, poses_in(angles_, PosesOf::flange, notes));
   joints_ = flange.joints;
@@ -134,7 +134,7 @@ void SessionWizard::read_flange(std::vector<std::string>& notes) {
 }
 
 /// Those of a table or list of poses, or of samples of easy_handeye, which have both.
-std::vector<Rigid> SessionWizard::poses_in(const Part& part, PosesOf of_what, std::vector<std::string>& notes) const {
+std::vector<Rigid> SessionWizard::poses_in(const Part& part, PosesOf of_what, std::vector<Message>& notes) const {
   const Brought brought = bring({path_of(part.path)}, nullptr, false);
   notes = brought.notes;
   if (brought.samples)
@@ -152,7 +152,7 @@ void SessionWizard::read_calibration() {
   rig_.cameras.clear();
   say(calibration_, {}, false);
   if (!calibration_.path->text().isEmpty()) try {
-      std::vector<std::string> notes;
+      std::vector<Message> notes;
       rig_ = rig_of_files(paths_of(calibration_.path), notes);
       const QString sentence =
           rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(widgets::fixed_text(rig_.at(0).camera.fx, 0))
@@ -170,7 +170,7 @@ void SessionWizard::read_poses_of_target() {
   target_poses_.clear();
   say(poses_, {}, false);
   if (known() == poses && !poses_.path->text().isEmpty()) try {
-      std::vector<std::string> notes;
+      std::vector<Message> notes;
       target_poses_ = poses_in(poses_, PosesOf::target, notes);
       say(poses_, with_notes(counted(static_cast<int>(target_poses_.size()), "%n pose(s) of the target") + ".", notes),
           false);

@@ -34,7 +34,7 @@ std::optional<StorageEntry> find_matrix(const Storage& storage, const std::strin
       throw InputError(
           message("{}: {} is no matrix of finite numbers: {}; expected what OpenCV's stereoCalibrate "
                   "writes.",
-                  file, name, shortened(found->second.fault, 200)));
+                  file, name, at_most(found->second.fault, 200)));
     return found->second;
   }
   return std::nullopt;

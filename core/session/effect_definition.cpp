@@ -101,7 +101,7 @@ std::vector<EffectDefinition> parse_effect_definitions(const std::string& text, 
       refuse(node, message("has id={} a second time, expected each effect once.", in_quotes(all.back().id)));
   }
   if (notes)
-    for (std::string& sentence : ignored_sentences(ignored, file)) notes->push_back(std::move(sentence));
+    for (Message& sentence : ignored_sentences(ignored, file)) notes->push_back(std::move(sentence));
   return all;
 }
 

@@ -93,7 +93,7 @@ class Joiner {
     add_rig(m, part);
     add_body(m, part);
     add_observations(m, static_cast<int>(all_.parts.size()) - 1, part);
-    for (const std::string& note : s.notes) all_.notes.push_back(m.title + ": " + note);
+    for (const Message& note : s.notes) all_.notes.push_back(message("{}: {}", m.title, note));
   }
 
   SessionPart part_of(const JoinedMember& m) const {
@@ -125,7 +125,7 @@ class Joiner {
     for (const KnownDistance& d : s.distances)
       all_.distances.push_back(
           {fixtures[static_cast<std::size_t>(d.of)], fixtures[static_cast<std::size_t>(d.from)], d.by, d.sigma});
-    for (const std::string& note : s.notes) all_.notes.push_back(m.title + ": " + note);
+    for (const Message& note : s.notes) all_.notes.push_back(message("{}: {}", m.title, note));
   }
 
   /// Of sessions with the same rig those of one name are one.

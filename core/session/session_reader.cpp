@@ -322,7 +322,7 @@ Session parse_session(const std::string& text, const std::string& file, SessionL
   read_observations(*observations, session, found, ignored);
   note_outside(session, file);
   if (session.pose_sensor) show_poses(session, pose_lever(*session.pose_sensor));
-  for (std::string& sentence : ignored_sentences(ignored, file)) session.notes.push_back(std::move(sentence));
+  for (Message& sentence : ignored_sentences(ignored, file)) session.notes.push_back(std::move(sentence));
   session.source = std::make_shared<const std::string>(text);
   if (lines) *lines = std::move(found);
   return session;

@@ -9643,6 +9643,10 @@
         <source>Neither the calibration nor the session says where the robot was measured: no pose to recheck in.</source>
         <translation>Weder Kalibrierung noch Sitzung sagt, wo der Roboter gemessen wurde: keine Stellung zum Nachprüfen.</translation>
     </message>
+    <message>
+        <source>%1: was expanded by xacro, with the arguments that it has by itself.</source>
+        <translation>%1: wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>

@@ -70,7 +70,7 @@ TEST(Message, MessagesInARowAreASequence) {
 TEST(Message, JoinedHasItsOwnWordBeforeTheLast) {
   EXPECT_EQ(joined({"a", "b", "c"}, ", ", " and ").english(), "a, b and c");
   EXPECT_EQ(joined({"a", "b"}, ", ", " and ").english(), "a and b");
-  EXPECT_EQ(joined(verbatim({"x", "y"})).english(), "x, y");
+  EXPECT_EQ(joined(verbatim(std::vector<std::string>{"x", "y"})).english(), "x, y");
   EXPECT_TRUE(joined({}).empty());
 }
 

@@ -47,7 +47,7 @@ double chi_squared(const CameraCalibration& c, const CameraRig& truth) {
   return e.dot(c.bundle.lens_covariances[0]->ldlt().solve(e));
 }
 
-bool says(const std::vector<std::string>& lines, const std::string& what) {
+bool says(const std::vector<Message>& lines, const std::string& what) {
   return std::any_of(lines.begin(), lines.end(),
                      [&](const auto& line) { return line.find(what) != std::string::npos; });
 }

@@ -96,7 +96,7 @@ TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
     }
   }
   std::string all;
-  for (const std::string& warning : calibrated(images, "brown").warnings) all += warning + "\n";
+  for (const Message& warning : calibrated(images, "brown").warnings) all += warning + "\n";
   EXPECT_NE(all.find("degrees"), std::string::npos) << all;
   images.images.resize(2);
   EXPECT_THROW(calibrated(images, "brown"), InputError);

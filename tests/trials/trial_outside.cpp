@@ -115,7 +115,7 @@ int outside_trials(const Arguments& a) {
         right += is_unexplained && is_right;
         if (!is_unexplained || !is_right || (names > 0 && !is_family))
           fmt::print("  {} robot {} seed {}: {} after {}; truth {}; {}\n", kind, robot, seed, verdict_text(d.verdict),
-                     m.steps.size() > 1 ? added : "nothing", out.variable, d.reason.substr(0, 150));
+                     m.steps.size() > 1 ? added : "nothing", out.variable, d.reason.english().substr(0, 150));
         std::fflush(stdout);
       }
     }

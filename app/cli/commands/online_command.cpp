@@ -199,7 +199,7 @@ std::size_t watch(Session& session, const OnlineArguments& options, OnlineCalibr
   };
   while (!is_over()) {
     Arrivals::Look look = arrivals.look();
-    for (const std::string& remark : look.remarks) Output::note(remark);
+    for (const Message& remark : look.remarks) Output::note(remark);
     for (Observation& o : look.arrived) {
       o.id = next_id++;
       ++arrived;

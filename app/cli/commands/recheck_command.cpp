@@ -180,7 +180,7 @@ void watch(const RecheckArguments& o, Session session, Rechecking& rechecking) {
   while (!is_stopped &&
          (o.watch_for <= 0 || std::chrono::steady_clock::now() - start < std::chrono::duration<double>(o.watch_for))) {
     Arrivals::Look look = arrivals.look();
-    for (const std::string& remark : look.remarks) Output::note(remark);
+    for (const Message& remark : look.remarks) Output::note(remark);
     for (Observation& one : look.arrived) {
       one.id = next_id++;
       if (finder && has_images(one)) one.sightings = finder->find(one).sightings;

@@ -152,7 +152,7 @@ void print_certificate(const Output& output, const Certificate& c) {
   line("greatest", c.before.largest, c.after.largest);
   output.line(fmt::format("{} of {} errors inside their promised 95 % limits ({:.1f} to {:.1f} %).", c.coverage.inside,
                           c.coverage.all, 100 * c.coverage.interval.low, 100 * c.coverage.interval.high));
-  for (const Message& sentence : c.iso.lacking) output.line(sentence);
+  for (const std::string& sentence : c.iso.lacking) output.line(sentence);
 }
 
 }  // namespace handsight::cli

@@ -153,7 +153,7 @@ std::string error_line(const StoryError& e) {
   std::string line = story_size_text(*e.error, e.in_pixels) + (e.held_out ? " held out (rms)" : " (rms)");
   if (e.elsewhere)
     line += fmt::format(", {} where whole regions are held out", story_size_text(*e.elsewhere, e.in_pixels));
-  return e.noise ? line + "; noise " + story_size_text(*e.noise, e.in_pixels) : line;
+  return e.noise ? line + "; noise " + story_size_text(*e.noise, e.in_pixels).english() : line;
 }
 
 const char* next_text(StoryNext next) {

@@ -26,7 +26,8 @@ std::string noise_or_unknown(const std::optional<double>& value, bool tracker) {
 std::string changes_text(const ImprovementStep& s) {
   if (s.added.empty() && s.removed.empty() && s.exchanged.empty()) return "the same names at other places";
   if (s.removed.empty()) return s.exchanged.empty() ? "" : "beside what stands: " + listed(s.exchanged);
-  return "no longer needed: " + s.removed + (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged));
+  return "no longer needed: " + s.removed +
+         (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged).english());
 }
 
 /// "backlash (axis_4) 23 %, payload 8 %"

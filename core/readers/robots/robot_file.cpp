@@ -58,7 +58,7 @@ FieldUrdf robot_of_file(const fs::path& path) {
     if (const auto urdf = expanded(path, file)) {
       FieldUrdf robot = field_urdf(*urdf, file);
       robot.notes.insert(robot.notes.begin(),
-                         file + ": was expanded by xacro, with the arguments that it has by itself.");
+                         message("{}: was expanded by xacro, with the arguments that it has by itself.", file));
       return robot;
     }
   return field_urdf(text, file);

@@ -46,7 +46,7 @@ class Judge : public testing::Test {
     d.report.held_out.rms_pixel = 0.3;
     d.candidates = std::move(candidates);
     judge(*session_, knows_noise, {}, d);
-    EXPECT_GE(d.reason.size(), 20u);
+    EXPECT_GE(d.reason.english().size(), 20u);
     return d;
   }
 

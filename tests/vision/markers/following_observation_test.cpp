@@ -203,7 +203,7 @@ TEST(FollowingObservation, BoardsOfAThousandCornersAreDecidedToo) {
     for (int row = -13; row < 12; ++row) scene.add_point(truth * Vector3(square * column, square * row, 0));
   const Match match = match_markers(scene.rig, scene.left, scene.right, known(markers), truth);
   EXPECT_FALSE(match.accepted()) << "nothing tells which corners of the board are the markers";
-  EXPECT_GE(match.reason.size(), 20u);
+  EXPECT_GE(match.reason.english().size(), 20u);
   EXPECT_FALSE(match_markers(scene.rig, scene.left, scene.right, known(markers), std::nullopt).accepted());
 }
 
