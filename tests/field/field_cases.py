@@ -30,6 +30,7 @@ except (ImportError, AttributeError) as missing:
     print("not installed: %s" % missing)
     sys.exit(77)
 
+sys.dont_write_bytecode = True  # nothing is written beside the sources
 from field_scene import (ANGLES, CAMERA, CAMERAS, COUNT, FLANGES, HEIGHT, JOINTS, K, SEEN, STAND, TAG, TARGETS, WIDTH,
                          chessboard, hand, joint_table, motion, photographed, quaternion, quaternions, rotation_vector, table,
                          urdf, write)
