@@ -6,25 +6,32 @@ to a sentence that names the cause.
 
 field_cases.py HANDSIGHT_CLI [NAME ...]: a line for each, with what was said (-v: all of it); exit code 1 where one is neither;
 77 where the writers are not installed."""
+import io
 import json
 import math
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 try:
     import cv2
     import numpy as np
+    import genpy
+    from geometry_msgs.msg import TransformStamped
     from scipy.spatial.transform import Rotation
+    from tf2_msgs.msg import TFMessage
     cv2.aruco.CharucoBoard_create  # of the OpenCV of Debian 12
 except (ImportError, AttributeError) as missing:
     print("not installed: %s" % missing)
     sys.exit(77)
 
-from field_scene import (ANGLES, BOARD, CAMERA, CAMERAS, COUNT, FLANGES, HEIGHT, JOINTS, K, SEEN, STAND, TAG, TARGETS, WIDTH,
+sys.dont_write_bytecode = True  # nothing is written beside the sources
+from field_scene import (ANGLES, CAMERA, CAMERAS, COUNT, FLANGES, HEIGHT, JOINTS, K, SEEN, STAND, TAG, TARGETS, WIDTH,
                          chessboard, hand, joint_table, motion, photographed, quaternion, quaternions, rotation_vector, table,
                          urdf, write)
 
@@ -165,6 +172,49 @@ def ur_script():
     """Poses as URScript writes them."""
     lines = ["p[%s]" % ", ".join("%.7f" % x for x in floats(p[:3, 3], rotation_vector(p))) for p in FLANGES]
     return [write("waypoints.txt", "\n".join(lines) + "\n"), quaternions("target.csv", TARGETS)], SENSOR
+
+
+def mcap_record(code, *parts):
+    content = b"".join(parts)
+    return struct.pack("<BQ", code, len(content)) + content
+
+
+def mcap_text(text):
+    data = text if isinstance(text, bytes) else text.encode()
+    return struct.pack("<I", len(data)) + data
+
+
+def mcap_of_poses():
+    """/tf alone in an MCAP, by its specification: a schema, a channel, messages of ROS 1 in two chunks."""
+    def message(number, seconds, parent, child, pose):
+        tf = TransformStamped(child_frame_id=child)
+        tf.header.stamp, tf.header.frame_id = genpy.Time.from_sec(seconds), parent
+        tf.transform.translation.x, tf.transform.translation.y, tf.transform.translation.z = pose[:3, 3]
+        r = tf.transform.rotation
+        r.x, r.y, r.z, r.w = quaternion(pose)
+        data = io.BytesIO()
+        TFMessage([tf]).serialize(data)
+        time_ns = int(round(seconds * 1e9))
+        return mcap_record(5, struct.pack("<HIQQ", 1, number, time_ns, time_ns), data.getvalue())
+
+    schema = mcap_record(3, struct.pack("<H", 1), mcap_text("tf2_msgs/TFMessage"), mcap_text("ros1msg"), mcap_text(TFMessage._full_text))
+    channel = mcap_record(4, struct.pack("<HH", 1, 1), mcap_text("/tf"), mcap_text("ros1"), struct.pack("<I", 0))
+    messages = []
+    for i, (flange, target) in enumerate(zip(FLANGES, TARGETS)):
+        for k in range(20):
+            messages.append(message(len(messages), 100 + 2 * i + 0.05 * k, "base_link", "tool0", flange))
+            if k == 10:
+                messages.append(message(len(messages), 100 + 2 * i + 0.05 * k, "camera", "aruco_marker", target))
+    magic = b"\x89MCAP0\r\n"
+    chunks = b""
+    for half in (messages[:200], messages[200:]):
+        records = (schema + channel if not chunks else b"") + b"".join(half)
+        chunks += mcap_record(6, struct.pack("<QQQI", 0, 2**63, len(records), zlib.crc32(records)), mcap_text(""),
+                              struct.pack("<Q", len(records)), records)
+    with open("hand_eye.mcap", "wb") as file:
+        file.write(magic + mcap_record(1, mcap_text("ros1"), mcap_text("field")) + chunks + mcap_record(15, struct.pack("<I", 0))
+                   + mcap_record(2, struct.pack("<QQI", 0, 0, 0)) + magic)
+    return ["hand_eye.mcap"], SENSOR
 
 
 # Images.
@@ -434,7 +484,7 @@ def sides_exchanged():
              "--target", "charuco columns=7 rows=5 square=0.026 marker=0.019 dictionary=DICT_5X5_100"], told("exchanged", "left|sides|cameras"))
 
 
-CASES = [kuka_points, abb_module, fanuc_program, fanuc_german_table, staubli_latin, doosan, techman, ur_script, ur_images,
+CASES = [kuka_points, abb_module, fanuc_program, fanuc_german_table, staubli_latin, doosan, techman, ur_script, mcap_of_poses, ur_images,
          square_in_millimetres, rows_for_columns, chessboard_transposed, images_that_are_missing, images_that_are_missing_unnamed,
          old_charuco, tags, tags_larger_than_said, circles_asymmetric, circles_symmetric, circles_transposed, portrait, camera_upside_down,
          inverse_flange_on_a_stand, clocks_apart, poses_twice, tracker_with_y_up, tracker_axes_exchanged, degrees_without_header,

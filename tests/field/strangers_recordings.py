@@ -31,6 +31,7 @@ except (ImportError, AttributeError) as missing:
     print("not installed: %s" % missing)
     sys.exit(77)
 
+sys.dont_write_bytecode = True  # nothing is written beside the sources
 from field_scene import (ANGLES, CAMERA, CAMERAS, COUNT, FLANGES, FOCAL, HEIGHT, JOINTS, K, SEEN, TAG, TARGETS, WIDTH, chessboard,
                          joint_table, motion, photographed, quaternion, quaternions, table, urdf, write)
 

@@ -111,7 +111,7 @@ TEST_F(BoardWizard, WhatIsAskedForFollowsWhatIsKnown) {
     for (const char* field : fields)
       EXPECT_EQ(is_asked(field), asked.contains(field)) << "option " << option << ": " << field;
   }
-  EXPECT_EQ(wizard.said("target_said"), "asymmetric grid of 4 × 11 circles of 15 mm, unit 20 mm.");
+  EXPECT_EQ(wizard.said("target_said"), "asymmetric grid of 4 x 11 circles of 15 mm, unit 20 mm.");
   desk.find<QComboBox>("target_layout")->setCurrentIndex(0);
   EXPECT_TRUE(wizard.said("target_said").contains("an asymmetric grid of an odd number of rows"));
 }
