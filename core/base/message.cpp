@@ -2,8 +2,7 @@
 #include "base/message.h"
 
 #include <ostream>
-
-#include "base/error.h"
+#include <stdexcept>
 
 namespace handsight {
 namespace {
@@ -139,7 +138,7 @@ Message message(std::string_view form, const Kept* kept, fmt::format_args argume
     text += '%' + std::to_string(put(place_of(form.substr(1, end - 1), next)) + 1);
     form.remove_prefix(end + 1);
   }
-  check(put_in.size() < 10, "the message \"{}\" has more than nine places", text);
+  if (put_in.size() > 9) throw std::logic_error("the message \"" + text + "\" has more than nine places");
   return {Message::Kind::form, text, put_in};
 }
 
