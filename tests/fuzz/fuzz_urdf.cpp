@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<Message> notes;
     handsight::demand_tree(
         handsight::parse_urdf(std::string(reinterpret_cast<const char*>(data), size), "robot.urdf", &notes));
-    for (const Message& note : notes)
+    for (const std::string& note : notes)
       handsight::demand(handsight::is_utf8(note) && note.size() <= 600, "notes are short", note);
   } catch (const handsight::InputError& error) {
     handsight::demand_sentence(error);
