@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "base/message.h"
 #include "bench/workbench.h"
 #include "live/arrivals.h"
 

@@ -49,6 +49,8 @@ class Message {
   friend Message operator+(Message before, const Message& after) { return before += after; }
   /// Whether both say the same in English.
   friend bool operator==(const Message& a, const Message& b) { return a.english() == b.english(); }
+  friend bool operator==(const Message& a, const std::string& english) { return a.english() == english; }
+  friend bool operator==(const Message& a, const char* english) { return a.english() == english; }
   friend std::ostream& operator<<(std::ostream& stream, const Message& message);
 
  private:

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "session/session.h"
 #include "vision/image/image.h"
 

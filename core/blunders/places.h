@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "session/session.h"
 
 namespace handsight {

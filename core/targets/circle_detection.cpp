@@ -199,7 +199,7 @@ TargetSighting detect_circles(const Image& image, const PreparedTarget& target) 
   if (sighting.points.size() < target.points.size())
     sighting.points.clear();
   else
-    sighting.reason.clear();
+    sighting.reason = {};
   return sighting;
 }
 

@@ -98,7 +98,7 @@ TEST(MovedHand, IsTheSameFromTheWrittenCalibration) {
 TEST(MovedHand, IsWhatAProgramMoves) {
   const Calibrated c = calibrated_wrist_camera();
   const ExportedFile file = exported_file(c.robot, "python");
-  for (const std::string& note : file.notes) EXPECT_EQ(note.find("does not move the hand"), std::string::npos) << note;
+  for (const Message& note : file.notes) EXPECT_EQ(note.find("does not move the hand"), std::string::npos) << note;
 }
 
 TEST(MovedHand, IsTheHandOfTheUrdf) {

@@ -135,7 +135,7 @@ TEST(Targets, PartsOfABoardAreEnough) {
     std::erase_if(one.sightings, [](const Sighting& p) { return p.marker == 0; });
   const Fit f = fit(s.session);
   EXPECT_LT(error_of_body(s, f), 6 + 4.5 * std::sqrt(12.0));
-  for (const std::string& note : f.notes) EXPECT_EQ(note.find("seen in no used"), std::string::npos) << note;
+  for (const Message& note : f.notes) EXPECT_EQ(note.find("seen in no used"), std::string::npos) << note;
 }
 
 TEST(Targets, AMissingSpringIsNamed) {

@@ -29,7 +29,7 @@ void demand_tree(const Robot& robot) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    std::vector<Message> notes;
+    std::vector<handsight::Message> notes;
     handsight::demand_tree(
         handsight::parse_urdf(std::string(reinterpret_cast<const char*>(data), size), "robot.urdf", &notes));
     for (const std::string& note : notes)

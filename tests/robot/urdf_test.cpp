@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 constexpr double pi = std::numbers::pi;
 
-Robot parse(const std::string& text, std::vector<std::string>* notes = nullptr) {
+Robot parse(const std::string& text, std::vector<Message>* notes = nullptr) {
   return parse_urdf(text, "robot.urdf", notes);
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/message.h"
 #include "camera/camera_knowledge.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"

@@ -218,7 +218,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   if (d.blame.letter != 0)
     out.line(fmt::format("Blame     robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
                          whole_percent(d.blame.robot), whole_percent(d.blame.body), whole_percent(d.blame.cameras)));
-  for (const std::string& text : undetermined_texts(d.model.fit)) out.line("Note      " + text);
+  for (const Message& text : undetermined_texts(d.model.fit)) out.line("Note      " + text);
   print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
   if (!d.model.lone.empty()) out.line("Left out  " + lone_text(d.model.lone, tracker));
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));

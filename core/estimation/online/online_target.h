@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "base/message.h"
 #include "estimation/online/online_step.h"
 #include "estimation/solvers/held_fit.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "export/rigid/rigid_fit.h"
 
 namespace handsight {

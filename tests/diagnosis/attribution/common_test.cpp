@@ -6,7 +6,7 @@
 namespace handsight {
 namespace {
 
-Variable variable(const std::string& name, const std::string& unit, const Eigen::VectorXd& values,
+Variable variable(const Message& name, const std::string& unit, const Eigen::VectorXd& values,
                   VariableKind kind = VariableKind::angle) {
   return {kind, 0, name, unit, values};
 }

@@ -53,7 +53,7 @@ TEST(CheckSession, TellsWhatIsDoubtful) {
     std::swap(camera->width, camera->height);
   for (Link& link : session.robot.links) link.mass = 0;
   std::string all;
-  for (const std::string& warning : check_session(session).warnings) all += warning + '\n';
+  for (const Message& warning : check_session(session).warnings) all += warning.english() + '\n';
   EXPECT_NE(all.find("are width and height of the cameras swapped?"), std::string::npos) << all;
   EXPECT_NE(all.find("No link of the robot has a mass"), std::string::npos) << all;
 }

@@ -24,7 +24,7 @@ TEST(SessionDoubts, ThereAreNoneOfTheSampleSessions) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions")) {
     if (!std::filesystem::exists(entry.path() / "session.xml")) continue;
-    for (const std::string& doubt : session_doubts(read_session(entry.path())))
+    for (const Message& doubt : session_doubts(read_session(entry.path())))
       ADD_FAILURE() << entry.path().filename() << ": " << doubt;
   }
   EXPECT_TRUE(session_doubts(made()).empty());
