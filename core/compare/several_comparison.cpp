@@ -2,12 +2,14 @@
 #include "compare/several_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "compare/change_verdict.h"
 #include "compare/several_changes.h"
+#include "diagnosis/evidence/evidence.h"
 #include "diagnosis/ranking/clean_model.h"
 #include "effects/own_effect.h"
 
@@ -117,13 +119,19 @@ std::string best_group(const SeveralRanking& ranking) {
 }
 
 /// What each alternative's odds are, ln, against nothing having changed: half of the prior is for nothing, the other
-/// half is parted over the groups, and in each evenly over its alternatives.
+/// half is parted over the groups, and in each evenly over its alternatives. How large a change is plausible is only
+/// known so well, and may not decide between two that explain the same: beside the evidence with those sizes stands, as
+/// likely, that of a prior which tells as much as one measurement (Schwarz 1978).
 class Odds {
  public:
   Odds(const SeveralComparer& comparer, const SeveralRanking& ranking) : comparer_(comparer), ranking_(ranking) {
     double weights = 0;
     for (const auto& [group, evidence] : ranking.groups) weights += std::exp(ln_prior_odds(group));
     ln_weights_ = std::log(std::max(weights, 1e-300));
+    double points = 1;
+    for (const SeveralSide& s : comparer.sides().sides)
+      for (const ProblemObservation& o : s.problem.observations) points += static_cast<double>(o.sightings.size());
+    ln_measured_ = std::log(points);
     for (std::size_t a = 0; a < ranking.found.size(); ++a)
       if (ranking.found[a].is_visible) most_ = std::max(most_, ln(a));
     sum_ = std::exp(-most_);
@@ -144,13 +152,15 @@ class Odds {
   const std::string& name(std::size_t a) const { return comparer_.units()[comparer_.alternatives()[a].unit].group; }
   double ln(std::size_t a) const {
     const GroupEvidence& group = ranking_.groups.at(name(a));
-    return ranking_.found[a].ln_bayes_factor + ln_prior_odds(name(a)) - ln_weights_ -
-           std::log(static_cast<double>(group.places));
+    const FoundChange& f = ranking_.found[a];
+    std::array<double, 2> evidence{f.ln_bayes_factor, f.ln_bayes_factor};
+    if (f.change.size() > 0) evidence[1] = 0.5 * (f.explained - static_cast<double>(f.change.size()) * ln_measured_);
+    return ln_mean_exp(evidence) + ln_prior_odds(name(a)) - ln_weights_ - std::log(static_cast<double>(group.places));
   }
 
   const SeveralComparer& comparer_;
   const SeveralRanking& ranking_;
-  double ln_weights_ = 0, most_ = 0, sum_ = 1;
+  double ln_weights_ = 0, ln_measured_ = 0, most_ = 0, sum_ = 1;
 };
 
 /// What was taken, and what was as likely when it was.
@@ -170,7 +180,7 @@ class Judge {
     while (taken_.size() < most_changes) {
       const std::string best = best_group(ranking_);
       if (best.empty() || ln_odds(best, ranking_.groups.at(best)) < c_.threshold + (taken_.empty() ? 0 : ln_20)) break;
-      take(ranking_.groups.at(best).best);
+      take(likeliest(ranking_.groups.at(best).best));
       drop_needless();
       keep_going(comparer_->sides().progress, 0.7 + 0.25 * static_cast<double>(taken_.size()) / most_changes);
       ranking_ = comparer_->rank(active(), false);
@@ -203,6 +213,18 @@ class Judge {
     ChangeCandidate told{unit.group, unit.where, {}, {}, probability};
     for (const std::size_t k : unit.who) (alternative.in[k] ? told.after : told.before).push_back(members_[k].title);
     return told;
+  }
+
+  /// Of all whose kind is no chance either.
+  std::size_t likeliest(std::size_t best) const {
+    const Odds odds(*comparer_, ranking_);
+    const double least = c_.threshold + (taken_.empty() ? 0 : ln_20);
+    for (std::size_t a = 0; a < ranking_.found.size(); ++a) {
+      const std::string& group = comparer_->units()[comparer_->alternatives()[a].unit].group;
+      if (!ranking_.found[a].is_visible || ln_odds(group, ranking_.groups.at(group)) < least) continue;
+      if (odds.probability(a) > odds.probability(best)) best = a;
+    }
+    return best;
   }
 
   void take(std::size_t a) {
