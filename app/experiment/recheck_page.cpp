@@ -17,6 +17,7 @@
 #include "document/effect_words.h"
 #include "experiment/recheck/recheck_poses.h"
 #include "session/calibration_xml.h"
+#include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/plots/history_plot.h"
 #include "words/core_words.h"
@@ -231,7 +232,7 @@ void RecheckPage::show_entries() {
   more_->setText(tr("%1 looked at, the last at %2 UTC; e-value %3, where 1000 would count as a change.")
                      .arg(counted(static_cast<qint64>(entries_.size()), "%n observation(s)"),
                           QString::fromStdString(last.utc).replace('T', ' ').remove('Z'))
-                     .arg(short_number(last.e_value)));
+                     .arg(widgets::short_text(last.e_value, 3)));
 }
 
 void RecheckPage::show_number() {
