@@ -94,7 +94,7 @@ void ExperimentPage::set_session() {
   grown_.clear();
   known_.reset();
   is_set_ = false;
-  more_->clear();
+  more_->setText(tr("told when it ends"));
   side_->setCurrentIndex(welcome);
   tabs_->setCurrentIndex(goals_tab);
   show_poses();
@@ -121,7 +121,7 @@ void ExperimentPage::show_end(const ExperimentResult& result) {
     }
     known_ = known;
   }
-  more_->setText(translated(result.more));
+  more_->setText(result.more.empty() ? tr("cannot be foretold") : translated(result.more));
   if (result.end != ExperimentEnd::not_confirmed && result.end != ExperimentEnd::dry_run)
     tabs_->setCurrentIndex(known_tab);
   show_knowledge();

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/utc_now.h"
 #include "bench/link_selection.h"
@@ -29,7 +30,8 @@ namespace {
 using widgets::HistoryPlot;
 
 constexpr int poses_of_a_recheck = 5;
-constexpr double alarm = 1000;  // the e-value that counts as a change
+constexpr double alarm = 1000;       // the e-value that counts as a change
+constexpr double most_shown = 1e15;  // beyond it nothing gets any surer
 
 double seconds_of(const std::string& utc) {
   const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -204,7 +206,8 @@ void RecheckPage::refresh() {
 void RecheckPage::show_entries() {
   std::vector<widgets::HistoryPoint> points;
   for (const RecheckEntry& e : entries_)
-    points.push_back({.x = seconds_of(e.utc), .y = e.e_value, .stands_out = e.changed, .observation = e.id});
+    points.push_back(
+        {.x = seconds_of(e.utc), .y = std::min(e.e_value, most_shown), .stands_out = e.changed, .observation = e.id});
   e_values_->set_points(std::move(points));
   const QString chosen = number_->currentData().toString();
   {
@@ -213,7 +216,7 @@ void RecheckPage::show_entries() {
     if (!entries_.empty())
       for (const RecheckNumber& n : entries_.back().numbers)
         number_->addItem(name_of(n), QString::fromStdString(key_of(n)));
-    number_->setCurrentIndex(std::max(0, number_->findData(chosen)));
+    number_->setCurrentIndex(std::max(0, chosen.isEmpty() ? telling_number() : number_->findData(chosen)));
     number_->setEnabled(number_->count() > 0);
   }
   show_number();
@@ -233,6 +236,16 @@ void RecheckPage::show_entries() {
                      .arg(counted(static_cast<qint64>(entries_.size()), "%n observation(s)"),
                           QString::fromStdString(last.utc).replace('T', ' ').remove('Z'))
                      .arg(widgets::short_text(last.e_value, 3)));
+}
+
+/// The place of the first number of what has changed, or is likeliest to have.
+int RecheckPage::telling_number() const {
+  if (entries_.empty()) return -1;
+  const RecheckEntry& last = entries_.back();
+  const auto found = std::find_if(last.numbers.begin(), last.numbers.end(), [&](const RecheckNumber& n) {
+    return last.changed && n.what == last.what && n.where == last.where;
+  });
+  return found == last.numbers.end() ? -1 : static_cast<int>(found - last.numbers.begin());
 }
 
 void RecheckPage::show_number() {

@@ -35,6 +35,7 @@ class RecheckPage : public QWidget {
   void choose(QLineEdit* field, const QString& title, const QString& filter);
   void show_entries();
   void show_number();
+  int telling_number() const;
 
   Workbench& bench_;
   QLineEdit *calibration_, *log_;

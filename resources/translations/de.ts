@@ -6175,6 +6175,14 @@
         <source>Connected: %1. These poses come first; nothing has moved.</source>
         <translation>Verbunden: %1. Diese Stellungen kommen zuerst; nichts hat sich bewegt.</translation>
     </message>
+    <message>
+        <source>told when it ends</source>
+        <translation>wird am Ende gesagt</translation>
+    </message>
+    <message>
+        <source>cannot be foretold</source>
+        <translation>lässt sich nicht vorhersagen</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -8130,6 +8138,10 @@
     <message>
         <source>What was asked for is reached: %1 is missing (odds of %2), and the hand is known to %3 mm (95 %).</source>
         <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2), und die Hand ist auf %3 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>One more hour (about %1 poses at %2 s each) would bring the body's place on the hand from +-%3 mm to +-%4 mm, as the model has it.</source>
+        <translation>Eine Stunde mehr (etwa %1 Stellungen zu je %2 s) brächte den Platz des Körpers auf der Hand von +-%3 mm auf +-%4 mm, so wie das Modell es sieht.</translation>
     </message>
 </context>
 <context>
