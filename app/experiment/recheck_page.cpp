@@ -73,7 +73,7 @@ RecheckPage::RecheckPage(Workbench& bench, QWidget* parent) : QWidget(parent), b
   set_session();
 }
 
-void RecheckPage::make_layout() {
+QLayout* RecheckPage::make_fields() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
@@ -98,15 +98,10 @@ void RecheckPage::make_layout() {
   calibration_->setPlaceholderText(tr("calibration.xml, as Export writes it"));
   log_ = add(1, "recheck_log", tr("Log"), tr("A line is added for every observation; recheck --csv writes the same"),
              tr("Logs (*.csv)"));
-  said_ = new QLabel(this);
-  said_->setObjectName("recheck_said");
-  said_->setFont(widgets::text_font(widgets::TextRole::title));
-  more_ = new QLabel(this);
-  more_->setObjectName("recheck_more");
-  for (QLabel* label : {said_, more_}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-  }
+  return grid;
+}
+
+QWidget* RecheckPage::make_plots() {
   e_values_ = new HistoryPlot(HistoryPlot::Along::time, this);
   e_values_->setObjectName("recheck_e_values");
   e_values_->set_title(tr("Evidence that something has changed"));
@@ -134,13 +129,26 @@ void RecheckPage::make_layout() {
   plots->setChildrenCollapsible(false);
   plots->setHandleWidth(8);
   for (HistoryPlot* plot : {e_values_, history_}) link_selection(plot, bench_);
+  return plots;
+}
+
+void RecheckPage::make_layout() {
+  said_ = new QLabel(this);
+  said_->setObjectName("recheck_said");
+  said_->setFont(widgets::text_font(widgets::TextRole::title));
+  more_ = new QLabel(this);
+  more_->setObjectName("recheck_more");
+  for (QLabel* label : {said_, more_}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+  }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 8, 0, 0);
   layout->setSpacing(8);
-  layout->addLayout(grid);
+  layout->addLayout(make_fields());
   layout->addWidget(said_);
   layout->addWidget(more_);
-  layout->addWidget(plots, 1);
+  layout->addWidget(make_plots(), 1);
 }
 
 void RecheckPage::choose(QLineEdit* field, const QString& title, const QString& filter) {

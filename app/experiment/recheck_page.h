@@ -8,6 +8,7 @@
 #include "experiment/recheck/recheck_log.h"
 
 class QComboBox;
+class QLayout;
 class QLabel;
 class QLineEdit;
 
@@ -32,6 +33,8 @@ class RecheckPage : public QWidget {
 
  private:
   void make_layout();
+  QLayout* make_fields();
+  QWidget* make_plots();
   void choose(QLineEdit* field, const QString& title, const QString& filter);
   void show_entries();
   void show_number();
