@@ -30,8 +30,8 @@ namespace {
 using widgets::HistoryPlot;
 
 constexpr int poses_of_a_recheck = 5;
-constexpr double alarm = 1000;       // the e-value that counts as a change
-constexpr double most_shown = 1e15;  // beyond it nothing gets any surer
+constexpr double alarm = 1000;          // the e-value that counts as a change
+constexpr double highest_shown = 1e15;  // beyond it nothing gets any surer
 
 double seconds_of(const std::string& utc) {
   const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -214,8 +214,10 @@ void RecheckPage::refresh() {
 void RecheckPage::show_entries() {
   std::vector<widgets::HistoryPoint> points;
   for (const RecheckEntry& e : entries_)
-    points.push_back(
-        {.x = seconds_of(e.utc), .y = std::min(e.e_value, most_shown), .stands_out = e.changed, .observation = e.id});
+    points.push_back({.x = seconds_of(e.utc),
+                      .y = std::min(e.e_value, highest_shown),
+                      .stands_out = e.changed,
+                      .observation = e.id});
   e_values_->set_points(std::move(points));
   const QString chosen = number_->currentData().toString();
   {
