@@ -40,6 +40,7 @@ ControlBar::ControlBar(ExperimentRun& run, QWidget* parent) : QWidget(parent), r
   connect(&run_, &ExperimentRun::state_changed, this, [this] {
     if (run_.state() != RunState::asking) is_asking_ = false;
     refresh();
+    if (run_.state() == RunState::asking && isVisible()) begin_->setFocus();
   });
   fill_recent();
   refresh();
@@ -111,11 +112,15 @@ void ControlBar::fill_recent() {
   driver_->clear();
   driver_->addItems(recent_drivers());
   driver_->setEditText(now.isEmpty() && driver_->count() > 0 ? driver_->itemText(0) : now);
+  driver_->lineEdit()->setCursorPosition(0);
 }
 
 QString ControlBar::command() const { return driver_->currentText().trimmed(); }
 
-void ControlBar::set_command(const QString& command) { driver_->setEditText(command); }
+void ControlBar::set_command(const QString& command) {
+  driver_->setEditText(command);
+  driver_->lineEdit()->setCursorPosition(0);
+}
 
 void ControlBar::set_hindrance(const QString& sentence) {
   hindrance_ = sentence;
@@ -160,7 +165,7 @@ void ControlBar::refresh() {
   end_->setVisible(is_ready);
   yes_->setVisible(is_asking_);
   no_->setVisible(is_asking_);
-  stop_->setEnabled(!rests && state != RunState::stopping && state != RunState::halted);
+  stop_->setEnabled(!rests && state != RunState::asking && state != RunState::stopping && state != RunState::halted);
   QString text = state_text(state, run_.driver_name());
   if (rests && !hindrance_.isEmpty())
     text = hindrance_;

@@ -55,7 +55,7 @@ QWidget* ExperimentPage::make_views() {
   auto* plots = new QSplitter(Qt::Horizontal, views);
   hand_plot_ = new HistoryPlot(HistoryPlot::Along::observations, plots);
   hand_plot_->setObjectName("experiment_hand_plot");
-  hand_plot_->set_quantity(tr("error of the hand, 95 %"), QStringLiteral("mm"), true);
+  hand_plot_->set_quantity(tr("95 % limit"), QStringLiteral("mm"), true);
   hand_plot_->set_title(tr("How well the hand is known"));
   hand_plot_->set_empty_text(tr("Measure, and the expected error of the hand falls here."));
   odds_plot_ = new HistoryPlot(HistoryPlot::Along::observations, plots);
@@ -118,7 +118,7 @@ QWidget* ExperimentPage::make_known() {
     grid->addWidget(value, row++, 1);
     return value;
   };
-  used_ = add(tr("Observations"), "experiment_used");
+  used_ = add(tr("Used"), "experiment_used");
   hand_ = add(tr("Hand"), "experiment_hand");
   missing_ = add(tr("What is missing"), "experiment_missing");
   causes_[0] = add(tr("Likeliest"), "experiment_cause_0");
@@ -161,7 +161,7 @@ void ExperimentPage::make_layout() {
   auto* work = new QSplitter(Qt::Vertical, this);
   work->addWidget(tabs_);
   work->addWidget(poses_);
-  work->setSizes({250, 250});
+  work->setSizes({290, 210});
   work->setChildrenCollapsible(false);
   work->setHandleWidth(8);
   side_ = new QStackedWidget(this);

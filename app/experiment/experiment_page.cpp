@@ -54,10 +54,12 @@ void ExperimentPage::connect_run() {
   });
   connect(&run_, &ExperimentRun::moving, this, [this](const std::vector<Eigen::VectorXd>& path, double speed) {
     show_next();  // while it is still among those that come
-    robot_->move(path, speed);
+    now_ = robot_->move(path, speed);
+    show_poses();
   });
   connect(&run_, &ExperimentRun::stepped, this, [this](const ExperimentStep& step) {
     steps_.push_back(step);
+    now_.reset();
     show_poses();
   });
   connect(&run_, &ExperimentRun::measured, this,
@@ -79,6 +81,7 @@ void ExperimentPage::connect_run() {
     goals_->set_places_enabled(!run_.is_on());
     if (state == RunState::resting) {
       robot_->forget_plan();
+      now_.reset();
       show_poses();
     }
     show_next();
@@ -87,10 +90,11 @@ void ExperimentPage::connect_run() {
 
 void ExperimentPage::set_session() {
   steps_.clear();
+  now_.reset();
   grown_.clear();
   known_.reset();
   is_set_ = false;
-  more_->clear();
+  more_->setText(tr("told when it ends"));
   side_->setCurrentIndex(welcome);
   tabs_->setCurrentIndex(goals_tab);
   show_poses();
@@ -117,7 +121,7 @@ void ExperimentPage::show_end(const ExperimentResult& result) {
     }
     known_ = known;
   }
-  more_->setText(translated(result.more));
+  more_->setText(result.more.empty() ? tr("cannot be foretold") : translated(result.more));
   if (result.end != ExperimentEnd::not_confirmed && result.end != ExperimentEnd::dry_run)
     tabs_->setCurrentIndex(known_tab);
   show_knowledge();
@@ -144,7 +148,7 @@ void ExperimentPage::show_poses() {
   const QSignalBlocker quiet(poses_);
   const auto& c = widgets::colors();
   const std::vector<PlannedMove>& planned = robot_ ? robot_->planned() : std::vector<PlannedMove>();
-  poses_->setRowCount(static_cast<int>(steps_.size() + planned.size()));
+  poses_->setRowCount(static_cast<int>(steps_.size() + planned.size()) + (now_ ? 1 : 0));
   int row = 0;
   const auto put = [&](const QString& name, PoseReason reason, const QString& result, const QColor& ink) {
     poses_->setItem(row, 0, cell(name, c.ink1));
@@ -155,6 +159,7 @@ void ExperimentPage::show_poses() {
     put(step.id < 0 ? QStringLiteral("-") : tr("obs %1").arg(step.id), step.move.pose.reason, step_text(step),
         step.accepted ? c.good : c.care);
   const int taken = row;
+  if (now_) put(tr("now"), *now_, tr("on its way"), c.accent);
   for (const PlannedMove& move : planned) put(tr("next"), move.pose.reason, way_text(move), c.ink2);
   if (const int last = std::min(row - 1, taken + 1); last >= 0) poses_->scrollToItem(poses_->item(last, 0));
 }

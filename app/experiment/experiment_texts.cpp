@@ -40,10 +40,9 @@ QString state_text(RunState state, const QString& driver) {
     case RunState::greeting:
       return QObject::tr("The driver is started and asked where the robot stands ...");
     case RunState::thinking:
-      return QObject::tr("%1: what was measured is fitted and diagnosed, and the next poses are chosen ...")
-          .arg(driver);
+      return QObject::tr("What was measured is fitted and diagnosed, and the next poses are chosen ...");
     case RunState::asking:
-      return QObject::tr("%1 is connected. These poses come first; nothing has moved.").arg(driver);
+      return QObject::tr("Connected: %1. These poses come first; nothing has moved.").arg(driver);
     case RunState::moving:
       return QObject::tr("The robot moves.");
     case RunState::looking:
@@ -98,6 +97,17 @@ std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
     if (causes.size() == causes_shown) break;
   }
   return causes;
+}
+
+QString end_text(const ExperimentResult& result) {
+  if (result.end != ExperimentEnd::reached || !result.settled || result.settled->id.empty())
+    return translated(result.reason);
+  const QString cause =
+      QObject::tr("What was asked for is reached: what is missing is %1, %2.")
+          .arg(effect_of(result.settled->id, result.settled->where), odds_text(std::log(result.settled->odds)));
+  return result.known.hand_limit ? QObject::tr("%1 The hand is known to %2 mm (95 %).")
+                                       .arg(cause, short_number(1e3 * *result.known.hand_limit))
+                                 : cause;
 }
 
 QString step_text(const ExperimentStep& step) {

@@ -23,7 +23,7 @@ ExperimentWorkspace::ExperimentWorkspace(Workbench& bench, QWidget* parent) : Wo
   connect(bar_, &ControlBar::begin_wanted, this, &ExperimentWorkspace::begin);
   connect(bar_, &ControlBar::question_wanted, this, &ExperimentWorkspace::ask);
   connect(bar_, &ControlBar::start_wanted, this,
-          [this] { run_.start(page_->goals().until(), page_->goals().speed()); });
+          [this] { run_.start(begun_as_recheck_ ? Goals{} : page_->goals().until(), page_->goals().speed()); });
   connect(bar_, &ControlBar::disconnect_wanted, &run_, &ExperimentRun::refuse);
   connect(bar_, &ControlBar::try_wanted, this, &ExperimentWorkspace::try_it);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
@@ -67,7 +67,7 @@ void ExperimentWorkspace::connect_run() {
   connect(&run_, &ExperimentRun::noted, &bench_.document, &Document::noticed);
   connect(&run_, &ExperimentRun::failed, this, [this](const QString& sentence) { bar_->set_said(sentence, true); });
   connect(&run_, &ExperimentRun::ended, this, [this](const std::shared_ptr<const ExperimentResult>& result) {
-    bar_->set_said(translated(result->reason), result->end == ExperimentEnd::fault);
+    bar_->set_said(end_text(*result), result->end == ExperimentEnd::fault);
     page_->show_end(*result);
     if (begun_as_recheck_) recheck_->refresh();
   });

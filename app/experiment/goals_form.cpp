@@ -99,6 +99,7 @@ Goals GoalsForm::until() const {
   if (odds_->isChecked()) goals.odds = odds_value_->value();
   if (count_->isChecked()) goals.count = poses_->value();
   if (time_->isChecked()) goals.seconds = 60 * minutes_->value();
+  if (!goals.wants_something() && !goals.seconds) goals.count = poses_->value();  // nothing goes on for ever
   return goals;
 }
 

@@ -61,16 +61,22 @@ void MovingRobot::point_at(int place) {
   set_outline(is_there ? std::optional(planned_[static_cast<std::size_t>(place)].pose.position) : std::nullopt);
 }
 
-void MovingRobot::move(const std::vector<Eigen::VectorXd>& path, double speed) {
-  if (path.empty() || at_.size() != path.back().size()) return;
+std::optional<PoseReason> MovingRobot::move(const std::vector<Eigen::VectorXd>& path, double speed) {
+  if (path.empty() || at_.size() != path.back().size()) return std::nullopt;
   path_ = path;
   path_.insert(path_.begin(), at_);
   speed_ = std::max(speed, 1e-6);
-  std::erase_if(planned_, [&](const PlannedMove& m) { return (m.pose.position - path.back()).isZero(1e-12); });
+  std::optional<PoseReason> reason;
+  std::erase_if(planned_, [&](const PlannedMove& m) {
+    const bool is_it = (m.pose.position - path.back()).isZero(1e-12);
+    if (is_it) reason = m.pose.reason;
+    return is_it;
+  });
   set_outline(path.back());
   draw_paths();
   clock_.start();
   timer_.start(between_pictures);
+  return reason;
 }
 
 void MovingRobot::halt() { timer_.stop(); }
@@ -132,7 +138,7 @@ void MovingRobot::draw_paths() {
     from = path_.back();
   }
   for (const PlannedMove& move : planned_) {
-    paths.push_back({tcp_along(from, move.way), false});
+    paths.push_back({tcp_along(from, move.way), path_.empty() && &move == &planned_.front()});
     from = move.pose.position;
   }
   view_.set_paths(std::move(paths));

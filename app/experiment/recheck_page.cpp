@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "base/utc_now.h"
 #include "bench/link_selection.h"
@@ -17,6 +18,7 @@
 #include "document/effect_words.h"
 #include "experiment/recheck/recheck_poses.h"
 #include "session/calibration_xml.h"
+#include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/plots/history_plot.h"
 #include "words/core_words.h"
@@ -28,7 +30,8 @@ namespace {
 using widgets::HistoryPlot;
 
 constexpr int poses_of_a_recheck = 5;
-constexpr double alarm = 1000;  // the e-value that counts as a change
+constexpr double alarm = 1000;          // the e-value that counts as a change
+constexpr double highest_shown = 1e15;  // beyond it nothing gets any surer
 
 double seconds_of(const std::string& utc) {
   const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -70,7 +73,7 @@ RecheckPage::RecheckPage(Workbench& bench, QWidget* parent) : QWidget(parent), b
   set_session();
 }
 
-void RecheckPage::make_layout() {
+QLayout* RecheckPage::make_fields() {
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(6);
@@ -95,15 +98,10 @@ void RecheckPage::make_layout() {
   calibration_->setPlaceholderText(tr("calibration.xml, as Export writes it"));
   log_ = add(1, "recheck_log", tr("Log"), tr("A line is added for every observation; recheck --csv writes the same"),
              tr("Logs (*.csv)"));
-  said_ = new QLabel(this);
-  said_->setObjectName("recheck_said");
-  said_->setFont(widgets::text_font(widgets::TextRole::title));
-  more_ = new QLabel(this);
-  more_->setObjectName("recheck_more");
-  for (QLabel* label : {said_, more_}) {
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-  }
+  return grid;
+}
+
+QWidget* RecheckPage::make_plots() {
   e_values_ = new HistoryPlot(HistoryPlot::Along::time, this);
   e_values_->setObjectName("recheck_e_values");
   e_values_->set_title(tr("Evidence that something has changed"));
@@ -131,13 +129,26 @@ void RecheckPage::make_layout() {
   plots->setChildrenCollapsible(false);
   plots->setHandleWidth(8);
   for (HistoryPlot* plot : {e_values_, history_}) link_selection(plot, bench_);
+  return plots;
+}
+
+void RecheckPage::make_layout() {
+  said_ = new QLabel(this);
+  said_->setObjectName("recheck_said");
+  said_->setFont(widgets::text_font(widgets::TextRole::title));
+  more_ = new QLabel(this);
+  more_->setObjectName("recheck_more");
+  for (QLabel* label : {said_, more_}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+  }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 8, 0, 0);
   layout->setSpacing(8);
-  layout->addLayout(grid);
+  layout->addLayout(make_fields());
   layout->addWidget(said_);
   layout->addWidget(more_);
-  layout->addWidget(plots, 1);
+  layout->addWidget(make_plots(), 1);
 }
 
 void RecheckPage::choose(QLineEdit* field, const QString& title, const QString& filter) {
@@ -203,7 +214,10 @@ void RecheckPage::refresh() {
 void RecheckPage::show_entries() {
   std::vector<widgets::HistoryPoint> points;
   for (const RecheckEntry& e : entries_)
-    points.push_back({.x = seconds_of(e.utc), .y = e.e_value, .stands_out = e.changed, .observation = e.id});
+    points.push_back({.x = seconds_of(e.utc),
+                      .y = std::min(e.e_value, highest_shown),
+                      .stands_out = e.changed,
+                      .observation = e.id});
   e_values_->set_points(std::move(points));
   const QString chosen = number_->currentData().toString();
   {
@@ -212,7 +226,7 @@ void RecheckPage::show_entries() {
     if (!entries_.empty())
       for (const RecheckNumber& n : entries_.back().numbers)
         number_->addItem(name_of(n), QString::fromStdString(key_of(n)));
-    number_->setCurrentIndex(std::max(0, number_->findData(chosen)));
+    number_->setCurrentIndex(std::max(0, chosen.isEmpty() ? telling_number() : number_->findData(chosen)));
     number_->setEnabled(number_->count() > 0);
   }
   show_number();
@@ -231,7 +245,17 @@ void RecheckPage::show_entries() {
   more_->setText(tr("%1 looked at, the last at %2 UTC; e-value %3, where 1000 would count as a change.")
                      .arg(counted(static_cast<qint64>(entries_.size()), "%n observation(s)"),
                           QString::fromStdString(last.utc).replace('T', ' ').remove('Z'))
-                     .arg(short_number(last.e_value)));
+                     .arg(widgets::short_text(last.e_value, 3)));
+}
+
+/// The place of the first number of what has changed, or is likeliest to have.
+int RecheckPage::telling_number() const {
+  if (entries_.empty()) return -1;
+  const RecheckEntry& last = entries_.back();
+  const auto found = std::find_if(last.numbers.begin(), last.numbers.end(), [&](const RecheckNumber& n) {
+    return last.changed && n.what == last.what && n.where == last.where;
+  });
+  return found == last.numbers.end() ? -1 : static_cast<int>(found - last.numbers.begin());
 }
 
 void RecheckPage::show_number() {

@@ -8,6 +8,7 @@
 #include "experiment/recheck/recheck_log.h"
 
 class QComboBox;
+class QLayout;
 class QLabel;
 class QLineEdit;
 
@@ -32,9 +33,12 @@ class RecheckPage : public QWidget {
 
  private:
   void make_layout();
+  QLayout* make_fields();
+  QWidget* make_plots();
   void choose(QLineEdit* field, const QString& title, const QString& filter);
   void show_entries();
   void show_number();
+  int telling_number() const;
 
   Workbench& bench_;
   QLineEdit *calibration_, *log_;

@@ -19,16 +19,18 @@ void StopButton::paintEvent(QPaintEvent*) {
   const widgets::Colors& c = widgets::colors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  // The same strong red in both themes: that of words is light in the dark one.
+  const QColor red = QColor::fromHsv(c.bad.hsvHue(), 205, 185);
   const QRectF all = QRectF(rect()).adjusted(1, 1, -1, -1);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(!isEnabled() ? c.sunken : isDown() ? c.bad.darker(120) : c.bad);
+  painter.setBrush(!isEnabled() ? c.sunken : isDown() ? red.darker(120) : red);
   painter.drawRoundedRect(all, 6, 6);
   if (!isEnabled()) {
     painter.setPen(QPen(c.hairline, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(all, 6, 6);
   }
-  const QColor ink = isEnabled() ? c.window : c.ink3;
+  const QColor ink = isEnabled() ? QColor(Qt::white) : c.ink3;
   constexpr double square = 14;
   painter.setFont(widgets::text_font(widgets::TextRole::title));
   const double words = painter.fontMetrics().horizontalAdvance(text()), left = (width() - words - square - 10) / 2;

@@ -5748,10 +5748,6 @@
         <translation>Startet den Treiber und zeigt die ersten Stellungen; noch bewegt sich nichts</translation>
     </message>
     <message>
-        <source>error of the hand, 95 %</source>
-        <translation>Fehler der Hand, 95 %</translation>
-    </message>
-    <message>
         <source>How well the hand is known</source>
         <translation>Wie gut die Hand bekannt ist</translation>
     </message>
@@ -5902,14 +5898,6 @@
     <message>
         <source>The driver is started and asked where the robot stands ...</source>
         <translation>Der Treiber wird gestartet und gefragt, wo der Roboter steht ...</translation>
-    </message>
-    <message>
-        <source>%1: what was measured is fitted and diagnosed, and the next poses are chosen ...</source>
-        <translation>%1: das Gemessene wird angepasst und untersucht, und die nächsten Stellungen werden gewählt ...</translation>
-    </message>
-    <message>
-        <source>%1 is connected. These poses come first; nothing has moved.</source>
-        <translation>%1 ist verbunden. Diese Stellungen kommen zuerst; nichts hat sich bewegt.</translation>
     </message>
     <message>
         <source>The robot moves.</source>
@@ -6206,6 +6194,38 @@
     <message>
         <source>handsight-driver-simulated is not found beside this program; install it with Handsight.</source>
         <translation>handsight-driver-simulated ist neben diesem Programm nicht zu finden; installiere es mit Handsight.</translation>
+    </message>
+    <message>
+        <source>95 % limit</source>
+        <translation>Grenze, 95 %</translation>
+    </message>
+    <message>
+        <source>on its way</source>
+        <translation>unterwegs</translation>
+    </message>
+    <message>
+        <source>What was asked for is reached: what is missing is %1, %2.</source>
+        <translation>Erreicht ist, wonach gefragt wurde: was fehlt, ist %1, %2.</translation>
+    </message>
+    <message>
+        <source>%1 The hand is known to %2 mm (95 %).</source>
+        <translation>%1 Die Hand ist auf %2 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>What was measured is fitted and diagnosed, and the next poses are chosen ...</source>
+        <translation>Das Gemessene wird angepasst und untersucht, und die nächsten Stellungen werden gewählt ...</translation>
+    </message>
+    <message>
+        <source>Connected: %1. These poses come first; nothing has moved.</source>
+        <translation>Verbunden: %1. Diese Stellungen kommen zuerst; nichts hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>told when it ends</source>
+        <translation>wird am Ende gesagt</translation>
+    </message>
+    <message>
+        <source>cannot be foretold</source>
+        <translation>lässt sich nicht vorhersagen</translation>
     </message>
 </context>
 <context>

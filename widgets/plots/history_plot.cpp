@@ -22,6 +22,7 @@ struct HistoryPlot::Layers {
   QCPGraph *low = nullptr, *high = nullptr, *curve = nullptr, *outstanding = nullptr;
   QCPItemStraightLine* limit = nullptr;
   QCPItemText* limit_name = nullptr;
+  QSharedPointer<QCPAxisTickerDateTime> dates;
 };
 
 HistoryPlot::HistoryPlot(Along along, QWidget* parent)
@@ -38,10 +39,14 @@ HistoryPlot::HistoryPlot(Along along, QWidget* parent)
   layers_->limit_name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
   layers_->limit_name->position->setTypeY(QCPItemPosition::ptPlotCoords);
   if (along_ == Along::time) {
-    QSharedPointer<QCPAxisTickerDateTime> ticker(new QCPAxisTickerDateTime);
-    ticker->setDateTimeFormat(QStringLiteral("yyyy-MM-dd\nHH:mm"));
-    ticker->setTickCount(4);
-    plot_->xAxis->setTicker(ticker);
+    layers_->dates.reset(new QCPAxisTickerDateTime);
+    layers_->dates->setTickCount(4);
+    plot_->xAxis->setTicker(layers_->dates);
+  } else {
+    QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);  // no half observations
+    whole->setTickStep(1);
+    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    plot_->xAxis->setTicker(whole);
   }
   style_axes();
   HistoryPlot::restyle();
@@ -54,8 +59,6 @@ void HistoryPlot::set_quantity(const QString& quantity, const QString& unit, boo
   plot_->yAxis->setScaleType(is_log ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   plot_->yAxis->setTicker(is_log ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
                                  : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
-  plot_->yAxis->setNumberFormat(is_log ? QStringLiteral("eb") : QStringLiteral("gb"));
-  plot_->yAxis->setNumberPrecision(is_log ? 0 : 4);
   plot_->yAxis->setLabel(unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit));
   fill();
   fit();
@@ -134,7 +137,15 @@ void HistoryPlot::fit() {
     low = std::min(low, *limit_);
     high = std::max(high, *limit_);
   }
-  const double least = along_ == Along::time ? 3600 : 4, span = std::max(right - left, least);
+  // Where they can be written out, numbers are.
+  const bool by_powers = is_log_ && (high > 1e5 || low < 1e-3);
+  plot_->yAxis->setNumberFormat(by_powers ? QStringLiteral("eb") : QStringLiteral("gb"));
+  plot_->yAxis->setNumberPrecision(by_powers ? 0 : 4);
+  constexpr double an_hour = 3600;
+  if (layers_->dates)
+    layers_->dates->setDateTimeFormat(right - left < an_hour ? QStringLiteral("yyyy-MM-dd\nHH:mm:ss")
+                                                             : QStringLiteral("yyyy-MM-dd\nHH:mm"));
+  const double least = along_ == Along::time ? 20 : 4, span = std::max(right - left, least);
   const double middle = (left + right) / 2;
   plot_->xAxis->setRange(middle - 0.55 * span, middle + 0.55 * span);
   if (is_log_) {

@@ -297,6 +297,7 @@ void Experiment::confirm(const std::vector<PlannedMove>& moves) {
   if (options_.confirm && !options_.confirm(moves))
     throw Ended{ExperimentEnd::not_confirmed, "Nothing was confirmed, so that nothing has moved."};
   was_confirmed_ = true;
+  start_ = Clock::now();  // who was asked may have thought about it
 }
 
 MoveAnswer Experiment::moved(const PlannedMove& move) {

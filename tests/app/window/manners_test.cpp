@@ -100,7 +100,7 @@ TEST_F(Manners, AFailedJobThatNobodyAnswersForSaysWhy) {
 TEST_F(Manners, EveryLongJobCanBeStoppedInEveryWorkspace) {
   open("thesis_simulation");
   auto* cancel = desk.find<QToolButton>("cancel");
-  for (const auto place : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5}) {
+  for (const auto place : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_6}) {
     desk.key(place, Qt::ControlModifier);
     ASSERT_TRUE(desk.settle());
     ASSERT_TRUE(desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }));

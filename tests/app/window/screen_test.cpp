@@ -47,7 +47,7 @@ TEST_F(Screen, NumbersPanelAndStripStandOnEveryScreen) {
   for (const QSize size : {QSize(1366, 728), QSize(960, 508)}) {
     desk.window.resize(size);
     QTest::qWait(30);
-    for (int workspace = 0; workspace < 5; ++workspace) {
+    for (int workspace = 0; workspace < 6; ++workspace) {
       desk.key(Qt::Key_1 + workspace, Qt::ControlModifier);
       QTest::qWait(30);
       EXPECT_EQ(desk.window.size(), size) << "workspace " << workspace << " makes the window grow";
@@ -96,6 +96,9 @@ TEST_F(Screen, OnALaptopEveryWorkspacesMainButtonsAreInSight) {
   EXPECT_TRUE(is_in_sight(desk.find<QWidget>("ghost")));
   desk.key(Qt::Key_3, Qt::ControlModifier);
   for (const char* name : {"exclude", "include", "look", "relabel", "exclude_beyond"})
+    EXPECT_TRUE(is_in_sight(desk.find<QWidget>(name))) << name;
+  desk.key(Qt::Key_6, Qt::ControlModifier);
+  for (const char* name : {"experiment_driver", "experiment_try", "experiment_begin", "experiment_stop"})
     EXPECT_TRUE(is_in_sight(desk.find<QWidget>(name))) << name;
   desk.key(Qt::Key_5, Qt::ControlModifier);
   for (const char* name : {"export_path", "save_xml", "report_html", "report_pdf", "copy"})

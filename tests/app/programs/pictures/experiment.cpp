@@ -35,6 +35,8 @@ TEST(Pictures, OfAnExperiment) {
   desk.press_button("experiment_yes");
   ASSERT_TRUE(desk.wait([&] { return desk.document().session().observations.size() > 10; }, 180000));
   ASSERT_TRUE(page.moves());
+  // Without the folders of whoever takes the picture.
+  desk.find<QComboBox>("experiment_driver")->setEditText("handsight-driver-simulated robot --in-real-time");
   photo.take_now("experiment");
   ASSERT_TRUE(page.ends(400000)) << page.said().toStdString();
   ASSERT_TRUE(desk.settle());
