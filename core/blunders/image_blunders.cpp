@@ -216,12 +216,12 @@ BlunderKind points_mirrored() {
         if (seen.point) std::swap(seen.point->y(), seen.point->z());
   };
   k.text = [](const std::string&, const Session&) {
-    return std::string(
+    return Message(
         "The tracker's points are mirrored: two of its axes are exchanged, or one counts the other way, so that its "
         "frame is left-handed.");
   };
   k.fix = [](const std::string&, const Session& s) {
-    return fmt::format(
+    return message(
         "Exchange two coordinates of every point in {} (two columns of the table that it was made of), or export again "
         "with right-handed axes.",
         session_name(s));

@@ -81,7 +81,7 @@ BlunderKind pose_inverted() {
   };
   k.text = [](const std::string& where, const Session& s) {
     if (where == "target" && !s.robot.is_of_poses && s.mount.estimate)
-      return fmt::format(
+      return message(
           "The target's poses are inverted: they say where the sensor is in the target's frame, where the target in "
           "the sensor's is expected; or the sensor is on {} and the target on {}, which is the same to these numbers.",
           s.tcp, s.mount.link);
@@ -95,7 +95,7 @@ BlunderKind pose_inverted() {
   };
   k.fix = [](const std::string& where, const Session& s) {
     if (where == "target" && !s.robot.is_of_poses && s.mount.estimate)
-      return fmt::format(
+      return message(
           "Invert each <target_pose> in {} (each pose in the table of the target that it was made of), or convert with "
           "--mount {} --tcp {}.",
           session_name(s), s.tcp, s.mount.link);

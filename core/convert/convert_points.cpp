@@ -28,7 +28,7 @@ bool is_of_target(const std::string& file) {
 
 /// What their columns call them, or their file (or folder) where columns say nothing of it and each has its own.
 std::string called(const NamedPoses& p, const NamedPoses& other) {
-  if (p.role.empty() && !is_of_flange(p.file) && !is_of_target(p.file)) return p.file + " " + p.turns.columns;
+  if (p.role.empty() && !is_of_flange(p.file) && !is_of_target(p.file)) return p.file + " " + p.turns.columns.english();
   const bool says_it = is_of_flange(p.role) || is_of_target(p.role);
   return p.role.empty() || (!says_it && p.file != other.file) ? p.file : p.role;
 }

@@ -60,15 +60,14 @@ OpenedFolders opened_folders(const std::vector<fs::path>& named) {
 }
 
 void leave_out_unknown(std::vector<fs::path>& files, const std::vector<fs::path>& found, const Robot* robot,
-                       std::vector<std::string>& notes) {
+                       std::vector<Message>& notes) {
   std::string left_out;
   std::erase_if(files, [&](const fs::path& file) {
     if (std::find(found.begin(), found.end(), file) == found.end() || is_known(file, robot)) return false;
     left_out += (left_out.empty() ? "" : ", ") + shown_path(file.filename());
     return true;
   });
-  if (!left_out.empty())
-    notes.push_back(fmt::format("Left out, as nothing that is read: {}.", shortened(left_out, 200)));
+  if (!left_out.empty()) notes.push_back(message("Left out, as nothing that is read: {}.", shortened(left_out, 200)));
 }
 
 }  // namespace handsight

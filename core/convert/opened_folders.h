@@ -20,6 +20,6 @@ OpenedFolders opened_folders(const std::vector<std::filesystem::path>& named);
 /// Takes out of `files` what was found, not named, and is nothing that is read (a README, a program); says so.
 /// `robot` null: none is known.
 void leave_out_unknown(std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& found,
-                       const Robot* robot, std::vector<std::string>& notes);
+                       const Robot* robot, std::vector<Message>& notes);
 
 }  // namespace handsight

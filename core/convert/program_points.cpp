@@ -159,9 +159,9 @@ std::optional<Table> program_points(std::string_view text, const std::string& fi
     table.lines.push_back(point.line);
   }
   table.notes.push_back(
-      fmt::format("{}: {} points of a program in {}, in its order; where nothing was measured at one of them, take it "
-                  "out.",
-                  file, program.points.size(), program.language));
+      message("{}: {} points of a program in {}, in its order; where nothing was measured at one of them, take it "
+              "out.",
+              file, program.points.size(), program.language));
   return table;
 }
 

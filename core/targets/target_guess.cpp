@@ -49,7 +49,7 @@ std::string word_text(const std::string& name, const std::string& value, TargetW
 /// What has to be written otherwise; of another kind everything.
 std::string changes(const Target& described, const Target& right, TargetWording wording) {
   const auto before = target_words(described), after = target_words(right);
-  std::vector<Message> texts;
+  std::vector<std::string> texts;
   const auto value_in = [](const auto& words, const std::string& name) {
     const auto at = std::find_if(words.begin(), words.end(), [&](const auto& word) { return word.first == name; });
     return at == words.end() ? std::string() : at->second;
@@ -69,16 +69,16 @@ std::string in_code(const std::string& text, TargetWording wording) {
 }
 
 Message numbers_text(const std::set<int>& ids) {
-  std::vector<std::string> runs;
+  std::vector<Message> runs;
   for (auto at = ids.begin(); at != ids.end();) {
     int last = *at;
     auto next = std::next(at);
     while (next != ids.end() && *next == last + 1) last = *next++;
-    runs.push_back(last == *at ? fmt::format("{}", last) : message("{} to {}", *at, last));
+    runs.push_back(last == *at ? message("{}", last) : message("{} to {}", *at, last));
     at = next;
   }
   if (runs.size() > 8) runs.resize(8), runs.emplace_back("...");
-  return fmt::format("{}", fmt::join(runs, ", "));
+  return joined(runs);
 }
 
 Message none_of(const std::vector<Image>& images, const Target& described) {
@@ -125,8 +125,8 @@ TargetGuess guessed_circles(const std::vector<Image>& images, const Target& desc
       if (is_turned) std::swap(other.columns, other.rows);
       if (is_other_layout) other.dictionary = is_asymmetric(described) ? "symmetric" : "asymmetric";
       if (is_found(images, other))
-        return {other, fmt::format("{}; what they show fits {}.", none_of(images, described),
-                                   in_code(changes(described, other, wording), wording))};
+        return {other, message("{}; what they show fits {}.", none_of(images, described),
+                               in_code(changes(described, other, wording), wording))};
     }
   return {};
 }
@@ -227,7 +227,7 @@ std::optional<Target> board_of(const std::vector<Image>& images, const Surveyed&
   return std::nullopt;
 }
 
-std::string seen_otherwise(const TagSurvey& way) {
+Message seen_otherwise(const TagSurvey& way) {
   if (way.is_mirrored && way.is_inverted)
     return "its tags are there in a mirror and with white for black: the images were turned over and inverted";
   if (way.is_mirrored)
@@ -243,15 +243,16 @@ TargetGuess guessed_tags(const std::vector<Image>& images, const Surveyed& all, 
   const Message numbers = message("{} {} of {}", all.ids.size() == 1 ? "tag" : "tags", numbers_text(all.ids),
                                   smallest_dictionary(all.way.dictionary, *all.ids.rbegin()));
   if (!board) {
-    const std::string odd = is_odd ? fmt::format(" ({})", all.way.is_mirrored ? "in a mirror" : "white for black") : "";
+    const Message odd = is_odd ? message(" ({})", all.way.is_mirrored ? "in a mirror" : "white for black") : Message();
     return {std::nullopt,
             message("{}; what can be read in them are the {}{}.", none_of(images, described), numbers, odd)};
   }
   const std::string change = changes(described, *board, wording);
   if (is_odd)
-    return {std::nullopt,
-            fmt::format("{}: {}{}.", none_of(images, described), seen_otherwise(all.way),
-                        change.empty() ? "" : "; besides, what is there fits " + in_code(change, wording))};
+    return {
+        std::nullopt,
+        message("{}: {}{}.", none_of(images, described), seen_otherwise(all.way),
+                change.empty() ? Message() : message("; besides, what is there fits {}", in_code(change, wording)))};
   if (change.empty()) return {board, ""};
   return {board,
           message("{}; what they show ({}) fits {}.", none_of(images, described), numbers, in_code(change, wording))};
