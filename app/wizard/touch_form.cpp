@@ -55,7 +55,7 @@ QStringList fixtures_in(const std::filesystem::path& file, const Robot& robot) {
   try {
     auto table = parse_touch_table(read_file(file), file.filename().string(), &robot, {});
     if (!table || !names_fixtures(*table)) return names;
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     constexpr bool in_degrees = true;  // the names do not depend on it
     for (const TouchRow& row : read_touch_table(std::move(*table), robot, {}, in_degrees, notes).rows)
       if (const QString name = QString::fromStdString(row.fixture); !names.contains(name)) names << name;

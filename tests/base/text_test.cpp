@@ -57,7 +57,7 @@ TEST(ShownPath, KeepsTheEndOfALongOne) {
 TEST(Refuse, SentencesStayShort) {
   const std::string long_text(100000, 'x');
   try {
-    refuse(long_text, 12, long_text);
+    refuse(long_text, 12, verbatim(long_text));
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
     const std::string sentence = error.what();
