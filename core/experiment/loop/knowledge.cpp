@@ -67,7 +67,7 @@ SettledCause settled_cause(const Diagnosis& diagnosis) {
 }
 
 std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses) {
-  if (poses.empty()) return std::nullopt;
+  if (poses.empty() || fit.solution.unobservable > 0) return std::nullopt;
   const Chain& own = fit.problem.source->chain;
   const bool exchanged = hand_carries_sensor(own);
   const std::optional<PredictionModel> model =
