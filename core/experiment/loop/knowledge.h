@@ -45,8 +45,8 @@ struct Knowledge {
 Knowledge known_of(const Session& session, const ExperimentModel& model, bool with_diagnosis,
                    const std::vector<Eigen::VectorXd>& poses);
 
-/// The error below which the hand is in 95 of 100 cases, m, in 95 of 100 of these poses. Nothing without poses, and where
-/// the measurements leave a direction of the unknowns open: its covariance is no number.
+/// The error below which the hand is in 95 of 100 cases, m, in 95 of 100 of these poses. Nothing without poses, and
+/// where the measurements leave a direction of the unknowns open: its covariance is no number.
 std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses);
 
 /// What the evidence of a diagnosis is for: its best named candidate, or none.
