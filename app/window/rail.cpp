@@ -91,10 +91,11 @@ void RailButton::paintEvent(QPaintEvent*) {
   } else if (underMouse()) {
     painter.fillRect(all, c.sunken);
   }
-  const bool is_low = height() < 80;
-  const double icon_y = is_low ? 3 : 8, name_y = is_low ? 23 : 30, line_y = is_low ? 41 : 50;
-  widgets::draw_icon(painter, QRectF(9, icon_y, 22, 22), icon_, isChecked() ? c.accent : c.ink2);
-  paint_mark(painter, QRectF(width() - 26, icon_y + 3, 16, 16));
+  const bool is_low = height() < 80, is_lowest = height() < 70;  // two lines of state stay whole in each
+  const double icon_y = is_lowest ? 1 : is_low ? 3 : 8, icon_size = is_lowest ? 16 : 22;
+  const double name_y = is_lowest ? 15 : is_low ? 23 : 30, line_y = is_lowest ? 32 : is_low ? 41 : 50;
+  widgets::draw_icon(painter, QRectF(9, icon_y, icon_size, icon_size), icon_, isChecked() ? c.accent : c.ink2);
+  paint_mark(painter, QRectF(width() - 26, icon_y + (icon_size - 16) / 2, 16, 16));
   QFont font = widgets::text_font(TextRole::body);
   font.setWeight(isChecked() ? QFont::DemiBold : QFont::Normal);
   painter.setFont(font);

@@ -62,7 +62,7 @@ Message other_layout_text(const std::vector<Image>& images, const Target& descri
   return message(
       "All tags agree with the other layout: write layout=\"{}\" into <target>; as described the board's places are a "
       "square aside.",
-      other.old_layout ? "old" : "new");
+      std::string(other.old_layout ? "old" : "new"));
 }
 
 Message repeated_text(const std::map<int, int>& repeated) {

@@ -9667,6 +9667,50 @@
         <source>%1: was expanded by xacro, with the arguments that it has by itself.</source>
         <translation>%1: wurde von xacro entfaltet, mit den Argumenten, die sie selbst hat.</translation>
     </message>
+    <message>
+        <source>%1 and %2 cannot be compared: %3.</source>
+        <translation>%1 und %2 lassen sich nicht vergleichen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be compared: its fit finds no answer; run `handsight-cli fit` on it, exclude the observations that it says stand out, and compare again.</source>
+        <translation>%1 lässt sich nicht vergleichen: die Anpassung findet keine Antwort; rufe `handsight-cli fit` damit auf, schließe die Beobachtungen aus, die dort auffallen, und vergleiche noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1: sessions of touches are not compared; fit them together instead.</source>
+        <translation>%1: Sitzungen mit Berührungen werden nicht verglichen; passe sie stattdessen zusammen an.</translation>
+    </message>
+    <message>
+        <source>A comparison takes two sessions at least; name another one.</source>
+        <translation>Ein Vergleich braucht mindestens zwei Sitzungen; nenne eine weitere.</translation>
+    </message>
+    <message>
+        <source>The model misses what the sessions measured. What the catalogue has and smooth curves of the joints' angles, the same in all, were fitted beside the changes; a change that looks like them is not seen.</source>
+        <translation>Das Modell verfehlt, was die Sitzungen gemessen haben. Was der Katalog hat und glatte Kurven der Gelenkwinkel, in allen dieselben, wurden neben den Änderungen angepasst; eine Änderung, die wie sie aussieht, bleibt ungesehen.</translation>
+    </message>
+    <message>
+        <source>; besides, what is there fits %1</source>
+        <translation>; außerdem passt, was da ist, zu %1</translation>
+    </message>
+    <message>
+        <source>in a mirror</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>white for black</source>
+        <translation>weiß statt schwarz</translation>
+    </message>
+    <message>
+        <source>its tags are there in a mirror and with white for black: the images were turned over and inverted</source>
+        <translation>seine Tags sind gespiegelt und weiß statt schwarz zu sehen: die Bilder wurden gewendet und invertiert</translation>
+    </message>
+    <message>
+        <source>its tags are there with white for black: print the board black on white, or invert the images</source>
+        <translation>seine Tags sind weiß statt schwarz zu sehen: drucke das Brett schwarz auf weiß oder invertiere die Bilder</translation>
+    </message>
+    <message>
+        <source>its tags can be read in a mirror only: the images (or the print) are turned over, left for right; undo that where they are recorded</source>
+        <translation>seine Tags sind nur gespiegelt zu lesen: die Bilder (oder der Druck) sind seitenverkehrt; hebe das dort auf, wo sie aufgenommen werden</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -11024,10 +11068,6 @@
         <translation>mehrere</translation>
     </message>
     <message>
-        <source>--mount is not given: the sensor is taken to stand beside the robot (link %1).</source>
-        <translation>--mount fehlt: der Sensor gilt als neben dem Roboter aufgestellt (Glied %1).</translation>
-    </message>
-    <message>
         <source>The measurements come %1 s after the joint readings; that was taken out.</source>
         <translation>Die Messungen kommen %1 s nach den Gelenkwerten; das wurde herausgerechnet.</translation>
     </message>
@@ -12008,20 +12048,8 @@
         <translation>Die verlangte Zeit ist um (%1 s).</translation>
     </message>
     <message>
-        <source> %1%2 is missing (odds of %3)</source>
-        <translation> %1%2 fehlt (%3 zu 1)</translation>
-    </message>
-    <message>
         <source> of %1</source>
         <translation> von %1</translation>
-    </message>
-    <message>
-        <source>%1 the hand is known to %2 mm (95 %)</source>
-        <translation>%1 die Hand ist auf %2 mm bekannt (95 %)</translation>
-    </message>
-    <message>
-        <source>, and</source>
-        <translation>, und</translation>
     </message>
     <message>
         <source>refused: %1</source>
@@ -12046,14 +12074,6 @@
     <message>
         <source>An experiment moves joints, and of this session's robot only the flange's poses are known.</source>
         <translation>Ein Versuch bewegt Gelenke, und vom Roboter dieser Sitzung sind nur die Posen des Flansches bekannt.</translation>
-    </message>
-    <message>
-        <source> nothing is missing that these poses could show</source>
-        <translation> es fehlt nichts, das diese Posen zeigen könnten</translation>
-    </message>
-    <message>
-        <source>What was asked for is reached:</source>
-        <translation>Was verlangt war, ist erreicht:</translation>
     </message>
     <message>
         <source>no way leads there from where the robot stands now</source>

@@ -89,10 +89,10 @@ TEST_F(Find, AnArrowKeyChoosesTheNextOne) {
   EXPECT_EQ(list->currentRow(), 0);
   desk.key(Qt::Key_Down);
   desk.key(Qt::Key_Down);
-  EXPECT_EQ(list->item(list->currentRow())->text(), "Inspect");
+  EXPECT_EQ(list->item(list->currentRow())->text(), "Experiment");
   desk.key(Qt::Key_Return);
   QTest::qWait(20);
-  EXPECT_EQ(desk.window.workspace(), app::Place::inspect);
+  EXPECT_EQ(desk.window.workspace(), app::Place::experiment);
 }
 
 TEST_F(Find, APanelFillsTheCentreAndEscPutsItBack) {
