@@ -15,7 +15,7 @@ namespace {
 QString looked_up(const std::string& form) { return QCoreApplication::translate("core", form.c_str()); }
 
 /// The core writes what every terminal has.
-QString with_signs(QString text) { return text.replace(" +- ", QString::fromUtf8(" ± ")); }
+QString with_signs(QString text) { return text.replace("+-", QString::fromUtf8("±")); }
 
 QString with_mark(QString number) {
   const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated
