@@ -101,9 +101,9 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
 }
 
 Widths widths_of(const Problem& problem) {
-  Widths widths;
-  for (const EffectColumn& c : problem.columns_of_effects) widths.push_back(c.width);
-  return widths;
+  Widths all;
+  for (const EffectColumn& c : problem.columns_of_effects) all.push_back(c.width);
+  return all;
 }
 
 bool end_circle(std::vector<Widths>& before, Problem& problem) {
@@ -113,9 +113,9 @@ bool end_circle(std::vector<Widths>& before, Problem& problem) {
     before.push_back(now);
     return false;
   }
-  for (auto widths = same; widths != before.end(); ++widths)
+  for (auto seen = same; seen != before.end(); ++seen)
     for (std::size_t c = 0; c < now.size(); ++c)
-      problem.columns_of_effects[c].width = std::max(problem.columns_of_effects[c].width, (*widths)[c]);
+      problem.columns_of_effects[c].width = std::max(problem.columns_of_effects[c].width, (*seen)[c]);
   return true;
 }
 

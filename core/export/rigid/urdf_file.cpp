@@ -118,7 +118,7 @@ std::string comment_text(const UrdfFile& file, const CalibratedRobot& robot) {
   if (!file.sensor_link.empty()) text += fmt::format(" {} is the sensor.", file.sensor_link);
   text += file.not_said.empty() ? " Everything that was found is in this file. "
                                 : " A URDF cannot say, so that it is not in this file:";
-  for (const std::string& s : file.not_said) text += "\n  " + printable(s);
+  for (const Message& s : file.not_said) text += "\n  " + printable(s.english());
   if (!file.fit.left_out.empty())
     text += fmt::format(
         "\n  Its origins are fitted again without that, to where the whole model has the hand: {} are left; as it was "
