@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The normal equations of several sessions and of what changed between them. Internal to several_*.cpp.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "compare/several_changes.h"
+
+namespace handsight {
+
+/// Plausible sizes that a change is held at while it is fitted.
+inline constexpr double change_scale = 3;
+inline constexpr double held = 1 / (change_scale * change_scale);  // how much of a change's square that costs
+
+/// Numbers of a unit that are no choices.
+Eigen::Index numbers_of(const ChangeUnit& unit);
+
+ScatteredNormal nothing(Eigen::Index columns);
+
+/// A side's columns by those of all.
+using ColumnMap = Eigen::SparseMatrix<double>;
+ColumnMap map_of(const std::vector<Eigen::Triplet<double>>& places, Eigen::Index own, Eigen::Index all);
+
+void add(const ScatteredNormal& own, const ColumnMap& map, ScatteredNormal& all);
+
+/// So that what nothing tells has an answer.
+void stiffen(ScatteredNormal& n);
+
+/// A change at `value` that is held at `scale` plausible sizes.
+void add_prior(ScatteredNormal& n, Eigen::Index column, double value, double scale);
+
+/// Where a unit's numbers of one side go: as large there as in the unit's own sizes.
+void place_unit(std::vector<Eigen::Triplet<double>>& places, const ChangeUnit& unit, const Chain& chain,
+                const Eigen::VectorXd& sizes, Eigen::Index own, Eigen::Index all);
+
+std::vector<Eigen::Triplet<double>> shared_places(const SeveralSides& sides, const SeveralSide& side);
+
+struct EvidenceAt {
+  double evidence = 0, gained = 0;
+};
+
+/// Of a change that was fitted with this answer and covariance, by the squares with and without it. It was held at
+/// change_scale; the prior of each scale is counted in the evidence.
+EvidenceAt evidence_at(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& change, double squares_without,
+                       double squares_with);
+
+struct SeveralComparer::Fitted {
+  SeveralState state;
+  std::vector<ActiveChange> active;
+  Eigen::MatrixXd information;
+  double squares = 0;  // what the changes are held at left out
+};
+
+}  // namespace handsight
