@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What may have changed between which of several sessions, and the evidence for it. Internal to
-// several_comparison.cpp.
+// several_comparison.cpp. Units and
+// alternatives stand in several_changes.cpp, fits in several_fits.cpp, the evidence in several_ranking.cpp.
 #pragma once
 
 #include <map>
@@ -80,7 +81,12 @@ class SeveralComparer {
   const ChangeUnit& unit_of(std::size_t side, std::size_t unit) const;
 
  private:
-  struct Fitted;
+  struct Fitted {
+    SeveralState state;
+    std::vector<ActiveChange> active;
+    Eigen::MatrixXd information;
+    double squares = 0;  // what the changes are held at left out
+  };
   struct Linear;
 
   void list_units();

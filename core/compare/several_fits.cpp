@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Cholesky>
 
+#include "compare/several_changes.h"
 #include "compare/several_normal.h"
 
 namespace handsight {

@@ -5,7 +5,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "compare/several_changes.h"
+#include "compare/change_candidates.h"
+#include "compare/several_sides.h"
 
 namespace handsight {
 
@@ -44,12 +45,5 @@ struct EvidenceAt {
 /// change_scale; the prior of each scale is counted in the evidence.
 EvidenceAt evidence_at(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& change, double squares_without,
                        double squares_with);
-
-struct SeveralComparer::Fitted {
-  SeveralState state;
-  std::vector<ActiveChange> active;
-  Eigen::MatrixXd information;
-  double squares = 0;  // what the changes are held at left out
-};
 
 }  // namespace handsight

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "compare/change_evidence.h"
+#include "compare/several_changes.h"
 #include "compare/several_normal.h"
 #include "estimation/fit/noise.h"
 

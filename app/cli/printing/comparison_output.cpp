@@ -38,7 +38,7 @@ Json change_json(const Change& c) {
 }  // namespace
 
 void print_comparison(const Output& output, const Comparison& c) {
-  for (const std::string& note : c.notes) Output::note(note);
+  for (const Message& note : c.notes) Output::note(note);
   output.line(c.sentence);
   if (!c.changes.empty()) {
     output.line();

@@ -18,16 +18,8 @@ TEST(Pictures, OfACollection) {
   ASSERT_TRUE(desk.window.open(QString::fromStdString(two_hands(folder.path).string())));
   ASSERT_TRUE(desk.settle());
   desk.window.bench().selection.select_observation(57);
-  const char* names[] = {"", "both_label", "both_calibrate", "both_inspect", "both_explain", "both_export"};
-  for (int i = 1; i <= 5; ++i) {
-    if (i == 4) {
-      ASSERT_TRUE(ExplainPage{desk}.open());
-    } else {
-      desk.key(Qt::Key_0 + i, Qt::ControlModifier);
-    }
-    ASSERT_TRUE(desk.settle());
-    photo.take(names[i]);
-  }
+  take_each_workspace(desk, photo, "both");
+  if (testing::Test::HasFatalFailure()) return;
   desk.key(Qt::Key_4, Qt::ControlModifier);
   desk.press_button("session_marks");
   photo.take("both_marks");

@@ -27,6 +27,19 @@ struct Photographer {
   }
 };
 
+/// Of what is open, from Label to Export: PREFIX_label and so on.
+inline void take_each_workspace(Desk& desk, Photographer& photo, const std::string& prefix) {
+  const char* names[] = {"label", "calibrate", "inspect", "explain", "export"};
+  for (int i = 0; i < 5; ++i) {
+    if (names[i] == std::string("explain"))
+      ASSERT_TRUE(ExplainPage{desk}.open());
+    else
+      desk.key(Qt::Key_1 + i, Qt::ControlModifier);
+    ASSERT_TRUE(desk.settle());
+    photo.take(prefix + "_" + names[i]);
+  }
+}
+
 /// Of a window of its own.
 inline void take_dialog(QWidget& dialog, const std::string& name) {
   QTest::qWait(250);
