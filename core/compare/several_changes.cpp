@@ -47,11 +47,11 @@ void SeveralComparer::list_alternatives() {
   for (std::size_t u = 0; u < units_.size(); ++u) {
     const std::vector<std::size_t>& who = units_[u].who;
     for (std::size_t first = 1; first < who.size(); ++first) {
-      Alternative from{u, std::vector<char>(of_sides_.size(), 0)}, alone = from;
-      for (std::size_t i = first; i < who.size(); ++i) from.in[who[i]] = 1;
-      alone.in[who[first]] = 1;
-      alternatives_.push_back(std::move(from));
-      if (first + 1 < who.size()) alternatives_.push_back(std::move(alone));
+      std::vector<char> from(of_sides_.size(), 0), alone(of_sides_.size(), 0);
+      for (std::size_t i = first; i < who.size(); ++i) from[who[i]] = 1;
+      alone[who[first]] = 1;
+      alternatives_.push_back({u, std::move(from)});
+      if (first + 1 < who.size()) alternatives_.push_back({u, std::move(alone)});
     }
   }
 }

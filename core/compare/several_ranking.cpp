@@ -7,6 +7,7 @@
 #include "compare/change_evidence.h"
 #include "compare/several_changes.h"
 #include "compare/several_normal.h"
+#include "diagnosis/evidence/evidence.h"
 #include "estimation/fit/noise.h"
 
 namespace handsight {
