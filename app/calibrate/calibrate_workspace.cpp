@@ -6,10 +6,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "bench/camera_strip.h"
-#include "bench/link_selection.h"
-#include "bench/observation_views.h"
-#include "bench/session_parts.h"
 #include "calibrate/fixtures_page.h"
 #include "calibrate/hands_page.h"
 #include "calibrate/objective_page.h"
@@ -22,17 +18,21 @@
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/scene/robot_view.h"
 #include "words/core_words.h"
+#include "workbench/camera_strip.h"
+#include "workbench/link_selection.h"
+#include "workbench/observation_views.h"
+#include "workbench/session_parts.h"
 
 namespace handsight::app {
 namespace {
 
 /// With the error against `row`: the present model's where there is one, else that of the moment of the decision.
-widgets::DecisionEntry entry_of(const PlayedStep& played, const InspectionRow* row, const DisplayUnits& units) {
+widgets::DecisionEntry find_entry(const PlayedStep& played, const InspectionRow* row, const DisplayUnits& units) {
   widgets::DecisionEntry e{.id = played.step.id, .reason = translated(played.step.reason)};
   e.state = played.step.accepted ? widgets::CellState::used : widgets::CellState::rejected;
   if (!row) row = &played.row;
   if (!row->markers.empty()) {
-    e.size = units.shown(size_of(*row));
+    e.size = units.shown(measure_size(*row));
     e.rms_over_sigma = row->ratio;
     e.coordinates = row->coordinates;
   }
@@ -50,7 +50,8 @@ PlayedStep decided(const Observation& o) {
 
 }  // namespace
 
-CalibrateWorkspace::CalibrateWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), player_(bench) {
+CalibrateWorkspace::CalibrateWorkspace(Workbench& workbench, QWidget* parent)
+    : Workspace(workbench, parent), player_(workbench) {
   setObjectName("calibrate");
   make_layout();
   connect_player();
@@ -59,7 +60,7 @@ CalibrateWorkspace::CalibrateWorkspace(Workbench& bench, QWidget* parent) : Work
 }
 
 void CalibrateWorkspace::make_layout() {
-  transport_ = new Transport(bench_, player_, this);
+  transport_ = new Transport(workbench_, player_, this);
   left_ = new widgets::ImageView(this);
   right_ = new widgets::ImageView(this);
   left_->setObjectName("calibrate_left");
@@ -72,9 +73,9 @@ void CalibrateWorkspace::make_layout() {
   decisions_ = new widgets::DecisionList(this);
   decisions_->setObjectName("decisions");
   decisions_->set_empty_text(tr("Play: each observation is taken, or rejected with its reason."));
-  objectives_ = new ObjectivePage(bench_, this);
-  one_marker_ = new OneMarkerPage(bench_, this);
-  own_pose_ = new OwnPosePage(bench_, this);
+  objectives_ = new ObjectivePage(workbench_, this);
+  one_marker_ = new OneMarkerPage(workbench_, this);
+  own_pose_ = new OwnPosePage(workbench_, this);
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("calibrate_tabs");
   tabs_->setDocumentMode(true);
@@ -87,10 +88,10 @@ void CalibrateWorkspace::make_layout() {
   upper->setSizes({32, 32, 36});
   auto* lower = new QSplitter(Qt::Horizontal, this);
   lower->addWidget(board_);
-  hands_ = new HandsPage(bench_, this);
+  hands_ = new HandsPage(workbench_, this);
   hands_->hide();
   lower->insertWidget(0, hands_);
-  fixtures_ = new FixturesPage(bench_, this);
+  fixtures_ = new FixturesPage(workbench_, this);
   fixtures_->hide();
   lower->insertWidget(1, fixtures_);
   lower->addWidget(tabs_);
@@ -111,7 +112,7 @@ void CalibrateWorkspace::make_layout() {
   layout->setContentsMargins(8, 0, 8, 8);
   layout->setSpacing(4);
   layout->addWidget(transport_);
-  cameras_ = new CameraStrip(bench_, left_, right_, this);
+  cameras_ = new CameraStrip(workbench_, left_, right_, this);
   connect(cameras_, &CameraStrip::changed, this, &CalibrateWorkspace::refresh_observation);
   layout->addWidget(cameras_);
   layout->addWidget(rows, 1);
@@ -167,7 +168,7 @@ void CalibrateWorkspace::show_played() {
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : news) {
     if (played.step.has_estimate && played.step.accepted) points.push_back(convergence_point(played.step));
-    entries.push_back(entry_of(played, nullptr, bench_.units));
+    entries.push_back(find_entry(played, nullptr, workbench_.units));
   }
   refresh_decision_title(false);
   if (is_anew) {
@@ -179,54 +180,54 @@ void CalibrateWorkspace::show_played() {
   }
   const std::int64_t last = unshown_.back().step.id;
   unshown_.clear();
-  bench_.selection.select_observation(last);
+  workbench_.selection.select_observation(last);
   if (is_active()) refresh_observation();
   refresh_transport();
 }
 
 void CalibrateWorkspace::connect_selection() {
-  link_selection(board_, bench_);
-  link_selection(decisions_, bench_);
-  link_selection(scene_, bench_);
+  link_selection(board_, workbench_);
+  link_selection(decisions_, workbench_);
+  link_selection(scene_, workbench_);
   for (widgets::ImageView* view : {left_, right_}) {
-    connect(view, &widgets::ImageView::read_out, &bench_, &Workbench::pointed_at);
+    connect(view, &widgets::ImageView::read_out, &workbench_, &Workbench::pointed_at);
     connect(view, &widgets::ImageView::marker_selected, this, [this, view](int marker) {
-      if (!bench_.selection.current().observation || marker < 0) return;
-      bench_.selection.select({.observation = bench_.selection.current().observation,
-                               .marker = marker,
-                               .camera = cameras_->camera_of(view)});
+      if (!workbench_.selection.current().observation || marker < 0) return;
+      workbench_.selection.select({.observation = workbench_.selection.current().observation,
+                                   .marker = marker,
+                                   .camera = cameras_->look_up_camera(view)});
     });
   }
-  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+  connect(&workbench_.images, &ImageSource::arrived, this, [this] {
     if (is_active()) refresh_observation();
   });
-  connect(&bench_.selection, &Selection::changed, this, [this] {
-    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+  connect(&workbench_.selection, &Selection::changed, this, [this] {
+    const auto id = workbench_.selection.current().observation.value_or(widgets::no_observation);
     board_->set_selected(id);
     decisions_->set_selected(id);
     if (is_active() && !player_.is_playing()) refresh_observation();
   });
-  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+  connect(&workbench_.selection, &Selection::hover_changed, this, [this] {
     if (is_active())
-      scene_->set_hovered_observation(bench_.selection.hovered().observation.value_or(widgets::kNoObservation));
+      scene_->set_hovered_observation(workbench_.selection.hovered().observation.value_or(widgets::no_observation));
   });
-  connect(&bench_.document, &Document::opened, this, [this] {
+  connect(&workbench_.document, &Document::opened, this, [this] {
     robot_is_set_ = is_recalled_ = false;
     show_hands();
   });
-  connect(&bench_.document, &Document::edited, this, [this] {
+  connect(&workbench_.document, &Document::edited, this, [this] {
     if (!player_.is_playing()) refresh_transport();
   });
-  connect(&bench_.document, &Document::model_changed, this, [this] {
+  connect(&workbench_.document, &Document::model_changed, this, [this] {
     if (!player_.is_playing()) refresh_decisions();
     is_stale_ = true;
     if (is_active()) refresh_model();
   });
-  connect(&bench_.sessions, &SessionFilter::changed, this, [this] {
+  connect(&workbench_.sessions, &SessionFilter::changed, this, [this] {
     is_stale_ = true;
     if (is_active()) refresh_model();
   });
-  connect(&bench_.units, &DisplayUnits::changed, this, [this] {
+  connect(&workbench_.units, &DisplayUnits::changed, this, [this] {
     show_played();
     refresh_decisions();
     if (is_active()) refresh_observation();
@@ -243,9 +244,9 @@ void CalibrateWorkspace::connect_selection() {
 }
 
 void CalibrateWorkspace::show_hands() {
-  const bool is_collection = is_joined(bench_.document.session());
+  const bool is_collection = is_joined(workbench_.document.session());
   hands_->setVisible(is_collection);
-  const bool are_touches = bench_.document.session().is_touch();
+  const bool are_touches = workbench_.document.session().is_touch();
   board_->setVisible(!is_collection && !are_touches);
   fixtures_->setVisible(are_touches);
   for (QWidget* page : std::initializer_list<QWidget*>{objectives_, one_marker_})  // of markers that are seen
@@ -258,9 +259,9 @@ void CalibrateWorkspace::show_hands() {
 }
 
 WorkStatus CalibrateWorkspace::status() const {
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   if (is_joined(s)) {
-    const ModelVersionPointer model = bench_.document.shown_model();
+    const ModelVersionPointer model = workbench_.document.shown_model();
     if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
     return {WorkState::done, tr("%1 sessions").arg(s.parts.size())};
   }
@@ -282,8 +283,8 @@ WorkStatus CalibrateWorkspace::status() const {
 }
 
 void CalibrateWorkspace::set_robot() {
-  if (robot_is_set_ || !bench_.document.is_open()) return;
-  const Session& s = bench_.document.session();
+  if (robot_is_set_ || !workbench_.document.is_open()) return;
+  const Session& s = workbench_.document.session();
   const std::filesystem::path urdf = folder(s) / s.robot_file;
   scene_->set_robot(s.robot, urdf.parent_path());
   say_notes();
@@ -293,7 +294,7 @@ void CalibrateWorkspace::set_robot() {
 }
 
 void CalibrateWorkspace::say_notes() {
-  for (const QString& note : scene_->notes()) emit bench_.document.noticed(note);
+  for (const QString& note : scene_->notes()) emit workbench_.document.noticed(note);
 }
 
 void CalibrateWorkspace::activate() {
@@ -307,20 +308,20 @@ void CalibrateWorkspace::activate() {
 }
 
 void CalibrateWorkspace::recall() {
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   const bool was_played = std::any_of(s.observations.begin(), s.observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::accepted; });
   if (is_joined(s)) return;
   if (is_recalled_ || player_.position() > 0 || player_.is_playing() || !was_played) return;
   is_recalled_ = true;
-  bench_.background.start<std::vector<OnlineStep>>(
+  workbench_.background.start<std::vector<OnlineStep>>(
       "recall", tr("Recalling the play"),
-      [session = bench_.document.shared_session()](JobControl& control) {
+      [session = workbench_.document.shared_session()](JobControl& control) {
         return recalled_steps(*session, going_on(control));
       },
       [this](const std::vector<OnlineStep>& steps) {
         if (player_.position() > 0 || player_.is_playing()) return;
-        board_->set_points(convergence_of(steps));
+        board_->set_points(list_convergence(steps));
       },
       [](const QString&) {});
 }
@@ -342,34 +343,35 @@ void CalibrateWorkspace::refresh_transport() {
 }
 
 void CalibrateWorkspace::refresh_observation() {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});
     return;
   }
   // While it is played, against the estimate of that moment; afterwards against the model.
-  const PlayedStep* played = player_.step_of(o->id);
-  const bool use_played = played && !played->row.markers.empty() && (player_.is_playing() || !bench_.document.model());
-  const InspectionRow* row = use_played ? &played->row : bench_.row(o->id);
-  show_images(bench_, *o, row, cameras_->shown(), true);
+  const PlayedStep* played = player_.find_step(o->id);
+  const bool use_played =
+      played && !played->row.markers.empty() && (player_.is_playing() || !workbench_.document.model());
+  const InspectionRow* row = use_played ? &played->row : workbench_.row(o->id);
+  show_images(workbench_, *o, row, cameras_->shown(), true);
   if (tabs_->currentWidget() == own_pose_) {
     own_pose_->show(*scene_);
   } else {
     scene_->set_ellipsoid(std::nullopt);
-    show_pose(bench_.document, *o, row, *scene_);
+    show_pose(workbench_.document, *o, row, *scene_);
   }
 }
 
 void CalibrateWorkspace::refresh_decisions() {
-  const bool is_present = bench_.document.model() && bench_.document.model()->fit && !player_.is_playing();
+  const bool is_present = workbench_.document.model() && workbench_.document.model()->fit && !player_.is_playing();
   std::vector<widgets::DecisionEntry> entries;
   for (const PlayedStep& played : player_.steps())
-    entries.push_back(entry_of(played, is_present ? bench_.row(played.step.id) : nullptr, bench_.units));
+    entries.push_back(find_entry(played, is_present ? workbench_.row(played.step.id) : nullptr, workbench_.units));
   if (player_.steps().empty() && !player_.is_playing())  // played before it was opened
-    for (const Observation& o : bench_.document.session().observations)
+    for (const Observation& o : workbench_.document.session().observations)
       if (o.decision == Decision::accepted || o.decision == Decision::rejected)
-        entries.push_back(entry_of(decided(o), bench_.row(o.id), bench_.units));
+        entries.push_back(find_entry(decided(o), workbench_.row(o.id), workbench_.units));
   if (!entries.empty() || player_.steps().empty()) decisions_->set_entries(std::move(entries));
   refresh_decision_title(is_present);
 }
@@ -385,8 +387,8 @@ void CalibrateWorkspace::refresh_model() {
   is_stale_ = false;
   show_hands();
   if (is_active()) hands_->look();
-  if (const Inspection* all = bench_.inspection())
-    scene_->set_arrows(scene_arrows(bench_.document.session(), *all, bench_.sessions));
+  if (const Inspection* all = workbench_.inspection())
+    scene_->set_arrows(scene_arrows(workbench_.document.session(), *all, workbench_.sessions));
   refresh_observation();
 }
 

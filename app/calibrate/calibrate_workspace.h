@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <set>
 
-#include "bench/workspace.h"
 #include "calibrate/player.h"
+#include "workbench/workspace.h"
 
 class QTabWidget;
 
@@ -32,7 +32,7 @@ class CalibrateWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit CalibrateWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit CalibrateWorkspace(Workbench& workbench, QWidget* parent = nullptr);
 
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;

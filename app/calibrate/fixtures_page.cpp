@@ -6,10 +6,10 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
-#include "bench/touch_views.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "workbench/heading.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 namespace {
@@ -33,14 +33,14 @@ QString place_text(const Session& s, const SessionPart& part, const FitPart& fou
   return QObject::tr("%1 mm").arg(three(1e3 * m.translation, 2));
 }
 
-QStringList cells_of(const Session& s, const SessionPart& part, const PartReport& report) {
+QStringList split_cells(const Session& s, const SessionPart& part, const PartReport& report) {
   return {kind_text(s.fixtures[static_cast<std::size_t>(part.fixture)].kind), QString::number(report.used),
           in_mm(report.fitted.rms_m), in_mm(report.held_out.rms_m), place_text(s, part, report.found)};
 }
 
 }  // namespace
 
-FixturesPage::FixturesPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+FixturesPage::FixturesPage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   setObjectName("fixtures");
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
@@ -62,8 +62,8 @@ FixturesPage::FixturesPage(Workbench& bench, QWidget* parent) : QWidget(parent),
 }
 
 void FixturesPage::refresh() {
-  const Session& s = bench_.document.session();
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const Session& s = workbench_.document.session();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   const bool is_known = s.is_touch() && model && model->fit && model->parts.size() == s.parts.size();
   sentence_->setText(is_known                             ? tr("The fixtures and the tip are found with the robot.")
                      : model && !model->refusal.isEmpty() ? model->refusal
@@ -74,7 +74,7 @@ void FixturesPage::refresh() {
   for (int r = 0; r < table_->rowCount(); ++r) {
     const SessionPart& part = s.parts[static_cast<std::size_t>(r)];
     table_->setVerticalHeaderItem(r, new QTableWidgetItem(QString::fromStdString(part.title)));
-    const QStringList cells = cells_of(s, part, model->parts[static_cast<std::size_t>(r)]);
+    const QStringList cells = split_cells(s, part, model->parts[static_cast<std::size_t>(r)]);
     for (int c = 0; c < cells.size(); ++c) {
       auto* item = new QTableWidgetItem(cells[c]);
       const bool is_number = c >= 1 && c <= 3;

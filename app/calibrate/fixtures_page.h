@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 class QTableWidget;
@@ -15,11 +15,11 @@ class FixturesPage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FixturesPage(Workbench& bench, QWidget* parent = nullptr);
+  explicit FixturesPage(Workbench& workbench, QWidget* parent = nullptr);
   void refresh();
 
  private:
-  Workbench& bench_;
+  Workbench& workbench_;
   QLabel* sentence_;
   QTableWidget* table_;
 };

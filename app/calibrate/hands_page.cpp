@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "base/degrees.h"
-#include "bench/heading.h"
 #include "geometry/rigid.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 namespace {
@@ -30,7 +30,7 @@ QString error_text(const PartReport& part, const ErrorSummary& error) {
 }
 
 /// The six numbers, and the errors.
-QStringList cells_of(const HandModel& hand, const PartReport& part) {
+QStringList split_cells(const HandModel& hand, const PartReport& part) {
   QStringList cells;
   const Vector3 rpy = degrees * rpy_from_rotation(hand.tcp_from_body.rotation);
   for (int i = 0; i < 3; ++i) cells << with_sigma(1e3 * hand.tcp_from_body.translation[i], 1e3 * hand.sigma[i]);
@@ -41,7 +41,7 @@ QStringList cells_of(const HandModel& hand, const PartReport& part) {
 
 }  // namespace
 
-HandsPage::HandsPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+HandsPage::HandsPage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   setObjectName("hands");
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
@@ -67,7 +67,7 @@ HandsPage::HandsPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench
 }
 
 void HandsPage::refresh() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   const bool is_known = model && model->fit && !model->hands.empty();
   sentence_->setText(is_known
                          ? tr("The robot is one for all sessions; each hand is its own, or shared where you said so.")
@@ -75,7 +75,7 @@ void HandsPage::refresh() {
                                                           : tr("Waits for a fit."));
   table_->setVisible(is_known);
   if (!is_known) return;
-  const QStringList names = bench_.sessions.names();
+  const QStringList names = workbench_.sessions.names();
   table_->setColumnCount(static_cast<int>(model->hands.size()));
   for (int c = 0; c < table_->columnCount(); ++c) {
     const auto at = static_cast<std::size_t>(c);
@@ -83,7 +83,7 @@ void HandsPage::refresh() {
     title->setIcon(QIcon(widgets::session_mark_picture(c, 16, devicePixelRatioF())));
     title->setToolTip(names.value(c));
     table_->setHorizontalHeaderItem(c, title);
-    const QStringList cells = cells_of(model->hands[at], model->parts[at]);
+    const QStringList cells = split_cells(model->hands[at], model->parts[at]);
     for (int r = 0; r < cells.size(); ++r) {
       auto* item = new QTableWidgetItem(cells[r]);
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -97,7 +97,7 @@ void HandsPage::refresh() {
 
 /// Was the robot learned, or the fixture? Of longer collections it takes too long, and blunders would rule it.
 void HandsPage::look() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   const bool is_wanted = model && model->fit && !model->hands.empty() && model->report->used <= most_shown &&
                          model->wrong_points.empty() && model->lone.empty();
   if (!is_wanted || model == held_out_of_) return;
@@ -105,13 +105,13 @@ void HandsPage::look() {
   held_out_.clear();
   for (int c = 0; c < table_->columnCount(); ++c)
     if (QTableWidgetItem* item = table_->item(held_out_row, c)) item->setText(QStringLiteral("…"));
-  bench_.background.start<std::vector<ErrorSummary>>(
+  workbench_.background.start<std::vector<ErrorSummary>>(
       "sessions held out", tr("Sessions held out one by one"),
-      [model, session = bench_.document.shared_session()](JobControl& control) {
-        FitReport told = *model->report;
-        hold_out_sessions(*session, *model->fit, model->options, told, [&] { return !control.is_cancelled(); });
+      [model, session = workbench_.document.shared_session()](JobControl& control) {
+        FitReport reported = *model->report;
+        hold_out_sessions(*session, *model->fit, model->options, reported, [&] { return !control.is_cancelled(); });
         std::vector<ErrorSummary> errors;
-        for (const PartReport& part : part_reports(*session, *model->fit, told))
+        for (const PartReport& part : part_reports(*session, *model->fit, reported))
           errors.push_back(part.held_out_session);
         return errors;
       },
@@ -124,7 +124,7 @@ void HandsPage::look() {
 }
 
 void HandsPage::show_held_out() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   if (!model || model != held_out_of_ || model->parts.size() != held_out_.size()) return;
   for (int c = 0; c < table_->columnCount() && c < static_cast<int>(held_out_.size()); ++c) {
     const auto at = static_cast<std::size_t>(c);

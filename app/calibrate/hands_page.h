@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 class QTableWidget;
@@ -15,14 +15,14 @@ class HandsPage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit HandsPage(Workbench& bench, QWidget* parent = nullptr);
+  explicit HandsPage(Workbench& workbench, QWidget* parent = nullptr);
   void refresh();
   /// Looked at now: what takes longer is worked out.
   void look();
 
  private:
   void show_held_out();
-  Workbench& bench_;
+  Workbench& workbench_;
   QLabel* sentence_;
   QTableWidget* table_;
   ModelVersionPointer held_out_of_;

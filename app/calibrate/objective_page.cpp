@@ -27,7 +27,7 @@ QString objective_name(Objective o) {
 
 }  // namespace
 
-ObjectivePage::ObjectivePage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+ObjectivePage::ObjectivePage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(new QLabel(tr("Fit by"), this));
@@ -67,19 +67,19 @@ ObjectivePage::ObjectivePage(Workbench& bench, QWidget* parent) : QWidget(parent
   layout->addWidget(table_, 1);
   layout->addWidget(sentence_);
   connect(choices_, &QButtonGroup::idClicked, this, [this](int id) {
-    ModelSettings settings = bench_.document.settings();
+    ModelSettings settings = workbench_.document.settings();
     settings.objective = objectives[id];
     choose(settings);
   });
   connect(fix_, &QCheckBox::clicked, this, [this](bool on) {
-    ModelSettings settings = bench_.document.settings();
+    ModelSettings settings = workbench_.document.settings();
     settings.fix_markers = on;
     choose(settings);
   });
-  connect(&bench.document, &Document::model_changed, this, [this] {
+  connect(&workbench.document, &Document::model_changed, this, [this] {
     if (is_active_) compare();
   });
-  connect(&bench.document, &Document::closed, this, [this] {
+  connect(&workbench.document, &Document::closed, this, [this] {
     compared_ = -1;
     table_->clearContents();
   });
@@ -91,25 +91,25 @@ void ObjectivePage::set_active(bool active) {
 }
 
 void ObjectivePage::choose(const ModelSettings& settings) {
-  const ModelSettings before = bench_.document.settings();
+  const ModelSettings before = workbench_.document.settings();
   if (settings == before) return;
   const QString sentence = settings.objective != before.objective
                                ? tr("fitted by the %1 objective").arg(objective_name(settings.objective).toLower())
                            : settings.fix_markers ? tr("held the body's shape")
                                                   : tr("let the body's shape free");
-  bench_.document.perform({.sentence = sentence, .settings = SettingsEdit{before, settings}});
+  workbench_.document.perform({.sentence = sentence, .settings = SettingsEdit{before, settings}});
 }
 
 void ObjectivePage::compare() {
-  const ModelSettings& settings = bench_.document.settings();
+  const ModelSettings& settings = workbench_.document.settings();
   for (int i = 0; i < 3; ++i) choices_->button(i)->setChecked(settings.objective == objectives[i]);
   fix_->setChecked(settings.fix_markers);
-  const ModelVersionPointer model = bench_.document.model();
-  if (!model || compared_ == bench_.document.revision()) return;
-  compared_ = bench_.document.revision();
-  bench_.jobs.start<std::array<ModelVersionPointer, 3>>(
+  const ModelVersionPointer model = workbench_.document.model();
+  if (!model || compared_ == workbench_.document.revision()) return;
+  compared_ = workbench_.document.revision();
+  workbench_.jobs.start<std::array<ModelVersionPointer, 3>>(
       "objectives", tr("Comparing the three objectives"),
-      [session = bench_.document.shared_session(), settings, revision = compared_](JobControl& control) {
+      [session = workbench_.document.shared_session(), settings, revision = compared_](JobControl& control) {
         std::array<ModelVersionPointer, 3> results;
         for (std::size_t i = 0; i < 3 && !control.is_cancelled(); ++i) {
           ModelSettings one = settings;
@@ -120,7 +120,7 @@ void ObjectivePage::compare() {
         return results;
       },
       [this](const std::array<ModelVersionPointer, 3>& results) {
-        if (results[0] && results[0]->revision == bench_.document.revision()) show_results(results);
+        if (results[0] && results[0]->revision == workbench_.document.revision()) show_results(results);
       },
       [this](const QString& sentence) {
         sentence_->setText(sentence);

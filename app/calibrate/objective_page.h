@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <array>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 class QButtonGroup;
 class QCheckBox;
@@ -18,7 +18,7 @@ class ObjectivePage : public QWidget {
   Q_OBJECT
 
  public:
-  ObjectivePage(Workbench& bench, QWidget* parent);
+  ObjectivePage(Workbench& workbench, QWidget* parent);
   /// Fits only while it is looked at.
   void set_active(bool active);
 
@@ -27,7 +27,7 @@ class ObjectivePage : public QWidget {
   void show_results(const std::array<ModelVersionPointer, 3>& results);
   void choose(const ModelSettings& settings);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QButtonGroup* choices_;
   QCheckBox* fix_;
   QTableWidget* table_;

@@ -14,7 +14,7 @@
 
 namespace handsight::app {
 
-OneMarkerPage::OneMarkerPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+OneMarkerPage::OneMarkerPage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   marker_ = new QComboBox(this);
   marker_->setObjectName("one_marker");
   marker_->setFocusPolicy(Qt::StrongFocus);
@@ -44,9 +44,9 @@ OneMarkerPage::OneMarkerPage(Workbench& bench, QWidget* parent) : QWidget(parent
   connect(marker_, &QComboBox::activated, this, &OneMarkerPage::compute);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int r) {
     if (!is_filling_ && r >= 0)
-      bench_.selection.select_observation(table_->item(r, 0)->data(Qt::UserRole).toLongLong());
+      workbench_.selection.select_observation(table_->item(r, 0)->data(Qt::UserRole).toLongLong());
   });
-  connect(&bench.document, &Document::model_changed, this, [this] {
+  connect(&workbench.document, &Document::model_changed, this, [this] {
     if (is_active_) compute();
   });
 }
@@ -54,7 +54,7 @@ OneMarkerPage::OneMarkerPage(Workbench& bench, QWidget* parent) : QWidget(parent
 void OneMarkerPage::set_active(bool active) {
   is_active_ = active;
   if (!active) return;
-  const int count = bench_.document.session().marker_count;
+  const int count = workbench_.document.session().marker_count;
   if (marker_->count() != count) {
     marker_->clear();
     for (int m = 0; m < count; ++m) marker_->addItem(tr("marker %1").arg(m), m);
@@ -63,7 +63,7 @@ void OneMarkerPage::set_active(bool active) {
 }
 
 void OneMarkerPage::compute() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) {
     table_->setRowCount(0);
     sentence_->setText(tr("Waits for a fit."));
@@ -72,9 +72,9 @@ void OneMarkerPage::compute() {
   OneMarkerOptions options;
   options.marker = std::max(0, marker_->currentIndex());
   options.marker_in_tcp = estimate(*model->fit).markers_in_tcp[static_cast<std::size_t>(options.marker)];
-  bench_.jobs.start<OneMarkerResult>(
+  workbench_.jobs.start<OneMarkerResult>(
       "one marker", tr("Effective masses"),
-      [session = bench_.document.shared_session(), options](JobControl&) {
+      [session = workbench_.document.shared_session(), options](JobControl&) {
         return effective_masses(*session, options);
       },
       [this](const OneMarkerResult& result) { show_result(result); },

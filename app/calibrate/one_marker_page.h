@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "bench/workbench.h"
 #include "estimation/report/one_marker.h"
+#include "workbench/workbench.h"
 
 class QComboBox;
 class QLabel;
@@ -17,14 +17,14 @@ class OneMarkerPage : public QWidget {
   Q_OBJECT
 
  public:
-  OneMarkerPage(Workbench& bench, QWidget* parent);
+  OneMarkerPage(Workbench& workbench, QWidget* parent);
   void set_active(bool active);
 
  private:
   void compute();
   void show_result(const OneMarkerResult& result);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QComboBox* marker_;
   QTableWidget* table_;
   QLabel* sentence_;

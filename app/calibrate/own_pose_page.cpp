@@ -12,15 +12,15 @@
 
 #include "base/degrees.h"
 #include "base/numbers.h"
-#include "bench/observation_views.h"
 #include "chain/chain.h"
 #include "correct/correction.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::app {
 
-OwnPosePage::OwnPosePage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+OwnPosePage::OwnPosePage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   typed_ = new QLineEdit(this);
   typed_->setObjectName("own_pose_typed");
   typed_->setPlaceholderText(tr("joint angles in rad, in the session's order"));
@@ -53,7 +53,7 @@ OwnPosePage::OwnPosePage(Workbench& bench, QWidget* parent) : QWidget(parent), b
   layout->addWidget(scroll, 1);
   connect(take, &QPushButton::clicked, this, &OwnPosePage::take_selected);
   connect(typed_, &QLineEdit::editingFinished, this, &OwnPosePage::take_typed);
-  connect(&bench.document, &Document::model_changed, this, [this] {
+  connect(&workbench.document, &Document::model_changed, this, [this] {
     if (isVisible()) refresh();
   });
 }
@@ -66,7 +66,7 @@ void OwnPosePage::set_session() {
   boxes_.clear();
   commands_.clear();
   scales_.clear();
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   for (std::size_t i = 0; i < s.joints.size(); ++i) {
     const Joint& joint = s.robot.joints[static_cast<std::size_t>(find_joint(s.robot, s.joints[i]))];
     const bool prismatic = joint.kind == JointKind::prismatic;
@@ -142,7 +142,7 @@ void OwnPosePage::set_position(const Eigen::VectorXd& q) {
 }
 
 void OwnPosePage::take_selected() {
-  if (const Observation* o = bench_.selected_observation()) set_position(o->position);
+  if (const Observation* o = workbench_.selected_observation()) set_position(o->position);
 }
 
 void OwnPosePage::take_typed() {
@@ -160,14 +160,14 @@ void OwnPosePage::take_typed() {
 
 /// Of a collection the hand that the selected observation shows.
 const HandModel* OwnPosePage::hand(const ModelVersion& model) const {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   const auto place = static_cast<std::size_t>(o ? o->part : 0);
   return place < model.hands.size() ? &model.hands[place] : nullptr;
 }
 
 std::shared_ptr<const Session> OwnPosePage::own_session(const ModelVersion& model) const {
   const HandModel* own = hand(model);
-  return own ? own->session : bench_.document.shared_session();
+  return own ? own->session : workbench_.document.shared_session();
 }
 
 const PredictionModel& OwnPosePage::own_prediction(const ModelVersion& model) const {
@@ -176,7 +176,7 @@ const PredictionModel& OwnPosePage::own_prediction(const ModelVersion& model) co
 }
 
 void OwnPosePage::refresh() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   if (!model || !model->fit) {
     prediction_.reset();
     result_->setText(tr("Waits for a fit; then it says where the TCP really is."));
@@ -184,7 +184,7 @@ void OwnPosePage::refresh() {
     emit changed();
     return;
   }
-  prediction_ = predict_tcp(chain_of(*own_session(*model)), position(), own_prediction(*model));
+  prediction_ = predict_tcp(make_chain(*own_session(*model)), position(), own_prediction(*model));
   const Vector3 t = prediction_->root_from_tcp_est.translation;
   const Vector6 s = prediction_->sigma();
   result_->setText(tr("TCP at %1, %2, %3 mm (± %4, %5, %6)")
@@ -201,8 +201,8 @@ void OwnPosePage::show_correction(const ModelVersion* model) {
   correction_->setVisible(is_moved);
   for (QLabel* command : commands_) command->clear();
   if (!is_moved) return;
-  const Chain chain = chain_of(*own_session(*model));
-  const Correction c = corrected(circumstances_at(chain, position()), own_prediction(*model));
+  const Chain chain = make_chain(*own_session(*model));
+  const Correction c = corrected(states_at(chain, position()), own_prediction(*model));
   for (std::size_t i = 0; i < commands_.size(); ++i)
     commands_[i]->setText("→ " + widgets::fixed_text(c.position[static_cast<Eigen::Index>(i)] * scales_[i], 3) +
                           boxes_[i]->suffix());
@@ -219,10 +219,10 @@ void OwnPosePage::show_correction(const ModelVersion* model) {
 
 void OwnPosePage::show(widgets::RobotView& view) {
   Observation pose;
-  pose.id = widgets::kNoObservation;
-  if (const Observation* o = bench_.selected_observation()) pose.part = o->part;
+  pose.id = widgets::no_observation;
+  if (const Observation* o = workbench_.selected_observation()) pose.part = o->part;
   pose.position = position();
-  show_pose(bench_.document, pose, nullptr, view);
+  show_pose(workbench_.document, pose, nullptr, view);
   if (!prediction_) return;
   view.set_tcp_est(prediction_->root_from_tcp_est);
   widgets::SceneEllipsoid ellipsoid{.center = prediction_->root_from_tcp_est.translation};

@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "bench/workbench.h"
 #include "estimation/report/prediction.h"
+#include "workbench/workbench.h"
 
 class QDoubleSpinBox;
 class QGridLayout;
@@ -24,7 +24,7 @@ class OwnPosePage : public QWidget {
   Q_OBJECT
 
  public:
-  OwnPosePage(Workbench& bench, QWidget* parent);
+  OwnPosePage(Workbench& workbench, QWidget* parent);
   /// Sliders for the joints of the open session.
   void set_session();
   void set_active(bool active);
@@ -48,7 +48,7 @@ class OwnPosePage : public QWidget {
   Eigen::VectorXd position() const;
   void set_position(const Eigen::VectorXd& position);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QWidget* joints_;
   QGridLayout* grid_;
   QLineEdit* typed_;

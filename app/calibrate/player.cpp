@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "bench/session_parts.h"
 #include "chain/chain.h"
 #include "detection/target_finding.h"
 #include "words/core_words.h"
+#include "workbench/session_parts.h"
 
 namespace handsight::app {
 
@@ -21,7 +21,7 @@ struct Player::Run {
 
   explicit Run(const Session& from)
       : session(from),
-        chain(chain_of(session)),
+        chain(make_chain(session)),
         online(session),
         frame(session),
         known(static_cast<std::size_t>(session.marker_count), 0) {
@@ -106,26 +106,26 @@ void play_one(Player::Run& run, std::size_t index, std::vector<PlayedStep>& play
 
 }  // namespace
 
-Player::Player(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
+Player::Player(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &Player::next);
-  connect(&bench.document, &Document::closed, this, &Player::rewind);
-  connect(&bench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
+  connect(&workbench.document, &Document::closed, this, &Player::rewind);
+  connect(&workbench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
     if (is_own_edit_ || ids.empty()) return;
     const bool goes_on = wants_label().has_value();
     rewind();
     if (goes_on) play();
   });
   // What was under way is dropped: the online estimate would not know of it, or know too much.
-  connect(&bench.jobs, &Jobs::stopped, this, [this] {
+  connect(&workbench.jobs, &Jobs::stopped, this, [this] {
     if (is_busy_) rewind();
   });
 }
 
-bool Player::is_finished() const { return run_ && steps_.size() == bench_.document.session().observations.size(); }
+bool Player::is_finished() const { return run_ && steps_.size() == workbench_.document.session().observations.size(); }
 
-const PlayedStep* Player::step_of(std::int64_t id) const {
-  const int index = bench_.document.index_of(id);
+const PlayedStep* Player::find_step(std::int64_t id) const {
+  const int index = workbench_.document.find_index(id);
   return index >= 0 && static_cast<std::size_t>(index) < steps_.size() ? &steps_[static_cast<std::size_t>(index)]
                                                                        : nullptr;
 }
@@ -135,7 +135,7 @@ std::optional<OnlineCalibration::MountProgress> Player::wants_label() const {
 }
 
 /// Sessions of a collection are played one by one, each opened by itself.
-bool Player::can_play() const { return bench_.document.is_open() && !is_joined(bench_.document.session()); }
+bool Player::can_play() const { return workbench_.document.is_open() && !is_joined(workbench_.document.session()); }
 
 void Player::play() {
   if (!can_play() || is_playing_) return;
@@ -171,7 +171,7 @@ void Player::stop() {
 void Player::hold_refit(bool held) {
   if (held == holds_refit_) return;
   holds_refit_ = held;
-  held ? bench_.refit.hold() : bench_.refit.release();
+  held ? workbench_.refit.hold() : workbench_.refit.release();
 }
 
 void Player::set_live(bool live) {
@@ -182,16 +182,16 @@ void Player::set_live(bool live) {
 }
 
 void Player::arrive(const std::vector<Observation>& arrived) {
-  if (arrived.empty() || !bench_.document.is_open()) return;
+  if (arrived.empty() || !workbench_.document.is_open()) return;
   // With its decision it is one action, and so are those that come while it is decided.
-  if (arrival_join_ == 0) arrival_join_ = bench_.document.new_join();
+  if (arrival_join_ == 0) arrival_join_ = workbench_.document.new_join();
   Edit edit{.sentence = arrived.size() == 1
                             ? tr("observation %1 arrived").arg(arrived.front().id)
                             : tr("observations %1 to %2 arrived").arg(arrived.front().id).arg(arrived.back().id),
             .joins = arrival_join_,
             .added = arrived};
   is_own_edit_ = true;
-  const bool is_done = bench_.document.perform(std::move(edit));
+  const bool is_done = workbench_.document.perform(std::move(edit));
   is_own_edit_ = false;
   if (!is_done) {
     arrival_join_ = 0;
@@ -214,8 +214,8 @@ void Player::rewind() {
   arrival_join_ = 0;
   accepted_ = 0;
   is_busy_ = false;
-  bench_.label_wanted.reset();
-  bench_.jobs.cancel("play");
+  workbench_.label_wanted.reset();
+  workbench_.jobs.cancel("play");
   emit rewound();
   emit state_changed();
 }
@@ -232,14 +232,14 @@ void Player::next() {
   if (is_busy_ || !(is_playing_ || is_single_)) return;
   if (!run_) {
     try {
-      run_ = std::make_shared<Run>(bench_.document.session());
+      run_ = std::make_shared<Run>(workbench_.document.session());
     } catch (const std::exception& error) {
       stop();
-      emit bench_.document.noticed(translated_error(error));
+      emit workbench_.document.noticed(translated_error(error));
       emit state_changed();
       return;
     }
-    join_ = bench_.document.new_join();
+    join_ = workbench_.document.new_join();
   }
   for (Observation& o : arrived_) run_->session.observations.push_back(std::move(o));
   arrived_.clear();
@@ -248,7 +248,7 @@ void Player::next() {
   if (is_playing_) hold_refit(true);
   is_busy_ = true;
   const std::size_t end = std::min(index + due(), run_->session.observations.size());
-  bench_.jobs.start<std::shared_ptr<std::vector<PlayedStep>>>(
+  workbench_.jobs.start<std::shared_ptr<std::vector<PlayedStep>>>(
       "play", tr("Playing"),
       [run = run_, index, end](JobControl& control) {
         constexpr qint64 longest = 25;  // ms: then the window may show what there is
@@ -268,23 +268,23 @@ void Player::next() {
         if (run != run_) return;
         is_busy_ = false;
         stop();
-        emit bench_.document.noticed(sentence);
+        emit workbench_.document.noticed(sentence);
         emit state_changed();
       });
 }
 
 bool Player::write_down(const std::vector<PlayedStep>& played) {
-  std::vector<std::pair<std::int64_t, ObservationState>> after;
+  std::vector<std::pair<std::int64_t, EditableState>> after;
   for (const PlayedStep& p : played) {
     std::erase_if(after, [&](const auto& one) { return one.first == p.step.id; });  // the last word counts
-    const Observation* o = bench_.document.find(p.step.id);
+    const Observation* o = workbench_.document.find(p.step.id);
     if (!o || o->decision == Decision::excluded) continue;
     Observation decided = *o;
     keep_step(p.step, decided);
-    after.push_back({o->id, state_of(decided)});
+    after.push_back({o->id, read_state(decided)});
   }
   if (after.empty()) return true;
-  Edit edit = bench_.document.edit_of(
+  Edit edit = workbench_.document.make_edit(
       tr("played to observation %1: %2 of %3 taken").arg(after.back().first).arg(accepted_).arg(steps_.size()), after);
   edit.joins = join_;
   if (arrival_join_ != 0) {
@@ -294,7 +294,7 @@ bool Player::write_down(const std::vector<PlayedStep>& played) {
                         .arg(played.back().step.accepted ? tr("taken") : tr("rejected"));
   }
   is_own_edit_ = true;
-  const bool is_done = bench_.document.perform(std::move(edit));
+  const bool is_done = workbench_.document.perform(std::move(edit));
   is_own_edit_ = false;
   return is_done;
 }
@@ -303,7 +303,7 @@ void Player::take(std::vector<PlayedStep> played) {
   is_busy_ = false;
   is_single_ = false;
   for (PlayedStep& p : played) {
-    const auto place = static_cast<std::size_t>(bench_.document.index_of(p.step.id));
+    const auto place = static_cast<std::size_t>(workbench_.document.find_index(p.step.id));
     const bool is_again = place < steps_.size();
     if (is_again) accepted_ -= steps_[place].step.accepted ? 1 : 0;
     accepted_ += p.step.accepted ? 1 : 0;
@@ -316,7 +316,7 @@ void Player::take(std::vector<PlayedStep> played) {
   }
   // Decisions that cannot be written down are not there: the play starts over when there is room again.
   if (!write_down(played)) return rewind();
-  if (is_finished()) bench_.label_wanted = steps_.back().search ? steps_.back().search->label_next : std::nullopt;
+  if (is_finished()) workbench_.label_wanted = steps_.back().search ? steps_.back().search->label_next : std::nullopt;
   emit stepped(played);
   if (is_finished() && is_live_ && is_playing_) {
     hold_refit(false);

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "bench/workbench.h"
 #include "estimation/online/online.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -25,14 +25,14 @@ class Player : public QObject {
   Q_OBJECT
 
  public:
-  explicit Player(Workbench& bench, QObject* parent = nullptr);
+  explicit Player(Workbench& workbench, QObject* parent = nullptr);
 
   bool is_playing() const { return is_playing_; }
   bool is_finished() const;
   bool is_live() const { return is_live_; }
   std::size_t position() const { return steps_.size(); }  // observations decided in this play
   const std::vector<PlayedStep>& steps() const { return steps_; }
-  const PlayedStep* step_of(std::int64_t id) const;
+  const PlayedStep* find_step(std::int64_t id) const;
   /// The play is over and the mount still unknown: which observation to label next. It goes on by itself when one is.
   std::optional<OnlineCalibration::MountProgress> wants_label() const;
   struct Run;
@@ -66,7 +66,7 @@ class Player : public QObject {
   void stop();
   void hold_refit(bool held);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::shared_ptr<Run> run_;
   std::vector<PlayedStep> steps_;
   QTimer timer_;

@@ -11,9 +11,9 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "bench/session_parts.h"
 #include "widgets/base/icons.h"
 #include "words/counted.h"
+#include "workbench/session_parts.h"
 
 namespace handsight::app {
 namespace {
@@ -22,8 +22,8 @@ constexpr int magnifications[] = {1, 2, 5, 10, 20, 50, 100};
 
 }  // namespace
 
-Transport::Transport(Workbench& bench, Player& player, QWidget* parent)
-    : QWidget(parent), bench_(bench), player_(player), live_(bench) {
+Transport::Transport(Workbench& workbench, Player& player, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), player_(player), live_(workbench) {
   make_layout();
   connect_live();
   player_.set_speed(speed_->currentData().toDouble());
@@ -64,7 +64,7 @@ void Transport::make_layout() {
   label_next_->setToolTip(tr("Opens it in Label; with its markers labelled the play goes on by itself"));
   label_next_->hide();
   connect(label_next_, &QPushButton::clicked, this, [this] {
-    if (bench_.label_wanted) emit bench_.relabel_requested(*bench_.label_wanted);
+    if (workbench_.label_wanted) emit workbench_.relabel_requested(*workbench_.label_wanted);
   });
   ghost_ = new QSlider(Qt::Horizontal, this);
   ghost_->setObjectName("ghost");
@@ -140,7 +140,7 @@ void Transport::connect_live() {
 void Transport::fill_sources() {
   QMenu* menu = sources_->menu();
   menu->clear();
-  const auto& rig = bench_.document.session().rig;
+  const auto& rig = workbench_.document.session().rig;
   for (int c = 0; rig && c < rig->count(); ++c) {
     const std::string& name = rig->at(c).name;
     menu->addAction(name == "left"    ? tr("Images of the left camera…")
@@ -150,7 +150,7 @@ void Transport::fill_sources() {
   }
   menu->addAction(tr("Table of joint angles…"), this, &Transport::choose_table);
   menu->addAction(tr("The session's own folder"), this,
-                  [this] { live_.set_sources(own_sources(bench_.document.session())); });
+                  [this] { live_.set_sources(own_sources(workbench_.document.session())); });
 }
 
 void Transport::choose_folder(int camera) {
@@ -183,18 +183,19 @@ void Transport::toggle_play() { play_->click(); }
 double Transport::magnification() const { return magnifications[ghost_->value()]; }
 
 bool Transport::is_labelled() const {
-  const auto& all = bench_.document.session().observations;
-  return bench_.document.session().target ||
+  const auto& all = workbench_.document.session().observations;
+  return workbench_.document.session().target ||
          std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
 }
 
 QString Transport::progress_text() const {
-  if (bench_.document.is_open() && is_joined(bench_.document.session())) return tr("Each session is played by itself.");
-  if (bench_.document.is_open() && bench_.document.session().is_touch())
+  if (workbench_.document.is_open() && is_joined(workbench_.document.session()))
+    return tr("Each session is played by itself.");
+  if (workbench_.document.is_open() && workbench_.document.session().is_touch())
     return tr("Touches are fitted all at once: there is nothing to play.");
-  if (!bench_.document.is_open() || !is_labelled())
+  if (!workbench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
-  const std::size_t count = bench_.document.session().observations.size(), at = player_.position();
+  const std::size_t count = workbench_.document.session().observations.size(), at = player_.position();
   if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "%n observation(s)"));
   const std::size_t taken = player_.steps().back().accepted;
   if (const auto& search = player_.steps().back().search)
@@ -208,22 +209,22 @@ QString Transport::progress_text() const {
 }
 
 void Transport::refresh() {
-  const bool open = bench_.document.is_open(), are_touches = open && bench_.document.session().is_touch(),
-             labelled = open && is_labelled() && !is_joined(bench_.document.session()) && !are_touches;
+  const bool open = workbench_.document.is_open(), are_touches = open && workbench_.document.session().is_touch(),
+             labelled = open && is_labelled() && !is_joined(workbench_.document.session()) && !are_touches;
   const bool is_over = player_.is_finished() && !player_.is_live();
   play_->setIcon(widgets::icon(player_.is_playing() ? "pause" : "play"));
   play_->setText(player_.is_playing() ? tr("Pause") : is_over ? tr("Play again") : tr("Play"));
   for (QWidget* w : std::initializer_list<QWidget*>{play_, step_, rewind_}) w->setEnabled(labelled);
-  const auto& rig = bench_.document.session().rig;
+  const auto& rig = workbench_.document.session().rig;
   // Markers without names are found in the images of two cameras; trackers and sensors of poses write tables.
-  watch_->setEnabled(open && !are_touches && !is_joined(bench_.document.session()) &&
-                     (!rig || is_pair(*rig) || bench_.document.session().target));
+  watch_->setEnabled(open && !are_touches && !is_joined(workbench_.document.session()) &&
+                     (!rig || is_pair(*rig) || workbench_.document.session().target));
   sources_->setVisible(rig.has_value());
   if (watch_->isChecked() && !live_.is_watching()) watch_->setChecked(false);
   progress_->setText(progress_text());
   progress_->setToolTip(progress_->text());
-  label_next_->setVisible(bench_.label_wanted && !player_.is_playing());
-  if (bench_.label_wanted) label_next_->setText(tr("Label observation %1 next").arg(*bench_.label_wanted));
+  label_next_->setVisible(workbench_.label_wanted && !player_.is_playing());
+  if (workbench_.label_wanted) label_next_->setText(tr("Label observation %1 next").arg(*workbench_.label_wanted));
   live_row_->setVisible(live_.is_watching());
   live_text_->setText(live_.state_text());
 }

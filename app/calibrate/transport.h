@@ -21,7 +21,7 @@ class Transport : public QWidget {
   Q_OBJECT
 
  public:
-  Transport(Workbench& bench, Player& player, QWidget* parent = nullptr);
+  Transport(Workbench& workbench, Player& player, QWidget* parent = nullptr);
 
   void refresh();
   void toggle_play();
@@ -42,7 +42,7 @@ class Transport : public QWidget {
   QString progress_text() const;
   bool is_labelled() const;
 
-  Workbench& bench_;
+  Workbench& workbench_;
   Player& player_;
   LiveWatch live_;
   QPushButton *play_, *label_next_;

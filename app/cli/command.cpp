@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "blunders/blunders_in_files.h"
 #include "detection/target_finding.h"
-#include "estimation/start/half_turns.h"
+#include "estimation/start/target_symmetry.h"
 #include "options/joined_source.h"
 #include "printing/outputs.h"
 #include "session/calibration_xml.h"
@@ -113,7 +113,7 @@ std::string numbering(const Session& joined) {
 
 Session opened(const Collection& collection, const OpenOne& open) {
   for (const Message& note : collection.notes) Output::note(note);
-  Session session = joined_of(collection, open);
+  Session session = join_collection(collection, open);
   if (!session.parts.empty()) Output::note(fmt::format("Observations are numbered through: {}.", numbering(session)));
   return session;
 }
@@ -145,7 +145,7 @@ Session searched(const std::string& path, TargetSearch& search) {
   for (const Message& note : search.notes) Output::note(note);
   if (search.looked_at > 0 && search.found == 0)
     for (const Blunder& b : blunders_in_files(session)) Output::note(b.text + " " + b.fix);
-  if (const int turned = undo_half_turns(session); turned > 0)
+  if (const int turned = undo_target_symmetry(session); turned > 0)
     Output::note(fmt::format("The board was numbered the other way round in {} observations; the robot's motion tells.",
                              turned));
   return session;
@@ -173,7 +173,7 @@ Session open_joined_session(const std::vector<std::string>& paths, const SharedB
   output.require_places();
   TargetSearch search;
   if (paths.size() == 1) return searched(paths.front(), search);
-  return opened(collection_of(paths, shared.same_rig, shared.same_body),
+  return opened(gather_collection(paths, shared.same_rig, shared.same_body),
                 [&](const std::string& one) { return searched(one, search); });
 }
 

@@ -22,7 +22,7 @@ using namespace handsight;
 struct Arguments {
   std::string session, images_to, fault;
   std::vector<std::string> effects, changes, curves;
-  double scatter = 0, noise = -1;
+  double repeatability = 0, noise = -1;
   bool in_real_time = false, new_body = false;
   SimulatedRobotOptions robot;
 };
@@ -100,7 +100,7 @@ class Driver {
     say(answer_line(request.id, seen, session_.rig ? &*session_.rig : nullptr));
   }
 
-  /// False where it was told to stop on its way.
+  /// False where it was asked to stop on its way.
   bool arrives(const std::vector<Eigen::VectorXd>& path, double speed) const {
     double way = 0;
     for (std::size_t i = 0; i < path.size(); ++i) way += (path[i] - (i > 0 ? path[i - 1] : at_)).cwiseAbs().maxCoeff();
@@ -144,7 +144,7 @@ int run(int argc, char** argv) {
   program.add_option("--change", a.changes, "What has changed since the session was measured: as --effect");
   program.add_option("--curve", a.curves, "A deviation that no effect describes: \"JOINT: SIZE*sin(ORDERq)\", or cos");
   program.add_option("--noise", a.noise, "px (m with a tracker) of one coordinate; the session's where it is left out");
-  program.add_option("--scatter", a.scatter,
+  program.add_option("--scatter", a.repeatability,
                      "rad (m): how far a joint stands from what it reads, anew after each move");
   program.add_option("--seed", a.robot.truth.seed, "Every random thing follows from it");
   program.add_option("--images", a.images_to, "Render images into images/ in this folder, in place of told markers");
@@ -158,14 +158,14 @@ int run(int argc, char** argv) {
     return program.exit(error) == 0 ? 0 : 2;
   }
   const Session session = read_session(a.session);
-  const OwnEffects own = own_effects_of(session, chain_of(session));
+  const OwnEffects own = list_own_effects(session, make_chain(session));
   for (const std::string& effect : a.effects) add_effect_value(effect, session.robot, a.robot.truth.effects, own);
   for (const std::string& curve : a.curves) a.robot.truth.curves.push_back(parse_curve(curve, session.robot));
   if (a.noise >= 0) a.robot.truth.noise = a.noise;
-  a.robot.scatter = a.scatter;
+  a.robot.repeatability = a.repeatability;
   a.robot.images_to = a.images_to;
   Session like = session;
-  if (!a.new_body) a.robot = robot_of(session, a.robot, like);
+  if (!a.new_body) a.robot = make_simulated_robot(session, a.robot, like);
   for (const std::string& change : a.changes) add_effect_value(change, session.robot, a.robot.truth.effects, own);
   return Driver(like, a).run();
 }

@@ -59,7 +59,7 @@ int flushed(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader that has gone or a file that may not grow are told by the writing itself.
+  // A reader that has gone or a file that may not grow are reported by the writing itself.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {

@@ -18,7 +18,7 @@ namespace {
 constexpr int mark_size = 16;
 
 /// "0.21 px": of the session's own observations, held out where that is known.
-QString error_of(const PartReport& part) {
+QString compute_error(const PartReport& part) {
   const ErrorSummary& error = part.held_out.rms_pixel || part.held_out.rms_m ? part.held_out : part.fitted;
   if (part.has_cameras && error.rms_pixel) return widgets::short_text(*error.rms_pixel) + " px";
   return error.rms_m ? widgets::short_text(1e3 * *error.rms_m) + " mm" : QString();
@@ -26,10 +26,10 @@ QString error_of(const PartReport& part) {
 
 }  // namespace
 
-SessionsBar::SessionsBar(Workbench& bench, QWidget* parent) : QFrame(parent), bench_(bench) {
+SessionsBar::SessionsBar(Workbench& workbench, QWidget* parent) : QFrame(parent), workbench_(workbench) {
   setObjectName("sessions");
   row_ = new QHBoxLayout(this);
-  row_->setContentsMargins(widgets::kGap, 2, widgets::kGap, 2);
+  row_->setContentsMargins(widgets::layout_gap, 2, widgets::layout_gap, 2);
   row_->setSpacing(4);
   auto* title = new QLabel(tr("Sessions"), this);
   row_->addWidget(title);
@@ -39,13 +39,13 @@ SessionsBar::SessionsBar(Workbench& bench, QWidget* parent) : QFrame(parent), be
   shared_ = button("what_is_shared", tr("What is shared…"), tr("Which have the same cameras, which the same hand"));
   add_ = button("add_session", tr("Add a session…"), tr("Another hand, another camera or another day of this robot"));
   for (QToolButton* b : {marks_, shared_, add_}) row_->addWidget(b);
-  connect(marks_, &QToolButton::toggled, &bench.sessions, &SessionFilter::set_marks);
+  connect(marks_, &QToolButton::toggled, &workbench.sessions, &SessionFilter::set_marks);
   connect(shared_, &QToolButton::clicked, this, &SessionsBar::shared_wanted);
   connect(add_, &QToolButton::clicked, this, &SessionsBar::add_wanted);
-  connect(&bench.document, &Document::opened, this, &SessionsBar::rebuild);
-  connect(&bench.document, &Document::closed, this, &SessionsBar::rebuild);
-  connect(&bench.document, &Document::model_changed, this, &SessionsBar::refresh);
-  connect(&bench.sessions, &SessionFilter::changed, this, &SessionsBar::refresh);
+  connect(&workbench.document, &Document::opened, this, &SessionsBar::rebuild);
+  connect(&workbench.document, &Document::closed, this, &SessionsBar::rebuild);
+  connect(&workbench.document, &Document::model_changed, this, &SessionsBar::refresh);
+  connect(&workbench.sessions, &SessionFilter::changed, this, &SessionsBar::refresh);
   hide();
 }
 
@@ -61,10 +61,10 @@ QToolButton* SessionsBar::button(const char* name, const QString& text, const QS
 void SessionsBar::rebuild() {
   for (QToolButton* b : sessions_) delete b;
   sessions_.clear();
-  const bool is_any = bench_.document.is_open() && bench_.sessions.is_any();
+  const bool is_any = workbench_.document.is_open() && workbench_.sessions.is_any();
   setVisible(is_any);
   if (!is_any) return;
-  const int count = static_cast<int>(bench_.sessions.names().size());
+  const int count = static_cast<int>(workbench_.sessions.names().size());
   for (int i = 0; i < count; ++i) {
     QToolButton* b = button("", {}, {});
     b->setObjectName(QString("session_%1").arg(i));
@@ -72,9 +72,9 @@ void SessionsBar::rebuild() {
     b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(b, &QToolButton::clicked, this, [this, i](bool shown) {
       if (QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier))
-        bench_.sessions.show_only(i);
+        workbench_.sessions.show_only(i);
       else
-        bench_.sessions.set_shown(i, shown);
+        workbench_.sessions.set_shown(i, shown);
     });
     row_->insertWidget(1 + i, b);
     sessions_.push_back(b);
@@ -83,16 +83,16 @@ void SessionsBar::rebuild() {
 }
 
 void SessionsBar::refresh() {
-  if (sessions_.empty() || !bench_.document.is_open()) return;
-  const QStringList titles = bench_.sessions.names();
+  if (sessions_.empty() || !workbench_.document.is_open()) return;
+  const QStringList titles = workbench_.sessions.names();
   if (titles.size() != static_cast<qsizetype>(sessions_.size())) return rebuild();  // one came or went
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   names_.clear();
   for (int i = 0; i < static_cast<int>(sessions_.size()); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const QString error = model && at < model->parts.size() ? error_of(model->parts[at]) : QString();
+    const QString error = model && at < model->parts.size() ? compute_error(model->parts[at]) : QString();
     names_ << (error.isEmpty() ? titles[i] : titles[i] + "  " + error);
-    const bool is_shown = bench_.sessions.is_shown(i);
+    const bool is_shown = workbench_.sessions.is_shown(i);
     sessions_[at]->setChecked(is_shown);
     sessions_[at]->setIcon(QIcon(widgets::session_mark_picture(i, mark_size, devicePixelRatioF())));
     sessions_[at]->setAccessibleName(titles[i]);
@@ -100,7 +100,7 @@ void SessionsBar::refresh() {
         names_.back() + '\n' +
         tr("%1 everywhere; Shift+click: this one alone").arg(is_shown ? tr("Hides it") : tr("Shows it")));
   }
-  marks_->setChecked(bench_.sessions.has_marks());
+  marks_->setChecked(workbench_.sessions.has_marks());
   fit_names();
 }
 
@@ -108,7 +108,7 @@ void SessionsBar::refresh() {
 void SessionsBar::fit_names() {
   if (sessions_.empty()) return;
   constexpr int rim = 36;
-  int taken = 2 * widgets::kGap + 100;
+  int taken = 2 * widgets::layout_gap + 100;
   for (const QToolButton* b : {marks_, shared_, add_}) taken += b->sizeHint().width() + 4;
   const int room = std::max((width() - taken) / static_cast<int>(sessions_.size()) - 4, 60);
   for (std::size_t i = 0; i < sessions_.size(); ++i) {

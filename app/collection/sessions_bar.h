@@ -6,7 +6,7 @@
 #include <QFrame>
 #include <vector>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 class QHBoxLayout;
 class QToolButton;
@@ -17,7 +17,7 @@ class SessionsBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit SessionsBar(Workbench& bench, QWidget* parent = nullptr);
+  explicit SessionsBar(Workbench& workbench, QWidget* parent = nullptr);
 
  signals:
   void add_wanted();
@@ -33,7 +33,7 @@ class SessionsBar : public QFrame {
   void fit_names();
   QToolButton* button(const char* name, const QString& text, const QString& tip);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QHBoxLayout* row_;
   std::vector<QToolButton*> sessions_;
   QStringList names_;  // with their errors, in full

@@ -21,21 +21,21 @@ namespace handsight::app {
 
 namespace fs = std::filesystem;
 
-ShareDialog::ShareDialog(Workbench& bench, QWidget* parent) : QDialog(parent), bench_(bench) {
+ShareDialog::ShareDialog(Workbench& workbench, QWidget* parent) : QDialog(parent), workbench_(workbench) {
   make_layout();
   fill_sessions();
-  connect(&bench.document, &Document::opened, this, [this] {
-    if (bench_.document.collection()) show_present();
+  connect(&workbench.document, &Document::opened, this, [this] {
+    if (workbench_.document.collection()) show_present();
   });
-  connect(&bench.document, &Document::closed, this, &QDialog::reject);
+  connect(&workbench.document, &Document::closed, this, &QDialog::reject);
   show_present();
 }
 
-ShareDialog::ShareDialog(Workbench& bench, const fs::path& added, QWidget* parent)
-    : QDialog(parent), bench_(bench), added_(session_folder(added)) {
+ShareDialog::ShareDialog(Workbench& workbench, const fs::path& added, QWidget* parent)
+    : QDialog(parent), workbench_(workbench), added_(session_folder(added)) {
   make_layout();
   fill_sessions();
-  connect(&bench.document, &Document::closed, this, &QDialog::reject);
+  connect(&workbench.document, &Document::closed, this, &QDialog::reject);
   try_joining();
 }
 
@@ -57,21 +57,21 @@ void ShareDialog::make_layout() {
   layout->setContentsMargins(16, 16, 16, 16);
   layout->setSpacing(12);
   layout->addLayout(sessions);
-  layout->addWidget(row_of(0, tr("The robot"), tr("Joints, links and masses are one for all sessions.")));
-  layout->addWidget(row_of(1, tr("The cameras or the tracker, at the same place"),
-                           tr("One mount, one lens. What was moved in between is at another place.")));
-  layout->addWidget(row_of(2, tr("The hand: the same markers or board on the same TCP"),
-                           tr("One TCP→Body. What was taken off and put on again is another one.")));
+  layout->addWidget(find_row(0, tr("The robot"), tr("Joints, links and masses are one for all sessions.")));
+  layout->addWidget(find_row(1, tr("The cameras or the tracker, at the same place"),
+                             tr("One mount, one lens. What was moved in between is at another place.")));
+  layout->addWidget(find_row(2, tr("The hand: the same markers or board on the same TCP"),
+                             tr("One TCP→Body. What was taken off and put on again is another one.")));
   said_ = new QLabel(this);
   said_->setObjectName("share_said");
   said_->setWordWrap(true);
   layout->addWidget(said_);
   auto* buttons = new QHBoxLayout;
   if (added_) {
-    if (!bench_.document.collection()) {
-      file_ = new QLineEdit(
-          QString::fromStdString((common_folder(bench_.document.file(), *added_ / "session.xml") / "collection.xml")),
-          this);
+    if (!workbench_.document.collection()) {
+      file_ = new QLineEdit(QString::fromStdString((common_folder(workbench_.document.file(), *added_ / "session.xml") /
+                                                    "collection.xml")),
+                            this);
       file_->setObjectName("collection_file");
       file_->setAccessibleName(tr("File to write"));
       layout->addWidget(new QLabel(tr("The collection is written to"), this));
@@ -102,7 +102,7 @@ void ShareDialog::make_layout() {
   setMinimumWidth(560);
 }
 
-QWidget* ShareDialog::row_of(std::size_t what, const QString& text, const QString& says) {
+QWidget* ShareDialog::find_row(std::size_t what, const QString& text, const QString& says) {
   auto* row = new QWidget(this);
   static const char* const names[] = {"share_robot", "share_rig", "share_body"};
   pictures_[what] = new SharePicture(static_cast<SharePicture::What>(what), row);
@@ -157,7 +157,7 @@ std::size_t ShareDialog::with() const { return static_cast<std::size_t>(with_->c
 
 /// What is open, as a collection; with the session that is to be added last.
 Collection ShareDialog::present() const {
-  const Document& d = bench_.document;
+  const Document& d = workbench_.document;
   Collection c;
   if (d.collection()) {
     c = *d.collection();
@@ -201,7 +201,7 @@ void ShareDialog::choose(std::size_t what, bool is_shared) {
                                                      : tr("the cameras of %1 are not those of %2").arg(a, b)
                                : is_shared ? tr("the hand of %1 is that of %2").arg(a, b)
                                          : tr("the hand of %1 is not that of %2").arg(a, b);
-    bench_.document.perform(bench_.document.edit_of_collection(sentence, wanted()));
+    workbench_.document.perform(workbench_.document.edit_of_collection(sentence, wanted()));
     show_present();
   } catch (const InputError& error) {
     show_present();
@@ -218,10 +218,10 @@ void ShareDialog::try_joining() {
     files.collection = c;
     files.collection->entries.clear();
     rejoined(files, {}, collection_text(c));
-    const auto unsaved =
-        bench_.document.is_saved() || file_ == nullptr
-            ? 0
-            : std::abs(bench_.document.undo_stack().index() - std::max(0, bench_.document.undo_stack().cleanIndex()));
+    const auto unsaved = workbench_.document.is_saved() || file_ == nullptr
+                             ? 0
+                             : std::abs(workbench_.document.undo_stack().index() -
+                                        std::max(0, workbench_.document.undo_stack().cleanIndex()));
     say(unsaved > 0 ? tr("%1 of this session is saved with it.").arg(counted(unsaved, "%n action(s)")) : QString());
     add_->setEnabled(true);
   } catch (const std::exception& error) {
@@ -233,16 +233,16 @@ void ShareDialog::try_joining() {
 void ShareDialog::add() {
   try {
     const Collection c = wanted();
-    if (bench_.document.collection()) {
-      bench_.document.perform(
-          bench_.document.edit_of_collection(tr("added the session %1").arg(session_->currentText()), c));
+    if (workbench_.document.collection()) {
+      workbench_.document.perform(
+          workbench_.document.edit_of_collection(tr("added the session %1").arg(session_->currentText()), c));
     } else {
       std::error_code error;
       if (fs::exists(c.file, error))
         throw InputError(verbatim(tr("%1 is there already and is not written over; name another file.")
                                       .arg(QString::fromStdString(c.file.string()))
                                       .toStdString()));
-      bench_.document.save();
+      workbench_.document.save();
       replace_file(c.file, collection_text(c));
       emit written(QString::fromStdString(c.file.string()));
     }

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "bench/workbench.h"
 #include "collection/shared.h"
+#include "workbench/workbench.h"
 
 class QCheckBox;
 class QComboBox;
@@ -26,9 +26,9 @@ class ShareDialog : public QDialog {
 
  public:
   /// Of the collection that is open.
-  ShareDialog(Workbench& bench, QWidget* parent);
+  ShareDialog(Workbench& workbench, QWidget* parent);
   /// A session that is to be added to what is open.
-  ShareDialog(Workbench& bench, const std::filesystem::path& added, QWidget* parent);
+  ShareDialog(Workbench& workbench, const std::filesystem::path& added, QWidget* parent);
 
  signals:
   /// The collection was written there; it is to be opened.
@@ -38,7 +38,7 @@ class ShareDialog : public QDialog {
 
  private:
   void make_layout();
-  QWidget* row_of(std::size_t what, const QString& text, const QString& says);
+  QWidget* find_row(std::size_t what, const QString& text, const QString& says);
   void fill_sessions();
   void show_present();
   void choose(std::size_t what, bool is_shared);
@@ -50,7 +50,7 @@ class ShareDialog : public QDialog {
   std::size_t with() const;
   void say(const QString& sentence);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::optional<std::filesystem::path> added_;  // a session's folder
   QComboBox *session_, *with_;
   std::array<QCheckBox*, 3> boxes_{};  // robot, rig, body

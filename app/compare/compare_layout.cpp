@@ -27,7 +27,7 @@ QTableWidget* plain_table(const QStringList& heads, const char* name, QWidget* p
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(widgets::kRowHeight);
+  table->verticalHeader()->setDefaultSectionSize(widgets::row_height_px);
   table->setShowGrid(false);
   table->setFrameShape(QFrame::NoFrame);
   table->setWordWrap(false);
@@ -62,7 +62,7 @@ QWidget* ComparePage::make_head() {
     auto* b = new QPushButton(text, head);
     b->setObjectName(name);
     b->setToolTip(tip);
-    b->setMinimumHeight(widgets::kControlHeight);
+    b->setMinimumHeight(widgets::control_height);
     b->setAutoDefault(false);
     row->addWidget(b);
     return b;
@@ -113,8 +113,8 @@ QWidget* ComparePage::make_convergence() {
                             : new ConvergencePlot(tr("rotation"), QStringLiteral("deg"), {"rx", "ry", "rz"}, page);
     plots_[i]->setObjectName(QString("compare_convergence_%1").arg(i));
     grid->addWidget(plots_[i], static_cast<int>(i) / 2, static_cast<int>(i) % 2);
-    connect(plots_[i], &widgets::PlotWidget::read_out, &bench_, &Workbench::pointed_at);
-    connect(plots_[i], &widgets::PlotWidget::message, &bench_.document, &Document::noticed);
+    connect(plots_[i], &widgets::PlotWidget::read_out, &workbench_, &Workbench::pointed_at);
+    connect(plots_[i], &widgets::PlotWidget::message, &workbench_.document, &Document::noticed);
   }
   ConvergencePlot::share_axes({{plots_[0], plots_[1]}, {plots_[2], plots_[3]}});
   return page;
@@ -133,7 +133,7 @@ QWidget* ComparePage::make_patterns() {
     patterns_[i] = new widgets::PatternPage(page);
     patterns_[i]->setObjectName(QString("compare_patterns_%1").arg(i));
     patterns_[i]->set_rows(1);
-    connect(patterns_[i], &widgets::PatternPage::read_out, &bench_, &Workbench::pointed_at);
+    connect(patterns_[i], &widgets::PatternPage::read_out, &workbench_, &Workbench::pointed_at);
     column->addWidget(sides_[i]);
     column->addWidget(patterns_[i], 1);
   }
@@ -167,7 +167,7 @@ void ComparePage::make_layout() {
   empty_->setWordWrap(true);
   choose_first_ = new QPushButton(tr("Choose…"), this);
   choose_first_->setObjectName("compare_choose_first");
-  choose_first_->setMinimumHeight(widgets::kControlHeight);
+  choose_first_->setMinimumHeight(widgets::control_height);
   body_ = new QSplitter(Qt::Horizontal, this);
   body_->setChildrenCollapsible(false);
   body_->addWidget(make_lists());

@@ -10,7 +10,6 @@
 #include <QTableWidget>
 #include <algorithm>
 
-#include "bench/observation_views.h"
 #include "compare/compare_texts.h"
 #include "findings/fit_watch.h"
 #include "findings/pattern_plots.h"
@@ -18,6 +17,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/explain/residual_cloud.h"
 #include "words/core_words.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::app {
 namespace {
@@ -31,12 +31,13 @@ QTableWidgetItem* cell(const QString& text, bool is_number) {
   return item;
 }
 
-std::vector<widgets::CloudPoint> points_of(const ComparedSide& side) {
+std::vector<widgets::CloudPoint> list_points(const ComparedSide& side) {
   if (!side.residuals) return {};
-  return cloud_of(side.residuals->views.corners, ids_of_places(side.residuals->views.problem, *side.session));
+  return make_cloud(side.residuals->views.corners, ids_of_places(side.residuals->views.problem, *side.session));
 }
 
-std::vector<widgets::CloudPoint> points_of(const std::vector<CalibrationResidual>& residuals, const Session& session) {
+std::vector<widgets::CloudPoint> list_points(const std::vector<CalibrationResidual>& residuals,
+                                             const Session& session) {
   std::vector<CornerResidual> corners;
   std::vector<std::int64_t> ids;
   for (const CalibrationResidual& r : residuals) {
@@ -44,7 +45,7 @@ std::vector<widgets::CloudPoint> points_of(const std::vector<CalibrationResidual
     ids.resize(std::max<std::size_t>(ids.size(), static_cast<std::size_t>(r.corner.place) + 1));
     ids[static_cast<std::size_t>(r.corner.place)] = id_at(session, r.observation);
   }
-  return cloud_of(corners, ids);
+  return make_cloud(corners, ids);
 }
 
 /// One of the four plots: position or rotation.
@@ -67,7 +68,7 @@ std::vector<PlotKey> shared_plots(const ComparedPair& pair) {
   std::vector<std::vector<PlotKey>> lists;
   for (const ComparedSide* side : {&pair.after, &pair.before})
     if (side->residuals) lists.push_back(strongest_plots(*side->residuals));
-  for (std::size_t i = 0; i < widgets::PatternPage::kPlots; ++i)
+  for (std::size_t i = 0; i < widgets::PatternPage::plot_count; ++i)
     for (const auto& list : lists)
       if (i < list.size() && std::find(keys.begin(), keys.end(), list[i]) == keys.end()) keys.push_back(list[i]);
   return keys;
@@ -75,7 +76,7 @@ std::vector<PlotKey> shared_plots(const ComparedPair& pair) {
 
 }  // namespace
 
-ComparePage::ComparePage(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+ComparePage::ComparePage(Workbench& workbench, QWidget* parent) : Workspace(workbench, parent) {
   setObjectName("compare");
   make_layout();
   connect(choose_first_, &QPushButton::clicked, this, &ComparePage::choose);
@@ -83,17 +84,17 @@ ComparePage::ComparePage(Workbench& bench, QWidget* parent) : Workspace(bench, p
   connect(swap_, &QPushButton::clicked, this, &ComparePage::swap);
   connect(again_, &QPushButton::clicked, this, &ComparePage::start);
   connect(close_, &QPushButton::clicked, this, &ComparePage::close_requested);
-  connect(&bench.document, &Document::opened, this, &ComparePage::clear);
-  connect(&bench.document, &Document::closed, this, &ComparePage::clear);
+  connect(&workbench.document, &Document::opened, this, &ComparePage::clear);
+  connect(&workbench.document, &Document::closed, this, &ComparePage::clear);
   for (auto signal : {&Document::settings_changed, &Document::model_changed})
-    connect(&bench.document, signal, this, &ComparePage::refresh_names);
-  connect(&bench.document, &Document::edited, this, &ComparePage::refresh_names);
-  connect(&bench.units, &DisplayUnits::changed, this, [this] {
+    connect(&workbench.document, signal, this, &ComparePage::refresh_names);
+  connect(&workbench.document, &Document::edited, this, &ComparePage::refresh_names);
+  connect(&workbench.units, &DisplayUnits::changed, this, [this] {
     if (!pair_) return;
     refresh_clouds();
     refresh_patterns();
   });
-  connect(&bench.explaining, &Jobs::stopped, this, [this] {
+  connect(&workbench.explaining, &Jobs::stopped, this, [this] {
     if (!is_running_) return;
     is_running_ = false;
     is_stopped_ = true;
@@ -122,7 +123,7 @@ void ComparePage::clear() {
 
 void ComparePage::choose() {
   auto* dialog = new QFileDialog(this, tr("Compare with another session or a calibration"),
-                                 QString::fromStdString(folder(bench_.document.session()).parent_path().string()),
+                                 QString::fromStdString(folder(workbench_.document.session()).parent_path().string()),
                                  tr("Sessions and calibrations (*.xml)"));
   dialog->setObjectName("compare_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -144,13 +145,13 @@ void ComparePage::swap() {
 }
 
 void ComparePage::start() {
-  if (!bench_.document.is_open() || other_.empty()) return;
-  const Document& d = bench_.document;
+  if (!workbench_.document.is_open() || other_.empty()) return;
+  const Document& d = workbench_.document;
   const ComparisonTask task{d.shared_session(), d.settings(), d.model(), other_, other_is_later_};
   const std::int64_t revision = d.revision();
   is_running_ = true;
   is_stopped_ = false;
-  bench_.explaining.start<std::shared_ptr<const ComparedPair>>(
+  workbench_.explaining.start<std::shared_ptr<const ComparedPair>>(
       "comparison", tr("Comparing with %1").arg(QString::fromStdString(other_.string())),
       [task](JobControl& control) { return std::make_shared<const ComparedPair>(compare_pair(task, control)); },
       [this, revision](const std::shared_ptr<const ComparedPair>& pair) {
@@ -223,7 +224,7 @@ void ComparePage::refresh_names() {
                                 : tr("Compare with another session"));
     return;
   }
-  const bool is_stale = bench_.document.is_open() && revision_ != bench_.document.revision();
+  const bool is_stale = workbench_.document.is_open() && revision_ != workbench_.document.revision();
   QString names = tr("Before: %1. After: %2.").arg(pair_->before.name, pair_->after.name);
   if (is_stale) names += ' ' + tr("The open session has changed since.");
   names_->setText(names);
@@ -274,33 +275,33 @@ void ComparePage::refresh_clouds() {
   if (!after.residuals) return cloud_->set_empty_text(after.version ? after.version->refusal : QString());
   const bool in_pixels = after.session->rig.has_value();
   if (in_pixels) cloud_->set_camera_names(camera_names_in_words(*after.session->rig));
-  const bool in_sigma = bench_.units.unit() == widgets::SizeUnit::sigma;
-  const auto noise_of = [&](const ComparedSide& side) {
-    return side.residuals->views.weighing.noise * (in_pixels ? 1 : 1e3);
+  const bool in_sigma = workbench_.units.unit() == widgets::SizeUnit::sigma;
+  const auto find_noise = [&](const ComparedSide& side) {
+    return side.residuals->views.noise_model.noise * (in_pixels ? 1 : 1e3);
   };
   // Each side's sigma is its own noise.
   const auto scaled = [&](std::vector<widgets::CloudPoint> points, const ComparedSide& side) {
     for (widgets::CloudPoint& p : points) {
-      p.du /= in_sigma ? noise_of(side) : 1;
-      p.dv /= in_sigma ? noise_of(side) : 1;
+      p.du /= in_sigma ? find_noise(side) : 1;
+      p.dv /= in_sigma ? find_noise(side) : 1;
     }
     return points;
   };
   cloud_->set_unit(in_sigma    ? widgets::SizeUnit::sigma
                    : in_pixels ? widgets::SizeUnit::pixel
                                : widgets::SizeUnit::millimetre);
-  cloud_->set_noise(in_sigma ? 1 : noise_of(after));
+  cloud_->set_noise(in_sigma ? 1 : find_noise(after));
   cloud_->set_empty_text(before.version && !before.version->fit ? before.version->refusal
                                                                 : tr("No residuals of this one."));
   cloud_->set_after_empty_text(tr("No residuals of this one."));
   if (before.is_calibration()) {
-    cloud_->set_before(scaled(points_of(pair_->as_calibrated, *after.session), after),
+    cloud_->set_before(scaled(list_points(pair_->as_calibrated, *after.session), after),
                        tr("%1, as the calibration has it").arg(after.name));
-    cloud_->set_after(scaled(points_of(after), after), tr("%1, fitted anew").arg(after.name));
+    cloud_->set_after(scaled(list_points(after), after), tr("%1, fitted anew").arg(after.name));
   } else {
-    cloud_->set_before(before.residuals ? scaled(points_of(before), before) : std::vector<widgets::CloudPoint>{},
+    cloud_->set_before(before.residuals ? scaled(list_points(before), before) : std::vector<widgets::CloudPoint>{},
                        tr("before: %1").arg(before.name));
-    cloud_->set_after(scaled(points_of(after), after), tr("after: %1").arg(after.name));
+    cloud_->set_after(scaled(list_points(after), after), tr("after: %1").arg(after.name));
   }
   cloud_->fit();
 }
@@ -335,9 +336,9 @@ void ComparePage::refresh_patterns() {
     bool is_in_all = true;
     for (std::size_t i = 0; i < 2; ++i) {
       if (!sides[i]->residuals) continue;
-      both[i] =
-          pattern_plot(key, *sides[i]->residuals,
-                       PlottedSession{*sides[i]->session, sides[i]->version->inspection.get(), bench_.units.unit()});
+      both[i] = pattern_plot(
+          key, *sides[i]->residuals,
+          PlottedSession{*sides[i]->session, sides[i]->version->inspection.get(), workbench_.units.unit()});
       is_in_all = is_in_all && both[i].has_value();
     }
     if (!is_in_all) continue;

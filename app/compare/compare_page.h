@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "bench/workspace.h"
 #include "compare/comparing.h"
+#include "workbench/workspace.h"
 
 class QLabel;
 class QPushButton;
@@ -26,7 +26,7 @@ class ComparePage : public Workspace {
   Q_OBJECT
 
  public:
-  ComparePage(Workbench& bench, QWidget* parent);
+  ComparePage(Workbench& workbench, QWidget* parent);
 
   WorkStatus status() const override { return {}; }
   Panel panel() const override { return Panel::folded; }

@@ -14,7 +14,7 @@ namespace {
 
 /// "lens" is no effect but two of them.
 QString change_heading(const std::string& id, const std::vector<std::string>& where) {
-  return id == "lens" ? QObject::tr("the lenses") : effect_of(id, where);
+  return id == "lens" ? QObject::tr("the lenses") : term_effect(id, where);
 }
 
 /// Lengths in mm, angles in degrees: what people compare with a ruler.
@@ -36,15 +36,16 @@ QString number_name(const std::string& name) {
   const std::size_t of = head.find(" of ");
   const std::vector<std::string> where =
       of == std::string::npos ? std::vector<std::string>{} : std::vector<std::string>{head.substr(of + 4)};
-  return QObject::tr("%1: %2").arg(effect_of(head.substr(0, of), where), number_title(name.substr(colon + 2)));
+  return QObject::tr("%1: %2").arg(term_effect(head.substr(0, of), where), number_title(name.substr(colon + 2)));
 }
 
 }  // namespace
 
 QString comparison_sentence(const Comparison& c) {
-  QString told = translated(c.sentence);
-  for (const Change& change : c.changes) told.replace(QString::fromStdString(change.id), change_heading(change.id, {}));
-  return told;
+  QString reported = translated(c.sentence);
+  for (const Change& change : c.changes)
+    reported.replace(QString::fromStdString(change.id), change_heading(change.id, {}));
+  return reported;
 }
 
 QString hand_sentence(const Comparison& c) {
@@ -59,7 +60,7 @@ QStringList change_numbers(const Change& c) {
   QStringList lines;
   Eigen::Index s = 0;
   for (const EffectTerm& t : c.terms) {
-    const Effect& effect = effect_of(t);
+    const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
       const ShownUnit unit = compared_unit(c.units[static_cast<std::size_t>(s)]);

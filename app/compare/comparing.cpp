@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "detection/target_finding.h"
-#include "estimation/start/half_turns.h"
+#include "estimation/start/target_symmetry.h"
 #include "findings/recall.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_recalled = 5000;  // observations whose way to the estimate is gone again
 
 bool comes_at_a_moment(const EffectTerm& term) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   return std::any_of(effect.parameters.begin(), effect.parameters.end(),
                      [](const EffectParameter& p) { return p.is_choice; });
 }
@@ -40,7 +40,7 @@ ModelSettings shared_settings(const ModelSettings& of_open, QStringList& notes) 
 /// With the points of its target, where it has one and they are not there yet.
 Session searched(Session session) {
   find_targets(session);
-  undo_half_turns(session);
+  undo_target_symmetry(session);
   return session;
 }
 
@@ -48,7 +48,7 @@ QString folder_name(const Session& s) { return QString::fromStdString(s.file.par
 
 ComparedSide side_of(std::shared_ptr<const Session> session) {
   ComparedSide side;
-  side.name = name_of(*session);
+  side.name = display_name(*session);
   side.file = session->file;
   side.session = std::move(session);
   return side;
@@ -62,7 +62,7 @@ void look_into(ComparedSide& side, const ModelSettings& settings, const ModelVer
   side.residuals = make_residuals(*side.version);
   if (side.session->observations.size() > most_recalled) return;
   try {
-    side.convergence = convergence_of(recalled_steps(*side.session, going_on(control)));
+    side.convergence = list_convergence(recalled_steps(*side.session, going_on(control)));
   } catch (const InputError&) {
     // What cannot be played again has no way to be shown; the page says so.
   }
@@ -92,7 +92,7 @@ ComparedPair with_calibration(const ComparisonTask& task, JobControl& control) {
   pair.tcp_from_body = robot.model.tcp_from_body;
   pair.after = side_of(std::make_shared<Session>(searched(*task.session)));
   pair.comparison = compare(robot, *pair.after.session, within(control, 0.05, 0.7));
-  pair.as_calibrated = residuals_of(robot, *pair.after.session);
+  pair.as_calibrated = compute_residuals(robot, *pair.after.session);
   const ModelSettings own{.estimated = task.settings.estimated, .held = task.settings.held};
   look_into(pair.after, own, task.version && task.version->fit ? task.version : nullptr, control);
   return pair;

@@ -5,8 +5,8 @@ namespace handsight::app {
 
 std::vector<Rigid> bent_links(const ProblemSource& source, int observation, const std::vector<EffectTerm>& terms) {
   // What has come since the model was fitted it does not know: then the last that it knows.
-  const auto last = source.circumstances.size() - 1;
-  const Circumstances& c = source.circumstances[std::min(static_cast<std::size_t>(observation), last)];
+  const auto last = source.states.size() - 1;
+  const ObservationState& c = source.states[std::min(static_cast<std::size_t>(observation), last)];
   const Sites sites = moved_sites(c, terms);
   return solve_posture<double>(c.chain->robot, c.sensor, sites.robot, c.chain->gravity, false).root_from_link;
 }

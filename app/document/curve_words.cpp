@@ -41,7 +41,7 @@ QString what_moves(const EffectDefinition& definition, const std::string& place)
 }
 
 /// "sin(3.3 q) of arm_4" of "y_sine*sin(3.3*q_arm_4) + ...": the first part without its number.
-QString shape_of(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
+QString make_shape(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
   QString text = QString::fromStdString(definition.moves.front().formula).section(" + ", 0, 0).section('*', 1);
   // What follows a place has a formula too long for a title.
   if (text.contains("tcp_")) return QObject::tr("a curve of the %1").arg(translated(followed_variable(definition)));
@@ -80,7 +80,7 @@ QString times_text(double times) {
 }
 
 std::optional<Wave> wave_of(const EffectTerm& term, const Robot& robot) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   const std::string joint = place_name(effect, term.joint, robot);
   if (joint.empty() || !effect.is_unnamed() || effect.definition->moves.size() != 1) return std::nullopt;
   const DefinedMove& move = effect.definition->moves.front();
@@ -103,23 +103,23 @@ QString curve_sentence(const EffectTerm& term, const Robot& robot) {
     const QString text = QObject::tr("%1 has an error that repeats %2 a turn").arg(wave->joint, wave->times);
     return wave->amplitude.isEmpty() ? text : QObject::tr("%1 (± %2)").arg(text, wave->amplitude);
   }
-  const QString title = title_of(term, robot);
+  const QString title = make_title(term, robot);
   return title.left(1).toUpper() + title.mid(1);
 }
 
-std::vector<EffectTerm> curves_of(const Fit& fit) {
+std::vector<EffectTerm> list_curves(const Fit& fit) {
   std::vector<EffectTerm> curves;
-  for (const EffectTerm& term : terms_of(fit))
-    if (effect_of(term).is_unnamed()) curves.push_back(term);
+  for (const EffectTerm& term : list_terms(fit))
+    if (term_effect(term).is_unnamed()) curves.push_back(term);
   return curves;
 }
 
 QString curve_title(const EffectDefinition& definition, const std::string& place, const Robot& robot) {
-  return QObject::tr("%1 with %2").arg(what_moves(definition, place), shape_of(definition, place, robot));
+  return QObject::tr("%1 with %2").arg(what_moves(definition, place), make_shape(definition, place, robot));
 }
 
-QString title_of(const EffectTerm& term, const Robot& robot) {
-  const Effect& effect = effect_of(term);
+QString make_title(const EffectTerm& term, const Robot& robot) {
+  const Effect& effect = term_effect(term);
   if (const auto wave = wave_of(term, robot)) {
     const QString text = QObject::tr("An error of %1 that repeats %2 a turn").arg(wave->joint, wave->times);
     return wave->amplitude.isEmpty() ? text : QObject::tr("%1 (± %2)").arg(text, wave->amplitude);
@@ -128,15 +128,15 @@ QString title_of(const EffectTerm& term, const Robot& robot) {
   return effect.title.empty() ? QString::fromStdString(effect.id) : translated(effect.title);
 }
 
-QString name_of(const std::vector<EffectTerm>& terms, const Session& session) {
+QString display_name(const std::vector<EffectTerm>& terms, const Session& session) {
   if (terms.empty()) return {};
-  const QString title = within_sentence(title_of(terms.front(), session.robot));
-  if (effect_of(terms.front()).is_unnamed()) return title;
-  return of_places(title, places_of(terms, session));
+  const QString title = within_sentence(make_title(terms.front(), session.robot));
+  if (term_effect(terms.front()).is_unnamed()) return title;
+  return of_places(title, list_places(terms, session));
 }
 
-QString name_of(const DiagnosisCandidate& c, const Session& session) {
-  return c.terms.empty() ? effect_of(c.id, c.where) : name_of(c.terms, session);
+QString display_name(const DiagnosisCandidate& c, const Session& session) {
+  return c.terms.empty() ? term_effect(c.id, c.where) : display_name(c.terms, session);
 }
 
 }  // namespace handsight::app

@@ -9,7 +9,7 @@
 namespace handsight::app {
 
 /// The curves without a name among a fit's terms.
-std::vector<EffectTerm> curves_of(const Fit& fit);
+std::vector<EffectTerm> list_curves(const Fit& fit);
 
 /// "The hand shifts along y with sin(3.3 q) of arm_4"; `place` is the joint at which it acts, empty for the session.
 QString curve_title(const EffectDefinition& definition, const std::string& place, const Robot& robot);
@@ -18,11 +18,11 @@ QString curve_title(const EffectDefinition& definition, const std::string& place
 QString curve_sentence(const EffectTerm& term, const Robot& robot);
 
 /// "Joint elasticity", or of an effect by formula its title, of a curve what it does.
-QString title_of(const EffectTerm& term, const Robot& robot);
+QString make_title(const EffectTerm& term, const Robot& robot);
 
 /// "joint elasticity of arm_2 and arm_4" or "the hand shifts along y with sin(3.3 q) of arm_4": within a sentence, of
 /// terms of one effect.
-QString name_of(const std::vector<EffectTerm>& terms, const Session& session);
-QString name_of(const DiagnosisCandidate& candidate, const Session& session);
+QString display_name(const std::vector<EffectTerm>& terms, const Session& session);
+QString display_name(const DiagnosisCandidate& candidate, const Session& session);
 
 }  // namespace handsight::app

@@ -13,9 +13,9 @@ std::shared_ptr<const CandidateView> make_view(const ModelResiduals& residuals, 
                                                const DiagnosisCandidate& c) {
   auto view = std::make_shared<CandidateView>();
   view->effect = effect_view(residuals.views, c.terms);
-  view->numbers = numbers_of(view->effect, c.terms);
+  view->numbers = list_numbers(view->effect, c.terms);
   view->rms_left = rms_left(residuals.views, view->effect, view->numbers);
-  if (c.ln_bayes_factor >= d.threshold) view->proof = proof_of(d, c);
+  if (c.ln_bayes_factor >= d.threshold) view->proof = make_proof(d, c);
   return view;
 }
 
@@ -56,7 +56,7 @@ void Diagnosing::set_wanted(bool wanted) {
   if (wanted) follow();  // what runs goes on: who leaves may come back
 }
 
-std::shared_ptr<const CandidateView> Diagnosing::view_of(const std::string& id) const {
+std::shared_ptr<const CandidateView> Diagnosing::find_view(const std::string& id) const {
   if (!now_) return nullptr;
   const auto found = now_->views.find(id);
   return found == now_->views.end() ? nullptr : found->second;
@@ -143,7 +143,7 @@ void Diagnosing::start() {
         for (const DiagnosisCandidate& c : part->diagnosis->candidates) {
           if (control.is_cancelled()) return false;
           if (c.terms.empty()) continue;
-          part->views[id_of(c)] = make_view(*part->residuals, *part->diagnosis, c);
+          part->views[find_id(c)] = make_view(*part->residuals, *part->diagnosis, c);
           if (part->views.size() == 3) hand_over(&Diagnosing::views_changed);
         }
         part->has_views = true;
@@ -160,9 +160,9 @@ void Diagnosing::start() {
           });
         const ModelSettings& settings = version->settings;
         if (static_cast<int>(settings.estimated.size()) == settings.by_hand || control.is_cancelled()) return true;
-        auto certain = std::make_shared<const Certainty>(handsight::certainty(
+        auto certain = std::make_shared<const InclusionProbabilities>(handsight::inclusion_probabilities(
             *part->diagnosis, static_cast<std::size_t>(settings.by_hand), [&] { return !control.is_cancelled(); }));
-        if (!control.is_cancelled()) post([this, result, certain] { take_certainty(result, certain); });
+        if (!control.is_cancelled()) post([this, result, certain] { take_inclusion_probabilities(result, certain); });
         return true;
       },
       [this](bool) { emit progressed(); },
@@ -172,12 +172,13 @@ void Diagnosing::start() {
       });
 }
 
-void Diagnosing::take_certainty(const ResultPointer& result, const std::shared_ptr<const Certainty>& certainty) {
-  result->certainty = certainty;
+void Diagnosing::take_inclusion_probabilities(
+    const ResultPointer& result, const std::shared_ptr<const InclusionProbabilities>& inclusion_probabilities) {
+  result->inclusion_probabilities = inclusion_probabilities;
   if (result != now_) return;
   if (const ModelVersionPointer model = document_.model(); model && same_fit(*model, *result->version))
-    document_.take_version(doubted(document_.session(), *model, certainty->doubt));
-  emit certainty_changed();
+    document_.take_version(doubted(document_.session(), *model, inclusion_probabilities->model_uncertainty));
+  emit inclusion_probabilities_changed();
 }
 
 void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const Diagnosis> diagnosis,
@@ -190,7 +191,7 @@ void Diagnosing::take(const ModelVersionPointer& version, std::shared_ptr<const 
   if (earlier_.size() > most_kept) earlier_.pop_back();
 }
 
-std::shared_ptr<const ModelResiduals> Diagnosing::residuals_of(const ModelVersionPointer& version) {
+std::shared_ptr<const ModelResiduals> Diagnosing::compute_residuals(const ModelVersionPointer& version) {
   if (!version || !version->fit) return nullptr;
   ResultPointer result = known(version);
   if (!result) {

@@ -46,11 +46,13 @@ class Diagnosing : public QObject {
   /// Of the present model; null until they are there.
   std::shared_ptr<const ModelResiduals> residuals() const { return now_ ? now_->residuals : nullptr; }
   std::shared_ptr<const Diagnosis> diagnosis() const { return now_ ? now_->diagnosis : nullptr; }
-  std::shared_ptr<const Certainty> certainty() const { return now_ ? now_->certainty : nullptr; }
+  std::shared_ptr<const InclusionProbabilities> inclusion_probabilities() const {
+    return now_ ? now_->inclusion_probabilities : nullptr;
+  }
   /// The present model's error where whole regions of poses are held out (px or m); nothing until it is worked out.
   std::optional<double> elsewhere() const { return now_ ? now_->elsewhere : std::nullopt; }
-  /// By id_of the candidate, of the present diagnosis; null where it was not worked out (yet).
-  std::shared_ptr<const CandidateView> view_of(const std::string& id) const;
+  /// By find_id the candidate, of the present diagnosis; null where it was not worked out (yet).
+  std::shared_ptr<const CandidateView> find_view(const std::string& id) const;
   bool is_running() const { return jobs_.is_busy("diagnosis"); }
   double share() const { return share_; }
 
@@ -60,14 +62,14 @@ class Diagnosing : public QObject {
 
   /// The residuals of any version; worked out at once where they are not known. Null while those of the present one are
   /// on their way.
-  std::shared_ptr<const ModelResiduals> residuals_of(const ModelVersionPointer& version);
+  std::shared_ptr<const ModelResiduals> compute_residuals(const ModelVersionPointer& version);
 
  signals:
   void residuals_changed();
-  void diagnosis_changed();  // the candidates
-  void views_changed();      // how candidates show
-  void certainty_changed();  // how sure the names are; the document's version then allows for it
-  void elsewhere_changed();  // the error where the robot has not been measured
+  void diagnosis_changed();                // the candidates
+  void views_changed();                    // how candidates show
+  void inclusion_probabilities_changed();  // how sure the names are; the document's version then allows for it
+  void elsewhere_changed();                // the error where the robot has not been measured
   void progressed();
 
  private:
@@ -78,13 +80,15 @@ class Diagnosing : public QObject {
     std::map<std::string, std::shared_ptr<const CandidateView>> views;
     bool has_views = false;
     std::optional<double> elsewhere;
-    std::shared_ptr<const Certainty> certainty;  // null where the model has no effects, or until it is there
+    std::shared_ptr<const InclusionProbabilities>
+        inclusion_probabilities;  // null where the model has no effects, or until it is there
   };
   using ResultPointer = std::shared_ptr<Result>;
   void follow();
   void start();
   void post(std::function<void()> news);
-  void take_certainty(const ResultPointer& result, const std::shared_ptr<const Certainty>& certainty);
+  void take_inclusion_probabilities(const ResultPointer& result,
+                                    const std::shared_ptr<const InclusionProbabilities>& inclusion_probabilities);
   void forget_with_the_document();
   ResultPointer known(const ModelVersionPointer& version) const;
 

@@ -50,7 +50,7 @@ Document::~Document() { close(); }
 
 void Document::open(const std::filesystem::path& path) {
   OpenedSession read = open_files(path);
-  const std::string digest = digest_of(content_of(read.files));
+  const std::string digest = compute_digest(make_content(read.files));
   const bool is_same_file =
       journal_ && std::filesystem::weakly_canonical(read.files.file) == std::filesystem::weakly_canonical(files_.file);
   if (is_same_file) close();
@@ -79,7 +79,7 @@ void Document::close() {
   // What session.xml cannot hold (the model's effects, what was measured) stays in the journal.
   if (stack_.isClean() && settings_ == ModelSettings{} && readings_.empty() && drafts_.empty()) {
     try {
-      journal_->clear(digest_of(content_of(files_)));
+      journal_->clear(compute_digest(make_content(files_)));
     } catch (const InputError&) {
       // The session's folder is gone; the journal is then set aside when it comes back.
     }
@@ -113,7 +113,7 @@ std::int64_t id_at(const Session& session, int index) {
              : -1;
 }
 
-QString name_of(const Session& s) {
+QString display_name(const Session& s) {
   return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
 }
 
@@ -150,7 +150,7 @@ void Document::add_observations(const std::vector<Observation>& added) {
   if (added.empty()) return;
   std::vector<Observation>& observations = own_session().observations;
   for (const Observation& o : added)
-    if (index_of(o.id) < 0) {
+    if (find_index(o.id) < 0) {
       const bool is_last = observations.empty() || observations.back().time <= o.time;
       if (!is_last) {
         insert_in_time(o, observations);
@@ -178,49 +178,49 @@ void Document::remove_observations(const std::vector<Observation>& removed) {
     if (index < stack_.index() && version && version->inspection && fits(version)) shown_ = version;
 }
 
-int Document::index_of(std::int64_t id) const {
+int Document::find_index(std::int64_t id) const {
   const auto found = index_of_.find(id);
   return found == index_of_.end() ? -1 : found->second;
 }
 
 const Observation* Document::find(std::int64_t id) const {
-  const int index = index_of(id);
+  const int index = find_index(id);
   return index < 0 ? nullptr : &session_->observations[static_cast<std::size_t>(index)];
 }
 
-Edit Document::edit_of(const QString& sentence,
-                       const std::vector<std::pair<std::int64_t, ObservationState>>& after) const {
+Edit Document::make_edit(const QString& sentence,
+                         const std::vector<std::pair<std::int64_t, EditableState>>& after) const {
   Edit edit{.sentence = sentence};
   for (const auto& [id, state] : after) {
     const Observation* observation = find(id);
-    if (observation && !same_state(state_of(*observation), state))
-      edit.observations.push_back({id, state_of(*observation), state});
+    if (observation && !same_state(read_state(*observation), state))
+      edit.observations.push_back({id, read_state(*observation), state});
   }
   return edit;
 }
 
-const RobotReading* Document::reading_of(const std::string& effect) const {
+const RobotReading* Document::find_reading(const std::string& effect) const {
   const auto found = readings_.find(effect);
   return found == readings_.end() ? nullptr : &found->second;
 }
 
 Edit Document::edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const {
-  const RobotReading* known = reading_of(effect);
+  const RobotReading* known = find_reading(effect);
   if (!known && !reading) return {};
   if (known && reading && *known == *reading) return {};
-  Edit edit{.sentence = reading ? tr("measured for %1").arg(effect_of(effect, {}))
-                                : tr("forgot what was measured for %1").arg(effect_of(effect, {}))};
+  Edit edit{.sentence = reading ? tr("measured for %1").arg(term_effect(effect, {}))
+                                : tr("forgot what was measured for %1").arg(term_effect(effect, {}))};
   edit.reading = ReadingEdit{effect, known ? std::optional(*known) : std::nullopt, reading};
   return edit;
 }
 
-const LabelDraft* Document::draft_of(std::int64_t id) const {
+const LabelDraft* Document::find_draft(std::int64_t id) const {
   const auto found = drafts_.find(id);
   return found == drafts_.end() ? nullptr : &found->second;
 }
 
 Edit Document::edit_of_draft(const QString& sentence, std::int64_t id, const std::optional<LabelDraft>& draft) const {
-  const LabelDraft* known = draft_of(id);
+  const LabelDraft* known = find_draft(id);
   if (!known && !draft) return {};
   if (known && draft && *known == *draft) return {};
   Edit edit{.sentence = sentence};
@@ -306,7 +306,7 @@ void Document::apply(const Edit& edit, bool forward, std::int64_t becomes) {
   for (const Observation& o : edit.added) ids.push_back(o.id);
   if (forward) add_observations(edit.added);
   for (const ObservationEdit& o : edit.observations) {
-    const int index = index_of(o.id);
+    const int index = find_index(o.id);
     if (index < 0) continue;
     set_state(own_session().observations[static_cast<std::size_t>(index)], forward ? o.after : o.before);
     ids.push_back(o.id);

@@ -22,7 +22,7 @@ namespace handsight::app {
 std::int64_t id_at(const Session& session, int index);
 
 /// The title of a session, else the name of its folder.
-QString name_of(const Session& session);
+QString display_name(const Session& session);
 
 class Document : public QObject {
   Q_OBJECT
@@ -53,7 +53,7 @@ class Document : public QObject {
   std::shared_ptr<const Session> shared_session() const { return session_; }
   const ModelSettings& settings() const { return settings_; }
   /// Index into Session::observations, -1 where there is none of this id.
-  int index_of(std::int64_t id) const;
+  int find_index(std::int64_t id) const;
   const Observation* find(std::int64_t id) const;
 
   /// Does one action: written to the journal, then done, then announced. An edit that changes nothing is left out.
@@ -106,13 +106,13 @@ class Document : public QObject {
   void take_second_looks(const SecondLooks& looks);
 
   /// What was measured on the real robot, by effect; null where nothing was.
-  const RobotReading* reading_of(const std::string& effect) const;
+  const RobotReading* find_reading(const std::string& effect) const;
   const std::map<std::string, RobotReading>& readings() const { return readings_; }
   /// Remembers what was measured (absent: forgets it). Empty where that changes nothing.
   Edit edit_of_reading(const std::string& effect, const std::optional<RobotReading>& reading) const;
 
   /// Unfinished labels of an observation; null where there are none.
-  const LabelDraft* draft_of(std::int64_t id) const;
+  const LabelDraft* find_draft(std::int64_t id) const;
   /// Remembers unfinished labels (absent: forgets them). Empty where that changes nothing.
   Edit edit_of_draft(const QString& sentence, std::int64_t id, const std::optional<LabelDraft>& draft) const;
 
@@ -120,7 +120,7 @@ class Document : public QObject {
   std::int64_t new_join() { return ++last_join_; }
 
   /// Edits made of the present state.
-  Edit edit_of(const QString& sentence, const std::vector<std::pair<std::int64_t, ObservationState>>& after) const;
+  Edit make_edit(const QString& sentence, const std::vector<std::pair<std::int64_t, EditableState>>& after) const;
 
  signals:
   void opened();
@@ -181,7 +181,7 @@ class Document : public QObject {
   std::map<std::int64_t, LabelDraft> drafts_;
   std::unordered_map<std::int64_t, int> index_of_;
   std::unique_ptr<Journal> journal_;
-  std::string digest_;  // of session.xml (content_of a collection) as it was read or last written
+  std::string digest_;  // of session.xml (make_content a collection) as it was read or last written
   QUndoStack stack_;
   std::map<int, ModelVersionPointer> versions_;  // by index of the undo stack
   ModelVersionPointer shown_;

@@ -50,7 +50,7 @@ void Document::save_collection() {
                     "it again: what was done here is put on top of it.")
                      .toStdString()));
   SavedFiles saved = saved_files(files_, *session_, shared_text(files_) != collection_on_disk_);
-  const std::string digest = digest_of(saved.content);
+  const std::string digest = compute_digest(saved.content);
   const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
   write_files(saved);
   files_ = std::move(saved.files);

@@ -24,7 +24,7 @@ Session decided_session(const Merge& merge, const std::vector<Collision>& decide
   return session;
 }
 
-/// The action that makes one session of the other; nothing where it cannot be told as one.
+/// The action that makes one session of the other; nothing where it cannot be said as one.
 std::optional<Edit> action_between(const Session& from, const Session& to) {
   auto edit = edit_between(from, to);
   if (!edit) return std::nullopt;
@@ -86,8 +86,8 @@ Unsaved unsaved_of(const std::vector<JournalEntry>& entries) {
 std::optional<std::string> Document::what_another_wrote() const {
   std::error_code error;
   if (!std::filesystem::exists(files_.file, error)) return std::nullopt;
-  std::string theirs = content_of(files_);
-  return digest_of(theirs) == digest_ ? std::nullopt : std::optional(std::move(theirs));
+  std::string theirs = make_content(files_);
+  return compute_digest(theirs) == digest_ ? std::nullopt : std::optional(std::move(theirs));
 }
 
 bool Document::is_changed_by_another() const {
@@ -135,12 +135,12 @@ bool Document::save_with(const std::string& text, const std::vector<Collision>& 
       write_session(tr("; what the other program wrote is kept in %1").arg(QString::fromStdString(set_aside(text))),
                     false);
     } else {
-      begin_anew(theirs, theirs, digest_of(text));
+      begin_anew(theirs, theirs, compute_digest(text));
     }
     return true;
   }
   merge.session = decided_session(merge, decided, mine);
-  if (take_over(merge, std::move(theirs), digest_of(text)))
+  if (take_over(merge, std::move(theirs), compute_digest(text)))
     write_session(tr("; what another program wrote meanwhile is in it too"), true);
   return true;
 }
@@ -148,7 +148,7 @@ bool Document::save_with(const std::string& text, const std::vector<Collision>& 
 /// `is_theirs_known`: only what is known to stand there is replaced.
 void Document::write_session(const QString& more, bool is_theirs_known) {
   const std::string text = session_text(*session_);
-  const std::string digest = digest_of(text);
+  const std::string digest = compute_digest(text);
   // Marked before the file is replaced: a kill between the two finds the old content, and replays.
   // Where the state folder's disk is full the session itself is saved all the same.
   const bool is_marked = write_down({JournalEntry::Kind::saved, {}, digest});
@@ -169,7 +169,7 @@ void Document::write_session(const QString& more, bool is_theirs_known) {
 /// Copies it beside session.xml, and says where to.
 std::string Document::set_aside(const std::string& theirs) const {
   std::filesystem::path aside = session_->file;
-  aside.replace_filename(session_->file.stem().string() + "." + digest_of(theirs).substr(0, 8) +
+  aside.replace_filename(session_->file.stem().string() + "." + compute_digest(theirs).substr(0, 8) +
                          session_->file.extension().string());
   replace_file(aside, theirs);
   return aside.string();

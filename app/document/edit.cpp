@@ -29,17 +29,17 @@ std::optional<Vector> point_of(const Json& parent, const char* key) {
 }
 
 /// Of a camera's points and images in a journal.
-std::string key_of(int camera) {
+std::string find_key(int camera) {
   return camera == 0 ? "left" : camera == 1 ? "right" : "camera_" + std::to_string(camera);
 }
 
-Json state_json(const ObservationState& state) {
+Json state_json(const EditableState& state) {
   Json sightings = Json::array();
   for (const Sighting& s : state.sightings) {
     Json one{{"marker", s.marker}, {"by", static_cast<int>(s.by)}};
     for (const CameraPoint& seen : s.in_cameras) {
-      one[key_of(seen.camera)] = point_json(seen.pixel);
-      if (seen.sigma) one[key_of(seen.camera) + "_sigma"] = {seen.sigma->u, seen.sigma->v, seen.sigma->uv};
+      one[find_key(seen.camera)] = point_json(seen.pixel);
+      if (seen.sigma) one[find_key(seen.camera) + "_sigma"] = {seen.sigma->u, seen.sigma->v, seen.sigma->uv};
     }
     if (s.point) one["point"] = point_json(*s.point);
     if (s.along) one["along"] = point_json(*s.along);
@@ -64,8 +64,8 @@ std::optional<PixelSigma> sigma_of(const Json& parent, const char* key) {
   return numbers ? std::optional(PixelSigma{numbers->x(), numbers->y(), numbers->z()}) : std::nullopt;
 }
 
-ObservationState parse_state(const Json& json) {
-  ObservationState state;
+EditableState parse_state(const Json& json) {
+  EditableState state;
   for (const Json& one : json.at("sightings")) {
     Sighting& s = state.sightings.emplace_back();
     s.marker = within(one.at("marker"), 0, most_markers - 1);
@@ -74,8 +74,8 @@ ObservationState parse_state(const Json& json) {
     s.along = point_of<Vector3>(one, "along");
     s.by_distance = one.value("by_distance", false);
     for (int c = 0; c < max_cameras; ++c)
-      if (const auto pixel = point_of<Vector2>(one, key_of(c).c_str()))
-        see(s, c, *pixel, sigma_of(one, (key_of(c) + "_sigma").c_str()));
+      if (const auto pixel = point_of<Vector2>(one, find_key(c).c_str()))
+        see(s, c, *pixel, sigma_of(one, (find_key(c) + "_sigma").c_str()));
     if (one.contains("sigma")) s.point_sigma = one.at("sigma").get<double>();
   }
   state.decision = static_cast<Decision>(within(json.at("decision"), 0, 3));
@@ -103,7 +103,7 @@ Json observation_json(const Observation& o) {
   Json json{{"id", o.id}, {"time", o.time}, {"position", point_json(o.position)}};
   for (int c = 0; c < max_cameras; ++c)
     if (const std::string& image = o.images[static_cast<std::size_t>(c)]; c < 2 || !image.empty())
-      json[key_of(c)] = image;
+      json[find_key(c)] = image;
   return json;
 }
 
@@ -113,7 +113,7 @@ Observation parse_observation(const Json& json) {
   o.time = json.at("time").get<double>();
   const auto position = json.at("position").get<std::vector<double>>();
   o.position = Eigen::Map<const Eigen::VectorXd>(position.data(), static_cast<Eigen::Index>(position.size()));
-  for (int c = 0; c < max_cameras; ++c) o.images[static_cast<std::size_t>(c)] = json.value(key_of(c), std::string());
+  for (int c = 0; c < max_cameras; ++c) o.images[static_cast<std::size_t>(c)] = json.value(find_key(c), std::string());
   return o;
 }
 
@@ -139,7 +139,7 @@ std::shared_ptr<const Effect> parse_own(const Json& definition, const Session* s
 /// That of the session's cameras, which stands in place of the catalogue's; null where the catalogue's will do.
 std::shared_ptr<const Effect> of_cameras(const std::string& id, const Session* session) {
   if (!session || !session->rig) return nullptr;
-  for (const std::shared_ptr<const Effect>& effect : own_effects_of(*session, chain_of(*session)))
+  for (const std::shared_ptr<const Effect>& effect : list_own_effects(*session, make_chain(*session)))
     if (effect->id == id && !effect->definition) return effect;
   return nullptr;
 }

@@ -62,13 +62,13 @@ QString places_text(const std::vector<std::string>& where) {
   return QObject::tr("%1 and %2").arg(names.join(", "), last);
 }
 
-QString effect_of(const std::string& id, const std::vector<std::string>& where) {
+QString term_effect(const std::string& id, const std::vector<std::string>& where) {
   return of_places(within_sentence(effect_title(id)), where);
 }
 
-QString effects_of(const std::string& ids) {
+QString list_effects(const std::string& ids) {
   QStringList names;
-  for (const QString& id : QString::fromStdString(ids).split(", ")) names << effect_of(id.toStdString(), {});
+  for (const QString& id : QString::fromStdString(ids).split(", ")) names << term_effect(id.toStdString(), {});
   return names.join(", ");
 }
 
@@ -78,7 +78,7 @@ QString of_places(const QString& title, const std::vector<std::string>& where) {
   return QObject::tr("%1 of %2").arg(title, places_text(where));
 }
 
-std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms) {
+std::vector<std::string> list_ids(const std::vector<EffectTerm>& terms) {
   std::vector<std::string> ids;
   for (const EffectTerm& term : terms)
     if (std::find(ids.begin(), ids.end(), term.id) == ids.end()) ids.push_back(term.id);

@@ -36,15 +36,15 @@ QString place_text(const std::string& place);
 QString places_text(const std::vector<std::string>& where);
 
 /// "joint elasticity of arm_2 and arm_4", within a sentence.
-QString effect_of(const std::string& id, const std::vector<std::string>& where);
+QString term_effect(const std::string& id, const std::vector<std::string>& where);
 /// "mount drift, joint elasticity" of the ids of several, as `improve` joins them.
-QString effects_of(const std::string& ids);
+QString list_effects(const std::string& ids);
 
 /// "joint elasticity of arm_2 and arm_4" from its title and places.
 QString of_places(const QString& title, const std::vector<std::string>& where);
 
 /// The ids of terms in their order, each once.
-std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms);
+std::vector<std::string> list_ids(const std::vector<EffectTerm>& terms);
 
 /// The terms of one effect.
 std::vector<EffectTerm> terms_of_effect(const std::vector<EffectTerm>& terms, const std::string& id);

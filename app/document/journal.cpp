@@ -29,7 +29,7 @@ std::string hash(const std::string& bytes) {
       .toStdString();
 }
 
-std::string line_of(const JournalEntry& entry) {
+std::string find_line(const JournalEntry& entry) {
   switch (entry.kind) {
     case JournalEntry::Kind::done:
       return "do " + edit_text(entry.edit);
@@ -106,7 +106,7 @@ fs::path state_folder() {
   return fs::path(home ? home : "/tmp") / ".local" / "state" / "handsight";
 }
 
-std::string digest_of(const std::string& bytes) { return hash(bytes); }
+std::string compute_digest(const std::string& bytes) { return hash(bytes); }
 
 Journal::Journal(const fs::path& session_file, const std::string& digest, const Session* session)
     : session_file_(fs::weakly_canonical(session_file)) {
@@ -186,7 +186,7 @@ void Journal::recover(const std::string& digest, const Session* session) {
 
 JournalContents Journal::take_contents() { return std::exchange(contents_, {}); }
 
-void Journal::append(const JournalEntry& entry) { write_line(line_of(entry)); }
+void Journal::append(const JournalEntry& entry) { write_line(find_line(entry)); }
 
 void Journal::clear(const std::string& digest) { start(digest); }
 

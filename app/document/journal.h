@@ -35,7 +35,7 @@ struct JournalContents {
 std::filesystem::path state_folder();
 
 /// A short fingerprint of a file's bytes.
-std::string digest_of(const std::string& bytes);
+std::string compute_digest(const std::string& bytes);
 
 class Journal {
  public:

@@ -15,8 +15,9 @@ namespace {
 /// The settings with the values of the last fit of just these settings, where there is one.
 ModelSettings settings_with_values(const Document& document) {
   const ModelVersionPointer model = document.model();
-  return model && model->fit && model->settings == document.settings() ? with_values_of(*model->fit, model->settings)
-                                                                       : document.settings();
+  return model && model->fit && model->settings == document.settings()
+             ? with_fitted_values(*model->fit, model->settings)
+             : document.settings();
 }
 
 Edit edit_to(const Document& document, ModelSettings after, const QString& sentence) {
@@ -44,7 +45,7 @@ Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms)
   if (terms.empty()) return {};
   ModelSettings after = settings_with_values(document);
   insert_by_hand(after, terms);
-  return edit_to(document, after, QObject::tr("added %1").arg(name_of(terms, document.session())));
+  return edit_to(document, after, QObject::tr("added %1").arg(display_name(terms, document.session())));
 }
 
 ModelSettings with_estimated(ModelSettings after, const std::vector<EffectTerm>& estimated) {
@@ -61,7 +62,7 @@ Edit without_effect(const Document& document, const std::string& id) {
   for (const EffectTerm& term : terms_of_effect(after.estimated, id)) gone.push_back(term);
   erase_estimated(after, id);
   std::erase_if(after.held, [&](const EffectTerm& t) { return t.id == id; });
-  return edit_to(document, after, QObject::tr("took out %1").arg(name_of(gone, document.session())));
+  return edit_to(document, after, QObject::tr("took out %1").arg(display_name(gone, document.session())));
 }
 
 Edit with_effect_held(const Document& document, const std::string& id, bool held) {
@@ -76,7 +77,7 @@ Edit with_effect_held(const Document& document, const std::string& id, bool held
     std::erase_if(after.held, [&](const EffectTerm& t) { return t.id == id; });
     insert_by_hand(after, terms);
   }
-  const QString name = name_of(terms, document.session());
+  const QString name = display_name(terms, document.session());
   return edit_to(document, after,
                  held ? QObject::tr("held %1").arg(name) : QObject::tr("estimated %1 again").arg(name));
 }
@@ -100,11 +101,11 @@ std::optional<NumberPlace> find_number(ModelSettings& settings, const std::strin
 }
 
 ShownUnit shown_unit_of(const Document& document, const NumberPlace& n) {
-  return shown_unit(unit_at(effect_of(*n.term), n.parameter, n.term->joint, document.session().robot));
+  return shown_unit(unit_at(term_effect(*n.term), n.parameter, n.term->joint, document.session().robot));
 }
 
 bool holds_all(const EffectTerm& term) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (is_free(effect, term, p)) return false;
   return true;
@@ -122,9 +123,9 @@ void bring_by_hand(ModelSettings& settings, const std::string& id) {
 }
 
 QString number_text(const Document& document, const NumberPlace& place) {
-  const Effect& effect = effect_of(*place.term);
+  const Effect& effect = term_effect(*place.term);
   return QObject::tr("the %1 of %2")
-      .arg(number_title(effect.parameters[place.parameter].name), name_of({*place.term}, document.session()));
+      .arg(number_title(effect.parameters[place.parameter].name), display_name({*place.term}, document.session()));
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ Edit with_number_held(const Document& document, const std::string& id, std::size
   ModelSettings after = settings_with_values(document);
   bring_by_hand(after, id);
   const auto place = find_number(after, id, number);
-  if (!place || effect_of(*place->term).parameters[place->parameter].is_choice) return {};
+  if (!place || term_effect(*place->term).parameters[place->parameter].is_choice) return {};
   place->term->held.resize(place->term->values.size(), 0);
   place->term->held[place->parameter] = held ? 1 : 0;
   const QString name = number_text(document, *place);
@@ -157,7 +158,7 @@ Edit with_value(const Document& document, const std::string& id, std::size_t num
   ModelSettings after = settings_with_values(document);
   const auto place = find_number(after, id, number);
   if (!place) return {};
-  const Effect& effect = effect_of(*place->term);
+  const Effect& effect = term_effect(*place->term);
   const bool is_in_held = !terms_of_effect(after.held, id).empty();
   if (effect.parameters[place->parameter].is_choice || (!is_in_held && is_free(effect, *place->term, place->parameter)))
     return {};
@@ -179,7 +180,7 @@ std::vector<EffectTerm> best_places(const Session& session, const ModelSettings&
   const Diagnosis d = diagnose(session, options);
   for (const DiagnosisCandidate& c : d.candidates)
     if (c.id == id && !c.terms.empty()) return c.terms;
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const Effect* effect = find_effect(id);
   if (!effect || effect_places(*effect, chain).empty()) return {};
   return best_choices(session, effect_terms(id, chain));

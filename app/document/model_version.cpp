@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/residuals/residual_views.h"
 #include "estimation/fit/part_fit.h"
 #include "estimation/fit/undetermined.h"
@@ -43,24 +43,24 @@ HandModel hand_model(PartFit part) {
 }
 
 /// Everything that a fit says, of a session with all its points.
-void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::shared_ptr<const FitReport> told,
+void tell(const Session& session, const SecondLooks& looks, Fit fitted, std::shared_ptr<const FitReport> reported,
           ModelVersion& version) {
-  for (std::size_t i = 0; i < told->per_observation.size(); ++i)
-    version.row_of[told->per_observation[i].id] = static_cast<int>(i);
+  for (std::size_t i = 0; i < reported->per_observation.size(); ++i)
+    version.find_row[reported->per_observation[i].id] = static_cast<int>(i);
   version.calibration = std::make_shared<Calibration>(
-      calibration_of(session, fitted, *told, version.options, "handsight " HANDSIGHT_VERSION));
+      make_calibration(session, fitted, *reported, version.options, "handsight " HANDSIGHT_VERSION));
   const bool are_touches = session.is_touch();
   if (session.parts.size() > 1 || are_touches) {
-    version.parts = part_reports(session, fitted, *told);  // of touches fixture by fixture
+    version.parts = part_reports(session, fitted, *reported);  // of touches fixture by fixture
     for (int p = 0; !are_touches && p < static_cast<int>(session.parts.size()); ++p)
       version.hands.push_back(hand_model(fit_of_part(session, fitted, p)));
   }
   version.prediction = prediction_model(fitted);
-  version.bill = bill_of(fitted);
+  version.bill = make_bill(fitted);
   // From here on only some are looked at one by one.
   fitted.problem.observations = evenly(std::move(fitted.problem.observations), most_shown);
   version.fit = std::make_shared<const Fit>(std::move(fitted));
-  version.report = std::move(told);
+  version.report = std::move(reported);
   version.inspection = inspection_of(session, looks, version);
 }
 
@@ -77,10 +77,10 @@ FitOptions options_of(const ModelSettings& settings, bool has_joints) {
 
 /// Effects of another robot cannot be placed in this one.
 void check_places(const Session& session, const ModelSettings& settings) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   for (const auto* terms : {&settings.estimated, &settings.held})
     for (const EffectTerm& term : *terms) {
-      const Effect& effect = effect_of(term);
+      const Effect& effect = term_effect(term);
       const std::vector<int> places = effect_places(effect, chain);
       if (std::find(places.begin(), places.end(), term.joint) == places.end())
         throw InputError(
@@ -90,14 +90,14 @@ void check_places(const Session& session, const ModelSettings& settings) {
 
 }  // namespace
 
-ModelSettings with_values_of(const Fit& fit, ModelSettings settings) {
+ModelSettings with_fitted_values(const Fit& fit, ModelSettings settings) {
   for (std::size_t t = 0; t < settings.estimated.size(); ++t)
     settings.estimated[t] = fit.effects[settings.held.size() + t].term;
   return settings;
 }
 
-std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis& d, const ModelSettings& settings,
-                                         std::int64_t revision, QString cause, const SecondLooks& looks) {
+std::shared_ptr<ModelVersion> build_version(const Session& session, const Diagnosis& d, const ModelSettings& settings,
+                                            std::int64_t revision, QString cause, const SecondLooks& looks) {
   auto version = std::make_shared<ModelVersion>();
   version->revision = revision;
   version->cause = std::move(cause);
@@ -117,12 +117,13 @@ ModelVersionPointer inspected_again(const Session& session, const ModelVersion& 
   return version;
 }
 
-ModelVersionPointer doubted(const Session& session, const ModelVersion& before, const Doubt& doubt) {
+ModelVersionPointer doubted(const Session& session, const ModelVersion& before,
+                            const ModelUncertainty& model_uncertainty) {
   auto version = std::make_shared<ModelVersion>(before);
-  version->prediction.doubt = doubt;
+  version->prediction.model_uncertainty = model_uncertainty;
   if (!before.hands.empty()) return version;  // what is doubted is no part of a collection's calibration
   auto calibration = std::make_shared<Calibration>(*before.calibration);
-  set_doubt(session.robot, terms_of(*before.fit), doubt, *calibration);
+  set_model_uncertainty(session.robot, list_terms(*before.fit), model_uncertainty, *calibration);
   version->calibration = std::move(calibration);
   return version;
 }
@@ -144,16 +145,16 @@ ModelVersionPointer make_version(const Session& session, const ModelSettings& se
   };
   try {
     check_places(session, settings);
-    CleanFit clean = clean_model(session, asking(version->options));
+    CleanFit clean = fit_without_outliers(session, asking(version->options));
     stop_here();
     version->wrong_points = clean.wrong;
     version->lone = clean.lone;
-    version->options.estimated = with_values_of(clean.fit, settings).estimated;
+    version->options.estimated = with_fitted_values(clean.fit, settings).estimated;
     if (settings.has_effects()) version->options.start = estimate(clean.fit);
-    auto told = std::make_shared<FitReport>(report(clean.session, clean.fit, asking(version->options)));
+    auto reported = std::make_shared<FitReport>(report(clean.session, clean.fit, asking(version->options)));
     stop_here();
     clean.session = {};  // of a long one every copy counts
-    tell(session, looks, std::move(clean.fit), std::move(told), *version);
+    tell(session, looks, std::move(clean.fit), std::move(reported), *version);
   } catch (const InputError& error) {
     version->refusal = translated_error(error);
   }

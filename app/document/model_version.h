@@ -47,12 +47,12 @@ struct ModelVersion {
   std::vector<WrongPoint> wrong_points;            // left out of the fit
   std::vector<LoneObservation> lone;               // likewise, as a whole
   QString refusal;
-  std::unordered_map<std::int64_t, int> row_of;  // observation id -> FitReport::per_observation
+  std::unordered_map<std::int64_t, int> find_row;  // observation id -> FitReport::per_observation
 
   /// The report of an observation, null where it was not used.
   const ObservationReport* of(std::int64_t id) const {
-    const auto found = row_of.find(id);
-    return found == row_of.end() ? nullptr : &report->per_observation[static_cast<std::size_t>(found->second)];
+    const auto found = find_row.find(id);
+    return found == find_row.end() ? nullptr : &report->per_observation[static_cast<std::size_t>(found->second)];
   }
 };
 using ModelVersionPointer = std::shared_ptr<const ModelVersion>;
@@ -66,19 +66,20 @@ ErrorAndNoise error_and_noise(const ModelVersion& version);
 Vector6 origin_sigma(const Fit& fit);
 
 /// Of a model's terms, those that the settings estimate and those that they hold, at the values of the fit.
-ModelSettings with_values_of(const Fit& fit, ModelSettings settings);
+ModelSettings with_fitted_values(const Fit& fit, ModelSettings settings);
 
 /// The version that a diagnosis has fitted already: of these settings, without its wrong points.
-std::shared_ptr<ModelVersion> version_of(const Session& session, const Diagnosis& diagnosis,
-                                         const ModelSettings& settings, std::int64_t revision, QString cause,
-                                         const SecondLooks& looks = {});
+std::shared_ptr<ModelVersion> build_version(const Session& session, const Diagnosis& diagnosis,
+                                            const ModelSettings& settings, std::int64_t revision, QString cause,
+                                            const SecondLooks& looks = {});
 
 /// The same fit, held against observations that a second look found.
 ModelVersionPointer inspected_again(const Session& session, const ModelVersion& version, std::int64_t revision,
                                     const SecondLooks& looks);
 
 /// The same fit, whose predictions and calibration allow for what is doubted of its effects.
-ModelVersionPointer doubted(const Session& session, const ModelVersion& version, const Doubt& doubt);
+ModelVersionPointer doubted(const Session& session, const ModelVersion& version,
+                            const ModelUncertainty& model_uncertainty);
 
 /// Do two versions hold the same fit?
 inline bool same_fit(const ModelVersion& a, const ModelVersion& b) { return a.fit && a.fit == b.fit; }

@@ -36,15 +36,16 @@ Sighting own_sighting(const SessionPart& part, const Observation& known, Sightin
   return s;
 }
 
-void take_state(const SessionPart& part, const ObservationState& state, Observation& own) {
-  ObservationState mine{{}, state.decision, state.reason};
+void take_state(const SessionPart& part, const EditableState& state, Observation& own) {
+  EditableState mine{{}, state.decision, state.reason};
   for (const Sighting& s : state.sightings) mine.sightings.push_back(own_sighting(part, own, s));
   set_state(own, mine);
 }
 
 bool are_same(const Session& a, const Session& b) {
-  return std::equal(a.observations.begin(), a.observations.end(), b.observations.begin(), b.observations.end(),
-                    [](const Observation& x, const Observation& y) { return same_state(state_of(x), state_of(y)); });
+  return std::equal(
+      a.observations.begin(), a.observations.end(), b.observations.begin(), b.observations.end(),
+      [](const Observation& x, const Observation& y) { return same_state(read_state(x), read_state(y)); });
 }
 
 bool is_same_entry(const CollectionEntry& a, const CollectionEntry& b) {
@@ -63,14 +64,14 @@ OpenedSession open_files(const fs::path& path) {
   opened.files.collection = read_collection(path);
   opened.files.file = opened.files.collection->file;
   opened.files.members =
-      members_of(*opened.files.collection, [](const std::string& folder) { return read_session(folder); });
+      list_members(*opened.files.collection, [](const std::string& folder) { return read_session(folder); });
   opened.session = joined_session(opened.files);
   const std::vector<Message>& notes = opened.files.collection->notes;
   opened.session.notes.insert(opened.session.notes.begin(), notes.begin(), notes.end());
   return opened;
 }
 
-std::string content_of(const OpenedFiles& files) {
+std::string make_content(const OpenedFiles& files) {
   std::string content = read_file(files.file);
   for (const JoinedMember& m : files.members) content += '\0' + read_file(m.session.file);
   return content;
@@ -88,8 +89,8 @@ std::vector<JoinedMember> members_with(const OpenedFiles& files, const Session& 
   const Session before = joined_session(files);
   for (std::size_t i = 0; i < before.observations.size(); ++i) {
     const Observation& o = before.observations[i];
-    const ObservationState state = state_of(now.observations.at(i));
-    if (same_state(state_of(o), state)) continue;
+    const EditableState state = read_state(now.observations.at(i));
+    if (same_state(read_state(o), state)) continue;
     const SessionPart& part = before.parts[static_cast<std::size_t>(o.part)];
     for (Observation& own : members[static_cast<std::size_t>(o.part)].session.observations)
       if (own.id == o.id - part.first_id) take_state(part, state, own);
@@ -109,7 +110,7 @@ OpenedSession rejoined(const OpenedFiles& files, const Session& session, const s
     const auto same =
         std::find_if(before.begin(), before.end(), [&](const CollectionEntry& e) { return is_same_entry(e, entry); });
     if (same == before.end()) {
-      m.session = read_session(folder_of(*opened.files.collection, entry));
+      m.session = read_session(find_folder(*opened.files.collection, entry));
       are_others = true;
     } else {
       const JoinedMember& one = known[static_cast<std::size_t>(same - before.begin())];

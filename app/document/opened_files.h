@@ -29,7 +29,7 @@ struct OpenedSession {
 OpenedSession open_files(const std::filesystem::path& path);
 
 /// What the files hold now, in one text that differs where one of them does.
-std::string content_of(const OpenedFiles& files);
+std::string make_content(const OpenedFiles& files);
 
 /// The collection as its file says it now, or would: what of it can change in the window.
 std::string shared_text(const OpenedFiles& files);
@@ -52,7 +52,7 @@ struct FileText {
 struct SavedFiles {
   OpenedFiles files;            // as they then are
   std::vector<FileText> texts;  // to be written
-  std::string content;          // content_of once they are
+  std::string content;          // make_content once they are
 };
 SavedFiles saved_files(const OpenedFiles& files, const Session& joined, bool is_collection_changed);
 

@@ -23,8 +23,8 @@ Refit::Refit(Document& document, Jobs& jobs, QObject* parent) : QObject(parent),
 void Refit::hold() { ++holds_; }
 
 void Refit::release() {
-  const bool is_told = document_.model() && document_.model() == document_.shown_model();
-  if (--holds_ == 0 && document_.is_open() && !is_told) schedule();
+  const bool is_reported = document_.model() && document_.model() == document_.shown_model();
+  if (--holds_ == 0 && document_.is_open() && !is_reported) schedule();
 }
 
 void Refit::schedule() {

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 fs::path file_of(const fs::path& session_file) {
-  return state_folder() / "stairs" / (digest_of(fs::weakly_canonical(session_file).string()) + ".json");
+  return state_folder() / "stairs" / (compute_digest(fs::weakly_canonical(session_file).string()) + ".json");
 }
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }

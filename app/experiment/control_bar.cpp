@@ -81,7 +81,7 @@ void ControlBar::make_layout() {
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   state_->setFocusPolicy(Qt::NoFocus);
   for (QWidget* w : std::initializer_list<QWidget*>{driver_, begin_, end_, try_, yes_, no_})
-    w->setMinimumHeight(widgets::kControlHeight);
+    w->setMinimumHeight(widgets::control_height);
   auto* label = new QLabel(tr("Driver"), this);
   label->setBuddy(driver_);
   auto* first = new QHBoxLayout;

@@ -5,9 +5,9 @@
 #include <QStandardPaths>
 
 #include "base/text.h"
-#include "bench/preferences.h"
 #include "blunders/mended.h"
 #include "document/journal.h"
+#include "workbench/preferences.h"
 
 namespace handsight::app {
 namespace {

@@ -10,14 +10,14 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
-#include "bench/link_selection.h"
 #include "experiment/experiment_page.h"
 #include "experiment/goals_form.h"
 #include "experiment/moving_robot.h"
 #include "widgets/base/theme.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/heading.h"
+#include "workbench/link_selection.h"
 
 namespace handsight::app {
 namespace {
@@ -65,9 +65,9 @@ QWidget* ExperimentPage::make_views() {
   odds_plot_->set_empty_text(tr("Measure, and the odds of the likeliest cause rise here."));
   for (HistoryPlot* plot : {hand_plot_, odds_plot_}) {
     plots->addWidget(plot);
-    link_selection(plot, bench_);
+    link_selection(plot, workbench_);
   }
-  link_selection(scene_, bench_);
+  link_selection(scene_, workbench_);
   views->addWidget(plots);
   views->setSizes({330, 190});
   for (QSplitter* s : {views, plots}) {
@@ -149,7 +149,7 @@ void ExperimentPage::make_layout() {
   poses_->setSelectionBehavior(QAbstractItemView::SelectRows);
   poses_->setSelectionMode(QAbstractItemView::SingleSelection);
   poses_->verticalHeader()->hide();
-  poses_->verticalHeader()->setDefaultSectionSize(widgets::kRowHeight);
+  poses_->verticalHeader()->setDefaultSectionSize(widgets::row_height_px);
   poses_->setShowGrid(false);
   poses_->setFrameShape(QFrame::NoFrame);
   poses_->setWordWrap(false);

@@ -30,17 +30,17 @@ QTableWidgetItem* cell(const QString& text, const QColor& ink) {
 
 }  // namespace
 
-ExperimentPage::ExperimentPage(Workbench& bench, ExperimentRun& run, QWidget* parent)
-    : QWidget(parent), bench_(bench), run_(run) {
+ExperimentPage::ExperimentPage(Workbench& workbench, ExperimentRun& run, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), run_(run) {
   setObjectName("experiment_page");
   make_layout();
-  robot_ = new MovingRobot(bench, *scene_, this);
+  robot_ = new MovingRobot(workbench, *scene_, this);
   connect_run();
   connect(poses_, &QTableWidget::currentCellChanged, this, [this](int row) {
     const int taken = static_cast<int>(steps_.size());
     if (row >= taken && run_.state() == RunState::asking) robot_->point_at(row - taken);
     if (row >= 0 && row < taken && steps_[static_cast<std::size_t>(row)].id >= 0)
-      bench_.selection.select_observation(steps_[static_cast<std::size_t>(row)].id);
+      workbench_.selection.select_observation(steps_[static_cast<std::size_t>(row)].id);
   });
   set_session();
 }
@@ -63,7 +63,7 @@ void ExperimentPage::connect_run() {
     show_poses();
   });
   connect(&run_, &ExperimentRun::measured, this,
-          [this](const std::shared_ptr<const Session>&, qint64 id) { bench_.selection.select_observation(id); });
+          [this](const std::shared_ptr<const Session>&, qint64 id) { workbench_.selection.select_observation(id); });
   connect(&run_, &ExperimentRun::learned, this, [this](const std::shared_ptr<const Knowledge>& known) {
     known_ = known;
     const std::optional<double> odds = known->settled ? std::optional(known->settled->odds) : std::nullopt;

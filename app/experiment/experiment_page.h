@@ -26,7 +26,7 @@ class ExperimentPage : public QWidget {
   Q_OBJECT
 
  public:
-  ExperimentPage(Workbench& bench, ExperimentRun& run, QWidget* parent = nullptr);
+  ExperimentPage(Workbench& workbench, ExperimentRun& run, QWidget* parent = nullptr);
 
   /// Of another session: nothing is known.
   void set_session();
@@ -48,7 +48,7 @@ class ExperimentPage : public QWidget {
   void show_poses();
   void show_curves();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   ExperimentRun& run_;
   MovingRobot* robot_ = nullptr;
   widgets::RobotView* scene_;

@@ -78,8 +78,8 @@ class Decisions {
 
 }  // namespace
 
-ExperimentRun::ExperimentRun(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
-  connect(&bench.document, &Document::closing, this, &ExperimentRun::abandon);
+ExperimentRun::ExperimentRun(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
+  connect(&workbench.document, &Document::closing, this, &ExperimentRun::abandon);
 }
 
 ExperimentRun::~ExperimentRun() { abandon(); }
@@ -95,11 +95,12 @@ void ExperimentRun::set_state(RunState state) {
   emit state_changed();
 }
 
-/// What the run's thread does. Everything is told in the window's thread, as long as this run is the one that is on.
+/// What the run's thread does. Everything is reported in the window's thread, as long as this run is the one that is
+/// on.
 class ExperimentRun::Work {
  public:
   Work(ExperimentRun& run, RunWish wish)
-      : run_(run), talk_(run.talk_), wish_(std::move(wish)), session_(run.bench_.document.shared_session()) {}
+      : run_(run), talk_(run.talk_), wish_(std::move(wish)), session_(run.workbench_.document.shared_session()) {}
 
   std::shared_ptr<const ExperimentResult> operator()(JobControl& control) {
     ExperimentOptions options = wish_.options;
@@ -205,7 +206,7 @@ void ExperimentRun::Work::arrive(const Session& session, const Observation& one)
 }
 
 void ExperimentRun::begin(const RunWish& wish) {
-  if (is_on() || !bench_.document.is_open()) return;
+  if (is_on() || !workbench_.document.is_open()) return;
   talk_ = std::make_shared<Talk>();
   may_move_ = false;
   driver_name_.clear();
@@ -261,7 +262,7 @@ void ExperimentRun::take(const Arrived& arrived) {
 
 /// An observation and its decision are one action to undo.
 bool ExperimentRun::write_down(const Arrived& arrived) {
-  Document& document = bench_.document;
+  Document& document = workbench_.document;
   if (document.find(arrived.measured.id)) {
     emit noted(tr("Observation %1 came from somewhere else meanwhile: the experiment stops.").arg(arrived.measured.id));
     return false;
@@ -273,15 +274,15 @@ bool ExperimentRun::write_down(const Arrived& arrived) {
   if (!document.perform(
           {.sentence = tr("measured observation %1").arg(undecided.id), .joins = join, .added = {undecided}}))
     return false;
-  std::vector<std::pair<std::int64_t, ObservationState>> after;
+  std::vector<std::pair<std::int64_t, EditableState>> after;
   for (const Observation& o : arrived.decided) {
     const Observation* own = document.find(o.id);
-    if (own && own->decision != Decision::excluded) after.emplace_back(o.id, state_of(o));
+    if (own && own->decision != Decision::excluded) after.emplace_back(o.id, read_state(o));
   }
-  Edit edit = document.edit_of(arrived.measured.decision == Decision::accepted
-                                   ? tr("measured observation %1: taken").arg(undecided.id)
-                                   : tr("measured observation %1: rejected").arg(undecided.id),
-                               after);
+  Edit edit = document.make_edit(arrived.measured.decision == Decision::accepted
+                                     ? tr("measured observation %1: taken").arg(undecided.id)
+                                     : tr("measured observation %1: rejected").arg(undecided.id),
+                                 after);
   edit.joins = join;
   return edit.is_empty() || document.perform(std::move(edit));
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One experiment that runs beside the window: core's loop in a thread of its own, its driver, and what is told of both.
+// One experiment that runs beside the window: core's loop in a thread of its own, its driver, and what is shown of
+// both.
 #pragma once
 
 #include <QObject>
 #include <memory>
 
-#include "bench/workbench.h"
 #include "experiment/loop/experiment.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -17,7 +18,7 @@ enum class RunState {
   asking,    // poses are chosen and nothing has moved: start() or refuse()
   moving,
   looking,
-  stopping,  // it was told to stop, and has not answered yet
+  stopping,  // it was asked to stop, and has not answered yet
   halted,    // it stands still; what was seen is summed up
 };
 
@@ -36,7 +37,7 @@ class ExperimentRun : public QObject {
   Q_OBJECT
 
  public:
-  explicit ExperimentRun(Workbench& bench, QObject* parent = nullptr);
+  explicit ExperimentRun(Workbench& workbench, QObject* parent = nullptr);
   ~ExperimentRun() override;
 
   /// Begins the driver and asks it; of the open session. Nothing while another run is on.
@@ -46,7 +47,7 @@ class ExperimentRun : public QObject {
   void refuse();
   /// Stands still as soon as it can, at any time.
   void stop();
-  /// The session is gone: the robot stops, and nothing of the run is told any more.
+  /// The session is gone: the robot stops, and nothing of the run is reported any more.
   void abandon();
 
   RunState state() const { return state_; }
@@ -76,7 +77,7 @@ class ExperimentRun : public QObject {
   void take(const Arrived& arrived);
   bool write_down(const Arrived& arrived);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   RunState state_ = RunState::resting;
   QString driver_name_;
   std::shared_ptr<Talk> talk_;  // of the run that is on

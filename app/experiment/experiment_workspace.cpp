@@ -16,7 +16,8 @@
 
 namespace handsight::app {
 
-ExperimentWorkspace::ExperimentWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), run_(bench) {
+ExperimentWorkspace::ExperimentWorkspace(Workbench& workbench, QWidget* parent)
+    : Workspace(workbench, parent), run_(workbench) {
   setObjectName("experiment");
   make_layout();
   connect_run();
@@ -30,8 +31,8 @@ ExperimentWorkspace::ExperimentWorkspace(Workbench& bench, QWidget* parent) : Wo
     bar_->set_recheck(is_recheck());
     if (is_recheck()) recheck_->refresh();
   });
-  connect(&bench.document, &Document::opened, this, &ExperimentWorkspace::set_session);
-  connect(&bench.document, &Document::closed, this, &ExperimentWorkspace::set_session);
+  connect(&workbench.document, &Document::opened, this, &ExperimentWorkspace::set_session);
+  connect(&workbench.document, &Document::closed, this, &ExperimentWorkspace::set_session);
   qApp->installEventFilter(this);
 }
 
@@ -39,8 +40,8 @@ ExperimentWorkspace::~ExperimentWorkspace() { qApp->removeEventFilter(this); }
 
 void ExperimentWorkspace::make_layout() {
   bar_ = new ControlBar(run_, this);
-  page_ = new ExperimentPage(bench_, run_, this);
-  recheck_ = new RecheckPage(bench_, this);
+  page_ = new ExperimentPage(workbench_, run_, this);
+  recheck_ = new RecheckPage(workbench_, this);
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("experiment_tabs");
   tabs_->setDocumentMode(true);
@@ -64,7 +65,7 @@ void ExperimentWorkspace::connect_run() {
     if (begun_as_recheck_) recheck_->refresh();
     emit status_changed();
   });
-  connect(&run_, &ExperimentRun::noted, &bench_.document, &Document::noticed);
+  connect(&run_, &ExperimentRun::noted, &workbench_.document, &Document::noticed);
   connect(&run_, &ExperimentRun::failed, this, [this](const QString& sentence) { bar_->set_said(sentence, true); });
   connect(&run_, &ExperimentRun::ended, this, [this](const std::shared_ptr<const ExperimentResult>& result) {
     bar_->set_said(end_text(*result), result->end == ExperimentEnd::fault);
@@ -76,7 +77,7 @@ void ExperimentWorkspace::connect_run() {
 void ExperimentWorkspace::set_session() {
   measured_ = 0;
   bar_->set_said({}, false);
-  bar_->set_hindrance(bench_.document.is_open() ? why_no_experiment(bench_.document.session()) : QString());
+  bar_->set_hindrance(workbench_.document.is_open() ? why_no_experiment(workbench_.document.session()) : QString());
   page_->set_session();
   recheck_->set_session();
   emit status_changed();
@@ -105,12 +106,12 @@ void ExperimentWorkspace::ask() { bar_->ask(question_text(page_->planned(), page
 /// In a session of its own, so that nothing invented comes among what was measured.
 void ExperimentWorkspace::try_it() {
   try {
-    if (!is_to_try(bench_.document.file())) bench_.document.open(session_to_try(bench_.document.session()));
-    const QString command = simulated_driver(bench_.document.session());
+    if (!is_to_try(workbench_.document.file())) workbench_.document.open(session_to_try(workbench_.document.session()));
+    const QString command = simulated_driver(workbench_.document.session());
     if (command.isEmpty())
       throw InputError("handsight-driver-simulated is not found beside this program; install it with Handsight.");
     bar_->set_command(command);
-    emit bench_.workspace_requested(Place::experiment);
+    emit workbench_.workspace_requested(Place::experiment);
     begin();
   } catch (const std::exception& error) {
     bar_->set_said(translated_error(error), true);
@@ -120,7 +121,7 @@ void ExperimentWorkspace::try_it() {
 void ExperimentWorkspace::activate() { page_->activate(); }
 
 WorkStatus ExperimentWorkspace::status() const {
-  if (!bench_.document.is_open() || !why_no_experiment(bench_.document.session()).isEmpty())
+  if (!workbench_.document.is_open() || !why_no_experiment(workbench_.document.session()).isEmpty())
     return {WorkState::waiting, tr("not of this session")};
   switch (run_.state()) {
     case RunState::resting:

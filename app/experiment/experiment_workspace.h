@@ -3,8 +3,8 @@
 // still holds.
 #pragma once
 
-#include "bench/workspace.h"
 #include "experiment/experiment_run.h"
+#include "workbench/workspace.h"
 
 class QTabWidget;
 
@@ -18,7 +18,7 @@ class ExperimentWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit ExperimentWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit ExperimentWorkspace(Workbench& workbench, QWidget* parent = nullptr);
   ~ExperimentWorkspace() override;
 
   WorkStatus status() const override;

@@ -26,7 +26,7 @@ QDoubleSpinBox* number_field(const char* name, double value, double least, doubl
   field->setRange(least, most);
   field->setValue(value);
   field->setSuffix(unit);
-  field->setMinimumHeight(widgets::kControlHeight);
+  field->setMinimumHeight(widgets::control_height);
   field->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the page
   return field;
 }
@@ -52,7 +52,7 @@ GoalsForm::GoalsForm(QWidget* parent) : QWidget(parent) {
   poses_->setObjectName("goal_poses");
   poses_->setRange(1, 10000);
   poses_->setValue(60);
-  poses_->setMinimumHeight(widgets::kControlHeight);
+  poses_->setMinimumHeight(widgets::control_height);
   poses_->setFocusPolicy(Qt::StrongFocus);
   hand_ = box_of("goal_hand", tr("the hand is known within"), false, hand_mm_, this);
   hand_->setToolTip(tr("In 95 of 100 cases, in 95 of 100 poses over what can be reached and seen"));

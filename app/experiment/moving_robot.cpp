@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/observation_views.h"
 #include "words/core_words.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::app {
 namespace {
@@ -15,8 +15,8 @@ constexpr int points_a_piece = 12;    // of a path's piece, which is no straight
 
 }  // namespace
 
-MovingRobot::MovingRobot(Workbench& bench, widgets::RobotView& view, QObject* parent)
-    : QObject(parent), bench_(bench), view_(view) {
+MovingRobot::MovingRobot(Workbench& workbench, widgets::RobotView& view, QObject* parent)
+    : QObject(parent), workbench_(workbench), view_(view) {
   connect(&timer_, &QTimer::timeout, this, &MovingRobot::go_on);
 }
 
@@ -25,8 +25,8 @@ void MovingRobot::set_session() {
   planned_.clear();
   path_.clear();
   at_.resize(0);
-  if (!bench_.document.is_open()) return;
-  const Session& s = bench_.document.session();
+  if (!workbench_.document.is_open()) return;
+  const Session& s = workbench_.document.session();
   view_.set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
   view_.set_ghost_magnification(1);
   outline_.reset();
@@ -101,20 +101,20 @@ void MovingRobot::go_on() {
 /// As an observation that nothing was seen in, with the cameras where they are then.
 void MovingRobot::draw() {
   Observation here;
-  here.id = widgets::kNoObservation;
+  here.id = widgets::no_observation;
   here.position = at_;
-  show_pose(bench_.document, here, nullptr, view_);
+  show_pose(workbench_.document, here, nullptr, view_);
   view_.set_ghost(outline_);
 }
 
 void MovingRobot::set_outline(const std::optional<Eigen::VectorXd>& position) {
   outline_.reset();
-  if (position) outline_ = link_motions(bench_.document.session(), *position);
+  if (position) outline_ = link_motions(workbench_.document.session(), *position);
   view_.set_ghost(outline_);
 }
 
 Vector3 MovingRobot::tcp_at(const Eigen::VectorXd& position) const {
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   return link_motions(s, position)[static_cast<std::size_t>(find_link(s.robot, s.tcp))].translation;
 }
 

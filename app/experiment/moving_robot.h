@@ -5,8 +5,8 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "bench/workbench.h"
 #include "experiment/loop/experiment.h"
+#include "workbench/workbench.h"
 
 namespace handsight::widgets {
 class RobotView;
@@ -18,7 +18,7 @@ class MovingRobot : public QObject {
   Q_OBJECT
 
  public:
-  MovingRobot(Workbench& bench, widgets::RobotView& view, QObject* parent);
+  MovingRobot(Workbench& workbench, widgets::RobotView& view, QObject* parent);
 
   /// Of the open session; it stands where the last observation was taken until somebody knows better.
   void set_session();
@@ -47,7 +47,7 @@ class MovingRobot : public QObject {
   Vector3 tcp_at(const Eigen::VectorXd& position) const;
   void go_on();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   widgets::RobotView& view_;
   Eigen::VectorXd at_;
   std::vector<PlannedMove> planned_;

@@ -13,8 +13,6 @@
 #include <algorithm>
 
 #include "base/utc_now.h"
-#include "bench/link_selection.h"
-#include "bench/preferences.h"
 #include "document/effect_words.h"
 #include "experiment/recheck/recheck_poses.h"
 #include "session/calibration_xml.h"
@@ -23,6 +21,8 @@
 #include "widgets/plots/history_plot.h"
 #include "words/core_words.h"
 #include "words/counted.h"
+#include "workbench/link_selection.h"
+#include "workbench/preferences.h"
 
 namespace handsight::app {
 namespace {
@@ -39,11 +39,11 @@ double seconds_of(const std::string& utc) {
 }
 
 /// A number's own key and its name: "joint_offset:a3.offset", "joint offset of a3: offset (mrad)".
-std::string key_of(const RecheckNumber& n) { return n.what + ':' + n.where + '.' + n.name; }
+std::string find_key(const RecheckNumber& n) { return n.what + ':' + n.where + '.' + n.name; }
 
-QString name_of(const RecheckNumber& n) {
+QString display_name(const RecheckNumber& n) {
   return QStringLiteral("%1: %2").arg(
-      effect_of(n.what, n.where.empty() ? std::vector<std::string>() : std::vector{n.where}), number_title(n.name));
+      term_effect(n.what, n.where.empty() ? std::vector<std::string>() : std::vector{n.where}), number_title(n.name));
 }
 
 /// Looks at each observation as it comes, and writes the log. In the run's thread.
@@ -65,7 +65,7 @@ struct Watching {
 
 }  // namespace
 
-RecheckPage::RecheckPage(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+RecheckPage::RecheckPage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   setObjectName("recheck_page");
   make_layout();
   connect(number_, &QComboBox::currentIndexChanged, this, &RecheckPage::show_number);
@@ -81,7 +81,7 @@ QLayout* RecheckPage::make_fields() {
     auto* field = new QLineEdit(this);
     field->setObjectName(name);
     field->setToolTip(tip);
-    field->setMinimumHeight(widgets::kControlHeight);
+    field->setMinimumHeight(widgets::control_height);
     auto* label = new QLabel(text, this);
     label->setBuddy(field);
     auto* button = new QPushButton(tr("Choose…"), this);
@@ -114,7 +114,7 @@ QWidget* RecheckPage::make_plots() {
   number_ = new QComboBox(this);
   number_->setObjectName("recheck_number");
   number_->setAccessibleName(tr("The number whose history is shown"));
-  number_->setMinimumHeight(widgets::kControlHeight);
+  number_->setMinimumHeight(widgets::control_height);
   number_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* right = new QWidget(this);
   auto* column = new QVBoxLayout(right);
@@ -128,7 +128,7 @@ QWidget* RecheckPage::make_plots() {
   plots->setSizes({600, 600});
   plots->setChildrenCollapsible(false);
   plots->setHandleWidth(8);
-  for (HistoryPlot* plot : {e_values_, history_}) link_selection(plot, bench_);
+  for (HistoryPlot* plot : {e_values_, history_}) link_selection(plot, workbench_);
   return plots;
 }
 
@@ -166,8 +166,8 @@ void RecheckPage::choose(QLineEdit* field, const QString& title, const QString& 
 
 void RecheckPage::set_session() {
   entries_.clear();
-  const bool is_open = bench_.document.is_open();
-  const std::filesystem::path home = is_open ? folder(bench_.document.session()) : std::filesystem::path();
+  const bool is_open = workbench_.document.is_open();
+  const std::filesystem::path home = is_open ? folder(workbench_.document.session()) : std::filesystem::path();
   log_->setText(is_open ? QString::fromStdString((home / "recheck.csv").string()) : QString());
   const QString last = is_open ? preference("calibration of " + QString::fromStdString(home.string())) : QString();
   std::error_code error;
@@ -184,7 +184,7 @@ void RecheckPage::complete(RunWish& wish) const {
     throw InputError("Choose the calibration that is to be asked whether it still holds; Export writes one.");
   if (log_->text().trimmed().isEmpty())
     throw InputError("Say where the log of the rechecks is to be kept: a CSV file.");
-  remember_preference("calibration of " + QString::fromStdString(folder(bench_.document.session()).string()),
+  remember_preference("calibration of " + QString::fromStdString(folder(workbench_.document.session()).string()),
                       calibration);
   auto watching = std::make_shared<Watching>();
   watching->calibration = calibration.toStdString();
@@ -225,7 +225,7 @@ void RecheckPage::show_entries() {
     number_->clear();
     if (!entries_.empty())
       for (const RecheckNumber& n : entries_.back().numbers)
-        number_->addItem(name_of(n), QString::fromStdString(key_of(n)));
+        number_->addItem(display_name(n), QString::fromStdString(find_key(n)));
     number_->setCurrentIndex(std::max(0, chosen.isEmpty() ? telling_number() : number_->findData(chosen)));
     number_->setEnabled(number_->count() > 0);
   }
@@ -264,7 +264,7 @@ void RecheckPage::show_number() {
   std::string unit;
   for (const RecheckEntry& e : entries_)
     for (const RecheckNumber& n : e.numbers) {
-      if (key_of(n) != key) continue;
+      if (find_key(n) != key) continue;
       unit = n.unit;
       const double scale = shown_unit(n.unit).scale;
       points.push_back({.x = seconds_of(e.utc),

@@ -22,7 +22,7 @@ class RecheckPage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit RecheckPage(Workbench& bench, QWidget* parent = nullptr);
+  explicit RecheckPage(Workbench& workbench, QWidget* parent = nullptr);
 
   void set_session();
   /// Adds what a recheck needs: the poses that tell most, and the log. InputError where no calibration is chosen.
@@ -40,7 +40,7 @@ class RecheckPage : public QWidget {
   void show_number();
   int telling_number() const;
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QLineEdit *calibration_, *log_;
   QLabel *said_, *more_;
   widgets::HistoryPlot *e_values_, *history_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A driven robot that somebody watches: what it is asked and what it answers is told as it happens.
+// A driven robot that somebody watches: what it is asked and what it answers is reported as it happens.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ struct RobotWatch {
   std::function<void(const std::vector<Eigen::VectorXd>& path, double speed)> moving;
   std::function<void(const MoveAnswer&)> stood;
   std::function<void()> looking;
-  std::function<void()> halted;  // it was told to stop, and has answered or never will
+  std::function<void()> halted;  // it was asked to stop, and has answered or never will
 };
 
 class WatchedRobot : public DrivenRobot {

@@ -17,15 +17,15 @@ constexpr int ms_between_pictures = 120;  // from one to the next the cloud move
 
 /// What an addition or removal is of, in words; `id` may be of several effects that went together.
 QString step_text(const std::string& id, const ImprovementStep& s, const Session& session) {
-  if (!s.terms.empty() && s.terms.front().id == id) return name_of(s.terms, session);
-  return effects_of(id);
+  if (!s.terms.empty() && s.terms.front().id == id) return display_name(s.terms, session);
+  return list_effects(id);
 }
 
-QString other_names_text(const ImprovementStep& s) {
+QString model_alternative_text(const ImprovementStep& s) {
   if (s.removed.empty() && s.exchanged.empty()) return QObject::tr("moved what is in the model to other places");
-  const QString come = effects_of(fmt::format("{}", fmt::join(s.exchanged, ", ")));
+  const QString come = list_effects(fmt::format("{}", fmt::join(s.exchanged, ", ")));
   if (s.removed.empty()) return QObject::tr("added %1").arg(come);
-  const QString gone = effects_of(s.removed);
+  const QString gone = list_effects(s.removed);
   if (s.exchanged.empty()) return QObject::tr("took out %1, no longer needed").arg(gone);
   return QObject::tr("exchanged %1 for %2").arg(gone, come);
 }
@@ -34,19 +34,19 @@ QString sentence_of(const ModelChange& change, const Session& session) {
   QStringList parts;
   for (const ImprovementStep& s : change.steps) {
     if (s.added.empty())
-      parts << other_names_text(s);
+      parts << model_alternative_text(s);
     else if (s.likely)
       parts << QObject::tr("added %1, which is likely beside the rest").arg(step_text(s.added, s, session));
     else if (s.removed.empty())
       parts << QObject::tr("added %1").arg(step_text(s.added, s, session));
     else
-      parts << QObject::tr("exchanged %1 for %2").arg(effects_of(s.removed), step_text(s.added, s, session));
+      parts << QObject::tr("exchanged %1 for %2").arg(list_effects(s.removed), step_text(s.added, s, session));
   }
   return parts.join(", ");
 }
 
 /// Where an observation is among those that a diagnosis went by; one near it where it was not among them.
-int place_of(const std::vector<Observation>& observations, std::int64_t id) {
+int locate(const std::vector<Observation>& observations, std::int64_t id) {
   const auto found = std::find_if(observations.begin(), observations.end(), [id](const auto& o) { return o.id >= id; });
   return static_cast<int>(
       std::min<std::ptrdiff_t>(found - observations.begin(), static_cast<std::ptrdiff_t>(observations.size()) - 1));
@@ -59,7 +59,7 @@ void show_the_fit(const Diagnosis& before, const DiagnosisCandidate& candidate, 
   std::vector<EffectTerm> estimated = before.model_options.estimated;
   estimated.insert(estimated.end(), candidate.terms.begin(), candidate.terms.end());
   watch.begin(before.model.session, before.model_options.effects, estimated,
-              place_of(before.model.session.observations, observation));
+              locate(before.model.session.observations, observation));
   Unknowns start = estimate(before.model.fit);
   const Eigen::Index known = start.effects.size();
   start.effects.conservativeResize(watch.effect_count());
@@ -80,10 +80,11 @@ std::shared_ptr<ModelVersion> version_of_all(const Session& session, const Model
 /// Other names for what is in the model, else what is likely beside it; what is not taken of that was not asked for.
 ModelChange other_or_likely_names(const Session& session, const ImprovementOptions& options, const Diagnosis& before,
                                   bool only_likely) {
-  ModelChange change = only_likely ? ModelChange{} : seek_other_names(session, options, before);
+  ModelChange change = only_likely ? ModelChange{} : search_models(session, options, before);
   if (change.model || change.stopped) return change;
-  change = add_likely(session, options, before,
-                      certainty(before, options.estimated.size(), [&] { return options.on_progress(0.97); }));
+  change =
+      add_likely(session, options, before,
+                 inclusion_probabilities(before, options.estimated.size(), [&] { return options.on_progress(0.97); }));
   change.refused.clear();
   return change;
 }
@@ -92,53 +93,53 @@ QString refusal_sentence(const Diagnosis& before, const DiagnosisCandidate& c, c
   const bool in_pixels = before.report.held_out.rms_pixel.has_value();
   const auto now = in_pixels ? before.report.held_out.rms_pixel : before.report.held_out.rms_m;
   return QObject::tr("Not added: with %1 the error on unseen observations would not fall below %2. It would fit noise.")
-      .arg(name_of(c, session), error_with_unit(now.value_or(0), in_pixels));
+      .arg(display_name(c, session), error_with_unit(now.value_or(0), in_pixels));
 }
 
 }  // namespace
 
-Adding::Adding(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
+Adding::Adding(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
   timer_.setInterval(ms_between_pictures);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { show_news(false); });
-  connect(&bench.document, &Document::opened, this, [this] { bench_.refused.clear(); });
+  connect(&workbench.document, &Document::opened, this, [this] { workbench_.refused.clear(); });
   const auto look = [this] {
-    if (is_running_ && !is_taking_ && !bench_.explaining.is_busy("add")) stop();
+    if (is_running_ && !is_taking_ && !workbench_.explaining.is_busy("add")) stop();
   };
-  connect(&bench.explaining, &Jobs::stopped, this, look);
-  connect(&bench.explaining, &Jobs::changed, this, look);
-  connect(&bench.document, &Document::closed, this, look);
+  connect(&workbench.explaining, &Jobs::stopped, this, look);
+  connect(&workbench.explaining, &Jobs::changed, this, look);
+  connect(&workbench.document, &Document::closed, this, look);
   // What changes the model meanwhile makes the addition stale.
   const auto stale = [this] {
-    if (is_running_ && !is_taking_) bench_.explaining.cancel("add");
+    if (is_running_ && !is_taking_) workbench_.explaining.cancel("add");
   };
-  connect(&bench.document, &Document::edited, this, stale);
-  connect(&bench.document, &Document::settings_changed, this, stale);
+  connect(&workbench.document, &Document::edited, this, stale);
+  connect(&workbench.document, &Document::settings_changed, this, stale);
 }
 
 void Adding::add(const std::string& id) {
-  const auto before = bench_.diagnosing.diagnosis();
-  if (is_running_ || !before || !bench_.document.model()) return;
+  const auto before = workbench_.diagnosing.diagnosis();
+  if (is_running_ || !before || !workbench_.document.model()) return;
   const auto found = std::find_if(before->candidates.begin(), before->candidates.end(),
-                                  [&](const DiagnosisCandidate& c) { return can_be_added(c) && id_of(c) == id; });
+                                  [&](const DiagnosisCandidate& c) { return can_be_added(c) && find_id(c) == id; });
   if (found == before->candidates.end()) return;
-  const QString name = name_of(*found, bench_.document.session());
-  const auto view = bench_.diagnosing.view_of(id);
-  start(
-      {before, *found, bench_.document.revision()}, tr("Adding %1").arg(name),
-      {name, bench_.story().lead() && bench_.story().lead()->id == id, view ? view->proof : proof_of(*before, *found)});
+  const QString name = display_name(*found, workbench_.document.session());
+  const auto view = workbench_.diagnosing.find_view(id);
+  start({before, *found, workbench_.document.revision()}, tr("Adding %1").arg(name),
+        {name, workbench_.story().lead() && workbench_.story().lead()->id == id,
+         view ? view->proof : make_proof(*before, *found)});
 }
 
-void Adding::seek_other_names(bool only_likely) {
-  const auto before = bench_.diagnosing.diagnosis();
-  if (is_running_ || !before || !bench_.document.model()) return;
-  start({before, std::nullopt, bench_.document.revision(), only_likely},
+void Adding::search_models(bool only_likely) {
+  const auto before = workbench_.diagnosing.diagnosis();
+  if (is_running_ || !before || !workbench_.document.model()) return;
+  start({before, std::nullopt, workbench_.document.revision(), only_likely},
         tr("Seeking other names for what is in the model"), {});
 }
 
 void Adding::start(Run run, const QString& what, Proof offered) {
   const std::int64_t observation =
-      bench_.selection.current().observation.value_or(bench_.document.session().observations.front().id);
+      workbench_.selection.current().observation.value_or(workbench_.document.session().observations.front().id);
   watch_ = std::make_shared<FitWatch>();
   pictures_ = skipped_ = 0;
   is_running_ = true;
@@ -146,19 +147,19 @@ void Adding::start(Run run, const QString& what, Proof offered) {
   taken_ = {};
   emit began(what);
   timer_.start();
-  bench_.explaining.start<Outcome>(
+  workbench_.explaining.start<Outcome>(
       "add", what,
-      [session = bench_.document.shared_session(), settings = bench_.document.settings(), run, observation,
-       watch = watch_, looks = bench_.document.second_looks()](JobControl& control) {
+      [session = workbench_.document.shared_session(), settings = workbench_.document.settings(), run, observation,
+       watch = watch_, looks = workbench_.document.second_looks()](JobControl& control) {
         if (run.candidate) show_the_fit(*run.before, *run.candidate, observation, *watch);
-        return outcome_of(run, *session, settings, looks, control);
+        return make_outcome(run, *session, settings, looks, control);
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },
       [this](const QString& sentence) { end(AdditionEnd::failed, sentence); });
 }
 
-Adding::Outcome Adding::outcome_of(const Run& run, const Session& session, const ModelSettings& settings,
-                                   const SecondLooks& looks, JobControl& control) {
+Adding::Outcome Adding::make_outcome(const Run& run, const Session& session, const ModelSettings& settings,
+                                     const SecondLooks& looks, JobControl& control) {
   ImprovementOptions options;
   options.effects = settings.held;
   options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
@@ -176,13 +177,13 @@ Adding::Outcome Adding::outcome_of(const Run& run, const Session& session, const
   const ModelSettings after = with_estimated(settings, made.model_options.estimated);
   const QString cause = sentence_of(outcome.change, session);
   outcome.version = made.sample ? version_of_all(session, after, run.revision, cause, looks, going_on(control))
-                                : version_of(session, made, after, run.revision, cause, looks);
+                                : build_version(session, made, after, run.revision, cause, looks);
   outcome.change.stopped = control.is_cancelled();
   if (outcome.change.stopped) return outcome;
   outcome.residuals = make_residuals(*outcome.version);
   if (run.candidate)
-    outcome.proof = proof_of(made.sample ? made.model.session : session,
-                             made.sample ? made.model.fit : *outcome.version->fit, run.candidate->terms);
+    outcome.proof = make_proof(made.sample ? made.model.session : session,
+                               made.sample ? made.model.fit : *outcome.version->fit, run.candidate->terms);
   return outcome;
 }
 
@@ -199,31 +200,31 @@ void Adding::show_news(bool is_end) {
 void Adding::finish(const Run& run, const Outcome& outcome) {
   show_news(true);
   const ModelChange& change = outcome.change;
-  if (change.stopped || run.revision != bench_.document.revision()) return stop();
+  if (change.stopped || run.revision != workbench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
-    bench_.refused.push_back({r.id, r.where, refusal_of(run), bench_.document.undo_stack().undoText(),
-                              bench_.document.undo_stack().index(), bench_.document.revision()});
-  if (!outcome.version) return end(AdditionEnd::refused, refusal_of(run));
+    workbench_.refused.push_back({r.id, r.where, find_refusal(run), workbench_.document.undo_stack().undoText(),
+                                  workbench_.document.undo_stack().index(), workbench_.document.revision()});
+  if (!outcome.version) return end(AdditionEnd::refused, find_refusal(run));
   const std::shared_ptr<ModelVersion>& version = outcome.version;
   is_taking_ = true;
-  bench_.document.perform(
-      {.sentence = version->cause, .settings = SettingsEdit{bench_.document.settings(), version->settings}});
-  if (!(bench_.document.settings() == version->settings)) {
+  workbench_.document.perform(
+      {.sentence = version->cause, .settings = SettingsEdit{workbench_.document.settings(), version->settings}});
+  if (!(workbench_.document.settings() == version->settings)) {
     is_taking_ = false;
     return end(AdditionEnd::failed, tr("Not added: it could not be written down; make room on the disk."));
   }
-  version->revision = bench_.document.revision();
-  bench_.diagnosing.take(version, outcome.model, outcome.residuals);
-  bench_.document.take_version(version);
+  version->revision = workbench_.document.revision();
+  workbench_.diagnosing.take(version, outcome.model, outcome.residuals);
+  workbench_.document.take_version(version);
   is_taking_ = false;
   added_likely_ = change.steps.back().likely.has_value();
   taken_ = {offered_.name, offered_.leads, outcome.proof};
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }
 
-QString Adding::refusal_of(const Run& run) const {
+QString Adding::find_refusal(const Run& run) const {
   if (!run.candidate) return {};
-  return refusal_sentence(*run.before, *run.candidate, bench_.document.session());
+  return refusal_sentence(*run.before, *run.candidate, workbench_.document.session());
 }
 
 void Adding::stop() { end(AdditionEnd::stopped, tr("Stopped. Everything is as before.")); }
@@ -232,7 +233,7 @@ void Adding::end(AdditionEnd end, const QString& sentence) {
   if (!is_running_) return;
   timer_.stop();
   is_running_ = false;
-  if (!sentence.isEmpty()) emit bench_.document.noticed(sentence);
+  if (!sentence.isEmpty()) emit workbench_.document.noticed(sentence);
   emit ended(end, sentence);
 }
 

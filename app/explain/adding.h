@@ -23,17 +23,17 @@ class Adding : public QObject {
   Q_OBJECT
 
  public:
-  explicit Adding(Workbench& bench, QObject* parent = nullptr);
+  explicit Adding(Workbench& workbench, QObject* parent = nullptr);
 
-  /// Adds a candidate of the present diagnosis by its id_of. Nothing happens where there is none, or while one is
+  /// Adds a candidate of the present diagnosis by its find_id. Nothing happens where there is none, or while one is
   /// added.
   void add(const std::string& id);
   /// Once nothing is left to add: other names for what is in the model, where they are clearly likelier, else a name
   /// that is likely beside them; or that alone. Nothing happens without a diagnosis, or while something is added.
-  void seek_other_names(bool only_likely = false);
+  void search_models(bool only_likely = false);
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
-  const std::vector<Refusal>& refused() const { return bench_.refused; }
+  const std::vector<Refusal>& refused() const { return workbench_.refused; }
   /// The proof plots of what is being added, or was added last, and the same once it was in the model (empty where it
   /// was not taken).
   const Proof& offered() const { return offered_; }
@@ -64,15 +64,15 @@ class Adding : public QObject {
   };
   /// `what` is done for the user; `offered`: what it is to prove.
   void start(Run run, const QString& what, Proof offered);
-  static Outcome outcome_of(const Run& run, const Session& session, const ModelSettings& settings,
-                            const SecondLooks& looks, JobControl& control);
-  QString refusal_of(const Run& run) const;
+  static Outcome make_outcome(const Run& run, const Session& session, const ModelSettings& settings,
+                              const SecondLooks& looks, JobControl& control);
+  QString find_refusal(const Run& run) const;
   void show_news(bool is_end);
   void finish(const Run& run, const Outcome& outcome);
   void stop();
   void end(AdditionEnd end, const QString& sentence);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::shared_ptr<FitWatch> watch_;
   QTimer timer_;
   Proof offered_, taken_;

@@ -9,19 +9,19 @@
 
 namespace handsight::app {
 
-AddingOn::AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent)
-    : QObject(parent), bench_(bench), adding_(adding), cards_(cards) {
+AddingOn::AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList& cards, QObject* parent)
+    : QObject(parent), workbench_(workbench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
     if (end == AdditionEnd::taken) note_taken();
     const bool found_none = std::exchange(is_seeking_, false) && end == AdditionEnd::refused;
-    if (found_none) sought_at_ = bench_.document.revision();
-    if (is_running_ && found_none) this->end(told_at_the_end());
+    if (found_none) sought_at_ = workbench_.document.revision();
+    if (is_running_ && found_none) this->end(reported_at_the_end());
     if (is_running_ && (end == AdditionEnd::stopped || end == AdditionEnd::failed)) this->end({});
   });
   next_.setSingleShot(true);
   next_.setInterval(200);
   connect(&next_, &QTimer::timeout, this, &AddingOn::add_first);
-  connect(&bench.document, &Document::closed, this, [this] {
+  connect(&workbench.document, &Document::closed, this, [this] {
     sought_at_.reset();
     end({});
   });
@@ -50,7 +50,7 @@ void AddingOn::start() {
 void AddingOn::stop() {
   if (!is_running_) return;
   end({});
-  if (adding_.is_running()) bench_.explaining.stop();
+  if (adding_.is_running()) workbench_.explaining.stop();
 }
 
 void AddingOn::pause() {
@@ -73,13 +73,13 @@ void AddingOn::end(const QString& sentence) {
   next_.stop();
   emit changed();
   if (sentence.isEmpty()) return;
-  emit bench_.document.noticed(sentence);
+  emit workbench_.document.noticed(sentence);
   emit done();
 }
 
 bool AddingOn::is_waiting() const {
-  return adding_.is_running() || bench_.refit.is_pending() || !bench_.document.model() ||
-         !bench_.diagnosing.diagnosis() || cards_.count() == 0;
+  return adding_.is_running() || workbench_.refit.is_pending() || !workbench_.document.model() ||
+         !workbench_.diagnosing.diagnosis() || cards_.count() == 0;
 }
 
 void AddingOn::look() {
@@ -88,7 +88,7 @@ void AddingOn::look() {
 
 void AddingOn::add_first() {
   if (!is_running_ || is_paused_ || is_waiting()) return;
-  // What is of a plausible size stands first; what is not is taken too, as `improve` does: the error falls with it.
+  // What is of a prior sigma stands first; what is not is taken too, as `improve` does: the error falls with it.
   for (int i = 0; i < cards_.count(); ++i) {
     const widgets::CardState& card = cards_.card(i)->state();
     if (card.kind != widgets::CardKind::candidate || !card.can_add) continue;
@@ -98,20 +98,20 @@ void AddingOn::add_first() {
 }
 
 bool AddingOn::can_seek() const {
-  if (!bench_.document.is_open() || sought_at_ == bench_.document.revision()) return false;
-  const ModelSettings& settings = bench_.document.settings();
+  if (!workbench_.document.is_open() || sought_at_ == workbench_.document.revision()) return false;
+  const ModelSettings& settings = workbench_.document.settings();
   return static_cast<int>(settings.estimated.size()) > settings.by_hand;
 }
 
 void AddingOn::seek_or_end() {
-  if (!can_seek() || sought_++ >= 2 * most_times_sought) return end(told_at_the_end());
+  if (!can_seek() || sought_++ >= 2 * most_times_sought) return end(reported_at_the_end());
   is_seeking_ = true;
-  adding_.seek_other_names(only_likely_ || sought_ > most_times_sought);
+  adding_.search_models(only_likely_ || sought_ > most_times_sought);
 }
 
 /// As the story says it: done is what agrees with the measurements, and stands in for nothing.
-QString AddingOn::told_at_the_end() const {
-  const Story& story = bench_.story_of(bench_.document.model());
+QString AddingOn::reported_at_the_end() const {
+  const Story& story = workbench_.find_story(workbench_.document.model());
   QStringList done;
   if (added_ > 0 || !found_others_) done << tr("%1 added").arg(counted(added_, "%n cause(s)"));
   if (found_others_) done << tr("other names found for what was added");
@@ -122,7 +122,7 @@ QString AddingOn::told_at_the_end() const {
                           : tr("Stopped by itself: %1, and nothing is left that would help."))
                          .arg(done.join(", "));
   QStringList stand_ins;
-  for (const StandIn& s : story.stands_in) stand_ins << effect_of(s.id, s.where);
+  for (const StandIn& s : story.stands_in) stand_ins << term_effect(s.id, s.where);
   // First what is to be doubted: where there is little room the rest is cut off.
   if (stand_ins.isEmpty()) return sentence;
   return tr("Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins.join(", ")) + ' ' +

@@ -11,7 +11,7 @@ class AddingOn : public QObject {
   Q_OBJECT
 
  public:
-  AddingOn(Workbench& bench, Adding& adding, widgets::CandidateList& cards, QObject* parent = nullptr);
+  AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList& cards, QObject* parent = nullptr);
 
   void start();
   /// What is being added now is stopped with it.
@@ -37,9 +37,9 @@ class AddingOn : public QObject {
   void add_first();
   /// Nothing is left to add: other names for what was added, then the end.
   void seek_or_end();
-  QString told_at_the_end() const;
+  QString reported_at_the_end() const;
 
-  Workbench& bench_;
+  Workbench& workbench_;
   Adding& adding_;
   widgets::CandidateList& cards_;
   QTimer next_;  // a stair stands for a moment before the next one

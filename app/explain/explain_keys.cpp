@@ -60,9 +60,9 @@ void ExplainWorkspace::hold_blink(bool held) {
 void ExplainWorkspace::blink() {
   ModelVersionPointer a = watching_->compared_a(), b = watching_->compared_b();
   if (!a || !b) {
-    b = bench_.document.shown_model();
+    b = workbench_.document.shown_model();
     a = nullptr;
-    for (const ModelVersionPointer& version : bench_.document.versions()) {
+    for (const ModelVersionPointer& version : workbench_.document.versions()) {
       if (version == b) break;
       if (version && version->fit) a = version;
     }
@@ -70,7 +70,7 @@ void ExplainWorkspace::blink() {
   if (!a || !b) return;
   blink_phase_ = !blink_phase_;
   const ModelVersionPointer& shown = blink_phase_ ? a : b;
-  if (const auto residuals = bench_.diagnosing.residuals_of(shown))
+  if (const auto residuals = workbench_.diagnosing.compute_residuals(shown))
     failing_->show_instead(*residuals, (blink_phase_ ? tr("Before: %1") : tr("After: %1"))
                                            .arg(shown->cause.isEmpty() ? tr("as opened") : shown->cause));
 }
@@ -86,10 +86,10 @@ std::vector<Action> ExplainWorkspace::own_actions() const {
                   .tip = tip,
                   .run =
                       [this, run] {
-                        emit bench_.workspace_requested(Place::explain);
+                        emit workbench_.workspace_requested(Place::explain);
                         run();
                       },
-                  .is_possible = [this] { return bench_.document.is_open(); }};
+                  .is_possible = [this] { return workbench_.document.is_open(); }};
   };
   Action reveal =
       done("reveal", tr("Reveal the &truth"), tr("what was hidden in this session"), [this] { missing_->reveal(); });

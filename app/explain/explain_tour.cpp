@@ -18,7 +18,7 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
   const auto card = [this]() -> QWidget* {
     return missing_->cards()->count() > 0 ? missing_->cards()->card(0) : nullptr;
   };
-  const auto index = bench_.document.undo_stack().index();
+  const auto index = workbench_.document.undo_stack().index();
   return {
       {tr("This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise "
           "is, and whose fault the difference is."),
@@ -35,7 +35,7 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
           "what the model would do with it."),
        card},
       {tr("Add it: press the blue button. The fit runs before your eyes."), widget("add_first"),
-       [this, index] { return bench_.document.undo_stack().index() > index && !adding_.is_running(); }},
+       [this, index] { return workbench_.document.undo_stack().index() > index && !adding_.is_running(); }},
       {tr("The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z "
           "takes the step back."),
        widget("staircase")},

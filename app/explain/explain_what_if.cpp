@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What if: an effect of any size, at any of its places, on the session's own poses.
-#include "bench/touch_views.h"
 #include "document/effect_words.h"
 #include "explain/explain_workspace.h"
 #include "explain/failing_pane.h"
 #include "widgets/explain/what_if_slider.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 
 void ExplainWorkspace::open_what_if(const QString& id, int place) {
   const Effect* effect = find_effect(id.toStdString());
-  const auto residuals = bench_.diagnosing.residuals();
+  const auto residuals = workbench_.diagnosing.residuals();
   if (!effect || !residuals || adding_.is_running()) return;
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   if (place < 0 || what_if_id_ != effect->id) {
     what_if_id_ = effect->id;
     what_if_places_ = effect_terms(effect->id, residuals->views.problem.source->chain);
     what_if_parameter_ = 0;
     place = 0;
     // Where the diagnosis would put it, its choices too.
-    if (const auto d = bench_.diagnosing.diagnosis())
+    if (const auto d = workbench_.diagnosing.diagnosis())
       for (const DiagnosisCandidate& c : d->candidates)
         if (c.id == effect->id && !c.terms.empty())
           for (std::size_t i = 0; i < what_if_places_.size(); ++i)
@@ -33,7 +33,7 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
   what_if_place_ = place;
   what_if_view_.effect = effect_view(residuals->views, {what_if_places_[static_cast<std::size_t>(place)]});
   what_if_view_.numbers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(what_if_view_.effect.numbers.size()));
-  widgets::WhatIfState state{.id = id, .title = effect_of(effect->id, {})};
+  widgets::WhatIfState state{.id = id, .title = term_effect(effect->id, {})};
   for (const EffectTerm& term : what_if_places_)
     if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
       state.places.push_back(place_text(name));
@@ -60,7 +60,7 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
 
 /// The same slider over other residuals: the view of the effect belongs to those that it was made of.
 void ExplainWorkspace::renew_what_if() {
-  if (!failing_->what_if()->isVisibleTo(this) || !bench_.diagnosing.residuals() || adding_.is_running()) return;
+  if (!failing_->what_if()->isVisibleTo(this) || !workbench_.diagnosing.residuals() || adding_.is_running()) return;
   const double value = failing_->what_if()->value();
   open_what_if(QString::fromStdString(what_if_id_), what_if_place_);
   failing_->what_if()->set_value(value);
@@ -68,17 +68,17 @@ void ExplainWorkspace::renew_what_if() {
 }
 
 void ExplainWorkspace::slide_what_if(double value) {
-  if (!bench_.diagnosing.residuals() || what_if_view_.effect.numbers.empty()) return;
+  if (!workbench_.diagnosing.residuals() || what_if_view_.effect.numbers.empty()) return;
   const Effect& effect = *find_effect(what_if_id_);
   const auto at = static_cast<std::size_t>(what_if_parameter_);
   const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
   what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
-  try_numbers(what_if_view_, what_if_view_.numbers, effect_of(what_if_id_, {}));
-  const ResidualViews& views = bench_.diagnosing.residuals()->views;
+  try_numbers(what_if_view_, what_if_view_.numbers, term_effect(what_if_id_, {}));
+  const ResidualViews& views = workbench_.diagnosing.residuals()->views;
   const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
-  ResidualSize told = size_of_error(left, !bench_.document.session().is_tracker(), views.weighing.noise);
-  if (const ModelVersionPointer now = bench_.document.shown_model()) told = as_read(told, *now);
-  failing_->what_if()->set_answer(tr("With this the error would be %1.").arg(bench_.units.text(told)));
+  ResidualSize reported = size_of_error(left, !workbench_.document.session().is_tracker(), views.noise_model.noise);
+  if (const ModelVersionPointer now = workbench_.document.shown_model()) reported = as_read(reported, *now);
+  failing_->what_if()->set_answer(tr("With this the error would be %1.").arg(workbench_.units.text(reported)));
 }
 
 }  // namespace handsight::app

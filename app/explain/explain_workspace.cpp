@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "bench/touch_views.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "explain/failing_pane.h"
@@ -19,13 +18,15 @@
 #include "widgets/explain/candidate_list.h"
 #include "widgets/explain/verdict_line.h"
 #include "widgets/explain/what_if_slider.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
-ExplainWorkspace::ExplainWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent), adding_(bench) {
+ExplainWorkspace::ExplainWorkspace(Workbench& workbench, QWidget* parent)
+    : Workspace(workbench, parent), adding_(workbench) {
   setObjectName("explain");
   make_layout();
   connect_panes();
-  connect_bench();
+  connect_workbench();
   blink_.setInterval(500);
   connect(&blink_, &QTimer::timeout, this, &ExplainWorkspace::blink);
   qApp->installEventFilter(this);
@@ -40,9 +41,9 @@ void ExplainWorkspace::make_layout() {
   tour->setToolTip(tr("Find the missing effect: shows step by step what to look at and what to do"));
   tour->setAutoRaise(true);
   connect(tour, &QToolButton::clicked, this, &ExplainWorkspace::start_tour);
-  failing_ = new FailingPane(bench_, this);
-  missing_ = new MissingPane(bench_, adding_, this);
-  watching_ = new WatchingPane(bench_, adding_, this);
+  failing_ = new FailingPane(workbench_, this);
+  missing_ = new MissingPane(workbench_, adding_, this);
+  watching_ = new WatchingPane(workbench_, adding_, this);
   auto* columns = new QSplitter(Qt::Horizontal, this);
   // The slider takes its room from the cards, which scroll: the plots are what one looks at while it moves.
   auto* right = new QWidget(this);
@@ -76,22 +77,23 @@ void ExplainWorkspace::make_layout() {
 }
 
 void ExplainWorkspace::connect_panes() {
-  connect(verdict_, &widgets::VerdictLine::blame_clicked, this,
-          [this] { emit bench_.workspace_requested(Place::inspect); });
+  connect(verdict_, &widgets::VerdictLine::attribution_clicked, this,
+          [this] { emit workbench_.workspace_requested(Place::inspect); });
   connect(missing_, &MissingPane::tried, this, &ExplainWorkspace::try_candidate);
   connect(missing_, &MissingPane::what_if, this, [this](const QString& id) { open_what_if(id); });
-  connect(missing_, &MissingPane::export_wanted, this, [this] { emit bench_.workspace_requested(Place::write_out); });
-  connect(missing_, &MissingPane::look_wanted, this, [this] { bench_.diagnosing.set_wanted(true); });
+  connect(missing_, &MissingPane::export_wanted, this,
+          [this] { emit workbench_.workspace_requested(Place::write_out); });
+  connect(missing_, &MissingPane::look_wanted, this, [this] { workbench_.diagnosing.set_wanted(true); });
   connect(missing_, &MissingPane::curve_wanted, this, [this] {
-    if (const auto d = bench_.diagnosing.diagnosis())
+    if (const auto d = workbench_.diagnosing.diagnosis())
       for (const DiagnosisCandidate& c : d->candidates)
-        if (c.unnamed) return failing_->show_variable(c.unnamed->localiser.variable->name);
+        if (c.unnamed) return failing_->show_variable(c.unnamed->empirical_error.variable->name);
   });
   connect(missing_, &MissingPane::added_until_it_stopped, watching_, &WatchingPane::show_bill);
   connect(missing_->poses(), &PosesPane::pose_chosen, watching_, &WatchingPane::show_posture);
   connect(missing_->poses(), &PosesPane::closed, watching_, &WatchingPane::show_robot);
   connect(watching_, &WatchingPane::version_chosen, this,
-          [this](const ModelVersionPointer& version) { bench_.document.show_version(version); });
+          [this](const ModelVersionPointer& version) { workbench_.document.show_version(version); });
   connect(&adding_, &Adding::began, this, [this] {
     failing_->what_if()->hide();
     stop_trying();
@@ -101,7 +103,7 @@ void ExplainWorkspace::connect_panes() {
   });
   connect(&adding_, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
     if (end == AdditionEnd::taken) {
-      proof_model_ = bench_.document.model();
+      proof_model_ = workbench_.document.model();
       failing_->show_proof_added(adding_.taken());
     } else {
       failing_->end_proof();
@@ -126,25 +128,25 @@ void ExplainWorkspace::connect_panes() {
   });
 }
 
-void ExplainWorkspace::connect_bench() {
-  Diagnosing& d = bench_.diagnosing;
-  connect(&bench_.document, &Document::opened, this, [this] {
+void ExplainWorkspace::connect_workbench() {
+  Diagnosing& d = workbench_.diagnosing;
+  connect(&workbench_.document, &Document::opened, this, [this] {
     is_fresh_ = true;
     failing_->what_if()->hide();
     stop_trying();
   });
-  connect(&bench_.document, &Document::closed, this, [this] {
+  connect(&workbench_.document, &Document::closed, this, [this] {
     in_turns_.stop();
     failing_->show_residuals(nullptr, true);
   });
-  connect(&bench_.document, &Document::model_changed, this, [this] {
+  connect(&workbench_.document, &Document::model_changed, this, [this] {
     emit status_changed();
     is_active() ? refresh_all() : watching_->remember();
   });
-  connect(&bench_.units, &DisplayUnits::changed, this, [this] {
+  connect(&workbench_.units, &DisplayUnits::changed, this, [this] {
     if (is_active()) refresh_units();
   });
-  connect(&bench_.sessions, &SessionFilter::changed, this, [this] {
+  connect(&workbench_.sessions, &SessionFilter::changed, this, [this] {
     if (is_active()) refresh_units();
   });
   connect(&d, &Diagnosing::residuals_changed, this, [this] {
@@ -165,7 +167,7 @@ void ExplainWorkspace::connect_bench() {
     missing_->refresh();
     if (!trying_.isEmpty()) try_candidate(trying_);
   });
-  connect(&d, &Diagnosing::certainty_changed, this, [this] {
+  connect(&d, &Diagnosing::inclusion_probabilities_changed, this, [this] {
     if (!is_active() || adding_.is_running()) return;
     missing_->refresh();
     watching_->refresh_bill();
@@ -173,24 +175,24 @@ void ExplainWorkspace::connect_bench() {
   connect(&d, &Diagnosing::progressed, this, [this] {
     if (!is_active() || adding_.is_running()) return;
     refresh_verdict();
-    if (!bench_.diagnosing.diagnosis()) missing_->refresh();
+    if (!workbench_.diagnosing.diagnosis()) missing_->refresh();
   });
-  connect(&bench_.explaining, &Jobs::changed, this, [this] {
-    if (is_active() && !bench_.diagnosing.diagnosis() && !adding_.is_running()) missing_->refresh();
+  connect(&workbench_.explaining, &Jobs::changed, this, [this] {
+    if (is_active() && !workbench_.diagnosing.diagnosis() && !adding_.is_running()) missing_->refresh();
   });
 }
 
 WorkStatus ExplainWorkspace::status() const {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
-  const Story& story = bench_.story();
+  const Story& story = workbench_.story();
   switch (story.state) {
     case StoryState::at_the_noise:
       return story.stands_in.empty() ? WorkStatus{WorkState::done, tr("nothing is missing")}
                                      : WorkStatus{WorkState::care, tr("at the noise, by a stand-in")};
     case StoryState::unnamed_at_the_noise:
       return {WorkState::care, tr("at the noise, not all named")};
-    case StoryState::scatter:
+    case StoryState::repeatability:
       return {WorkState::care, tr("looks random")};
     case StoryState::missing:
     case StoryState::ambiguous:
@@ -210,19 +212,19 @@ WorkStatus ExplainWorkspace::status() const {
   if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
   const auto ratio = story.error.ratio();
   if (!ratio) return {WorkState::open, tr("noise unknown")};
-  return *ratio < most_beside_scatter ? WorkStatus{WorkState::done, tr("down at the noise")}
-                                      : WorkStatus{WorkState::open, tr("above the noise")};
+  return *ratio < most_beside_repeatability ? WorkStatus{WorkState::done, tr("down at the noise")}
+                                            : WorkStatus{WorkState::open, tr("above the noise")};
 }
 
 void ExplainWorkspace::activate() {
-  bench_.diagnosing.set_wanted(true);
+  workbench_.diagnosing.set_wanted(true);
   refresh_all();
 }
 
 void ExplainWorkspace::hideEvent(QHideEvent* event) {
   Workspace::hideEvent(event);
   if (event->spontaneous()) return;  // the whole window was minimised: it comes back as it was
-  if (!adding_.is_running()) bench_.diagnosing.set_wanted(false);
+  if (!adding_.is_running()) workbench_.diagnosing.set_wanted(false);
   hold_noise(false);
   hold_blink(false);
   stop_trying();
@@ -230,7 +232,7 @@ void ExplainWorkspace::hideEvent(QHideEvent* event) {
 }
 
 void ExplainWorkspace::refresh_in_turns() {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   refresh_verdict();
   missing_->refresh();
   turn_ = 0;
@@ -245,7 +247,7 @@ void ExplainWorkspace::refresh_next() {
 }
 
 void ExplainWorkspace::refresh_all() {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   refresh_verdict();
   if (adding_.is_running()) return;
   in_turns_.stop();
@@ -256,11 +258,12 @@ void ExplainWorkspace::refresh_all() {
 }
 
 void ExplainWorkspace::refresh_plots() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   const bool is_of_proof = model && proof_model_ && same_fit(*model, *proof_model_);
   if (failing_->is_proof_added() && !is_of_proof) failing_->end_proof();  // undone, or another is shown
-  std::shared_ptr<const ModelResiduals> residuals = bench_.diagnosing.residuals();
-  if (model && model != bench_.document.model() && model->fit) residuals = bench_.diagnosing.residuals_of(model);
+  std::shared_ptr<const ModelResiduals> residuals = workbench_.diagnosing.residuals();
+  if (model && model != workbench_.document.model() && model->fit)
+    residuals = workbench_.diagnosing.compute_residuals(model);
   if (residuals || !model || !model->fit) {
     failing_->show_residuals(residuals, is_fresh_);
     is_fresh_ = is_fresh_ && !residuals;
@@ -271,8 +274,8 @@ void ExplainWorkspace::refresh_plots() {
 /// The proof of the cause that the story goes by. While what was added is looked at in a pause, nothing comes after it.
 void ExplainWorkspace::refresh_lead() {
   if (adding_.is_running()) return;
-  const StoryCause* lead = bench_.story().lead();
-  const auto view = lead && !missing_->is_paused() ? bench_.diagnosing.view_of(lead->id) : nullptr;
+  const StoryCause* lead = workbench_.story().lead();
+  const auto view = lead && !missing_->is_paused() ? workbench_.diagnosing.find_view(lead->id) : nullptr;
   failing_->show_lead(view ? Proof{title_of_candidate(lead->id), true, view->proof} : Proof{});
 }
 
@@ -285,23 +288,23 @@ void ExplainWorkspace::refresh_units() {
 }
 
 void ExplainWorkspace::refresh_verdict() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   widgets::SessionVerdict v;
   if (!model || !model->fit) {
-    const auto& observations = bench_.document.session().observations;
+    const auto& observations = workbench_.document.session().observations;
     const bool has_labels = std::any_of(observations.begin(), observations.end(), is_used);
-    v.sentence = model                       ? model->refusal
-                 : bench_.refit.is_pending() ? tr("The model is being fitted.")
-                 : has_labels                ? tr("Waits for a fit: play.")
-                                             : tr("Waits for a fit: label three markers, then play.");
+    v.sentence = model                           ? model->refusal
+                 : workbench_.refit.is_pending() ? tr("The model is being fitted.")
+                 : has_labels                    ? tr("Waits for a fit: play.")
+                                                 : tr("Waits for a fit: label three markers, then play.");
   } else {
-    v = session_verdict(bench_, model);
+    v = session_verdict(workbench_, model);
     if (v.state == widgets::SessionState::looking)
-      v.progress = tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share()));
-    if (const auto error = bench_.predicted_error()) {
-      const auto tried = bench_.units.shown(
-          as_read(size_of_error(*error, !bench_.document.session().is_tracker(), model->fit->noise), *model));
-      if (tried.unit == bench_.units.unit()) v.predicted = tried;  // two units in one breath would mislead
+      v.progress = tr("%1 %").arg(std::lround(100 * workbench_.diagnosing.share()));
+    if (const auto error = workbench_.predicted_error()) {
+      const auto tried = workbench_.units.shown(
+          as_read(size_of_error(*error, !workbench_.document.session().is_tracker(), model->fit->noise), *model));
+      if (tried.unit == workbench_.units.unit()) v.predicted = tried;  // two units in one breath would mislead
     }
   }
   verdict_->set_verdict(std::move(v));
@@ -309,44 +312,44 @@ void ExplainWorkspace::refresh_verdict() {
 
 void ExplainWorkspace::try_candidate(const QString& id) {
   if (id.isEmpty() || adding_.is_running()) return stop_trying();
-  const auto d = bench_.diagnosing.diagnosis();
-  const auto view = bench_.diagnosing.view_of(id.toStdString());
+  const auto d = workbench_.diagnosing.diagnosis();
+  const auto view = workbench_.diagnosing.find_view(id.toStdString());
   if (!d || !view || !failing_->residuals()) return;
   trying_ = id;
   missing_->cards()->set_previewed(id);
-  const StoryCause* lead = bench_.story().lead();
+  const StoryCause* lead = workbench_.story().lead();
   failing_->show_proof({title_of_candidate(id.toStdString()), lead && lead->id == id.toStdString(), view->proof});
   try_numbers(*view, view->numbers, title_of_candidate(id.toStdString()));
 }
 
 QString ExplainWorkspace::title_of_candidate(const std::string& id) const {
-  if (const auto d = bench_.diagnosing.diagnosis())
+  if (const auto d = workbench_.diagnosing.diagnosis())
     for (const DiagnosisCandidate& c : d->candidates)
-      if (id_of(c) == id) return name_of(c, bench_.document.session());
-  return effect_of(id, {});
+      if (find_id(c) == id) return display_name(c, workbench_.document.session());
+  return term_effect(id, {});
 }
 
 void ExplainWorkspace::try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const QString& name) {
-  const auto residuals = bench_.diagnosing.residuals();
+  const auto residuals = workbench_.diagnosing.residuals();
   if (!residuals) return;
   std::vector<EffectTerm> terms = view.effect.terms;
   for (std::size_t i = 0; i < view.effect.numbers.size(); ++i)
     terms[view.effect.numbers[i].term].values[view.effect.numbers[i].parameter] = numbers[static_cast<Eigen::Index>(i)];
   failing_->set_prediction(&view.effect, numbers);
   watching_->set_prediction(residuals.get(), &view, numbers, terms, tr("with %1").arg(name));
-  bench_.try_out(rms_left(residuals->views, view.effect, numbers),
-                 predicted_ratios(*residuals, view.effect, numbers, bench_.document.session()));
+  workbench_.try_out(rms_left(residuals->views, view.effect, numbers),
+                     predicted_ratios(*residuals, view.effect, numbers, workbench_.document.session()));
   refresh_verdict();
 }
 
 void ExplainWorkspace::stop_trying() {
-  const bool was_trying = bench_.predicted_error().has_value();
+  const bool was_trying = workbench_.predicted_error().has_value();
   trying_.clear();
   missing_->cards()->set_previewed({});
   if (!adding_.is_running()) failing_->show_proof({});
   if (failing_->what_if()->isVisible() && !adding_.is_running() && isVisible())
     return slide_what_if(failing_->what_if()->value());
-  bench_.try_out(std::nullopt);
+  workbench_.try_out(std::nullopt);
   if (!was_trying) return;
   failing_->set_prediction(nullptr, {});
   watching_->set_prediction(nullptr, nullptr, {}, {}, {});

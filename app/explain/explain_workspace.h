@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "bench/workspace.h"
 #include "explain/adding.h"
 #include "explain/tour.h"
+#include "workbench/workspace.h"
 
 namespace handsight::widgets {
 class VerdictLine;
@@ -22,7 +22,7 @@ class ExplainWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit ExplainWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit ExplainWorkspace(Workbench& workbench, QWidget* parent = nullptr);
 
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
@@ -37,7 +37,7 @@ class ExplainWorkspace : public Workspace {
  private:
   void make_layout();
   void connect_panes();
-  void connect_bench();
+  void connect_workbench();
   void refresh_all();
   /// The same one pane after the other, so that the window answers in between.
   void refresh_in_turns();

@@ -8,20 +8,20 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "bench/link_selection.h"
 #include "diagnosis/attribution/common.h"
 #include "document/effect_words.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/plots/scatter_plot.h"
 #include "words/core_words.h"
+#include "workbench/link_selection.h"
 
 namespace handsight::app {
 
 using widgets::PatternPage;
 using widgets::ScatterPlot;
 
-FailingPane::FailingPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+FailingPane::FailingPane(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   make_layout();
   connect_all();
   say_proof();
@@ -30,7 +30,7 @@ FailingPane::FailingPane(Workbench& bench, QWidget* parent) : QWidget(parent), b
 void FailingPane::make_layout() {
   title_ = new QLabel(tr("Where it fails"), this);
   title_->setObjectName("failing_title");
-  title_->setFixedHeight(widgets::kControlHeight);
+  title_->setFixedHeight(widgets::control_height);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
   const auto tab = [this](const QString& text, const char* name) {
     auto* button = new QToolButton(this);
@@ -114,15 +114,15 @@ void FailingPane::connect_all() {
   connect(&shows_timer_, &QTimer::timeout, this, &FailingPane::find_next_shows);
   connect(page_, &PatternPage::plot_selected, this, &FailingPane::choose_plot);
   connect(resort_, &QPushButton::clicked, this, &FailingPane::resort);
-  link_selection(page_, bench_);
-  link_selection(large_, bench_);
+  link_selection(page_, workbench_);
+  link_selection(large_, workbench_);
   connect(common_, &QPushButton::clicked, this, [this] { show_variable(common_variable_); });
-  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, &FailingPane::say_proof);
-  connect(&bench_.selection, &Selection::changed, this, [this] {
+  connect(&workbench_.diagnosing, &Diagnosing::diagnosis_changed, this, &FailingPane::say_proof);
+  connect(&workbench_.selection, &Selection::changed, this, [this] {
     if (isVisible()) refresh_selection();
   });
-  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
-    const auto id = bench_.selection.hovered().observation.value_or(widgets::kNoObservation);
+  connect(&workbench_.selection, &Selection::hover_changed, this, [this] {
+    const auto id = workbench_.selection.hovered().observation.value_or(widgets::no_observation);
     large_->set_hovered(id);
     page_->set_hovered(id);
   });
@@ -132,11 +132,11 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
                                                      const std::vector<Eigen::VectorXd>* values) {
   std::vector<widgets::PatternPlot> list;
   for (const PlotKey& key : places_) {
-    auto plot = pattern_plot(key, residuals, bench_, values);
+    auto plot = pattern_plot(key, residuals, workbench_, values);
     if (!plot) continue;
     if (!values && &residuals == residuals_.get()) {
       const auto found = shows_.find(key);
-      if (found == shows_.end() && bench_.story().lead() && !shows_timer_.isActive()) shows_timer_.start();
+      if (found == shows_.end() && workbench_.story().lead() && !shows_timer_.isActive()) shows_timer_.start();
       if (found != shows_.end()) plot->shows = found->second;
     }
     list.push_back(std::move(*plot));
@@ -186,13 +186,13 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
 /// the model was taken back) or where nothing followed anything is no order of what fails now.
 bool FailingPane::has_to_be_sorted() const {
   if (places_.empty()) return true;
-  const bool was_taken_back = bench_.document.undo_stack().index() < order_of_;
+  const bool was_taken_back = workbench_.document.undo_stack().index() < order_of_;
   return was_taken_back || (is_order_of_chance_ && !follows_by_chance(*residuals_));
 }
 
 void FailingPane::sort_places() {
   places_ = strongest_plots(*residuals_);
-  order_of_ = bench_.document.undo_stack().index();
+  order_of_ = workbench_.document.undo_stack().index();
   is_order_of_chance_ = follows_by_chance(*residuals_);
   chosen_ = 0;
 }
@@ -211,10 +211,11 @@ void FailingPane::refresh_shows() {
 
 void FailingPane::find_next_shows() {
   // Only what the verdict names: other names beside it would be another story.
-  const StoryCause* lead = bench_.story().lead();
+  const StoryCause* lead = workbench_.story().lead();
   for (const PlotKey& key : places_)
     if (residuals_ && lead && !shows_.contains(key)) {
-      shows_[key] = shows_there(key, *residuals_, bench_.diagnosing, lead->id) ? effect_of(lead->id, {}) : QString();
+      shows_[key] =
+          shows_there(key, *residuals_, workbench_.diagnosing, lead->id) ? term_effect(lead->id, {}) : QString();
       return;
     }
   shows_timer_.stop();
@@ -231,7 +232,7 @@ std::vector<widgets::PatternPlot> FailingPane::all_plots(const ModelResiduals& r
                                                          const std::vector<Eigen::VectorXd>* values) {
   std::vector<widgets::PatternPlot> list;
   if (shows_proof()) {
-    for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(p, bench_, added_));
+    for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(p, workbench_, added_));
     return list;
   }
   list = plots(residuals, values);
@@ -261,11 +262,11 @@ std::optional<widgets::PatternPlot> FailingPane::plot_at(int place) const {
   if (!residuals_ || place < 0) return std::nullopt;
   if (shows_proof())
     return static_cast<std::size_t>(place) < proof_.plots.size()
-               ? std::optional(proof_plot(proof_.plots[static_cast<std::size_t>(place)], bench_, added_))
+               ? std::optional(proof_plot(proof_.plots[static_cast<std::size_t>(place)], workbench_, added_))
                : std::nullopt;
   const PlotKey* key = key_at(place);
   if (!key) return std::nullopt;
-  auto plot = pattern_plot(*key, *residuals_, bench_);
+  auto plot = pattern_plot(*key, *residuals_, workbench_);
   const auto at = static_cast<std::size_t>(key - places_.data());
   if (plot && at < predictions_.size()) plot->candidate = predictions_[at];
   return plot;
@@ -306,10 +307,10 @@ void FailingPane::show_noise(std::uint64_t seed, const QString& title) {
     const auto values = noise_alone(residuals_->views, seed);
     page_->update_plots(all_plots(*residuals_, &values));
     const PlotKey* key = key_at(chosen_);
-    return put_points(key ? pattern_plot(*key, *residuals_, bench_, &values) : std::nullopt, title);
+    return put_points(key ? pattern_plot(*key, *residuals_, workbench_, &values) : std::nullopt, title);
   }
   std::vector<widgets::PatternPlot> list;
-  for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(noise_in_place_of(p, seed), bench_, 0));
+  for (const ProofPlot& p : proof_.plots) list.push_back(proof_plot(put_noise_in_place(p, seed), workbench_, 0));
   put_points(list[static_cast<std::size_t>(chosen_)], title);
   page_->update_plots(std::move(list));
 }
@@ -324,7 +325,7 @@ void FailingPane::show_instead(const ModelResiduals& residuals, const QString& t
   }
   page_->update_plots(all_plots(residuals, nullptr));
   const PlotKey* key = key_at(chosen_);
-  put_points(key ? pattern_plot(*key, residuals, bench_) : std::nullopt, title);
+  put_points(key ? pattern_plot(*key, residuals, workbench_) : std::nullopt, title);
 }
 
 void FailingPane::show_measured_again() {
@@ -340,13 +341,13 @@ void FailingPane::show_measured_again() {
 void FailingPane::set_prediction(const EffectView* view, const Eigen::VectorXd& numbers) {
   follow_mode();
   predictions_.clear();
-  const auto unit = bench_.units.unit();
+  const auto unit = workbench_.units.unit();
   if (view && residuals_)
     for (const PlotKey& key : places_) predictions_.push_back(predicted_trend(key, *residuals_, *view, numbers, unit));
   std::vector<std::vector<widgets::TrendPoint>> all = predictions_;
   if (shows_proof()) {
     all.clear();
-    for (const ProofPlot& p : proof_.plots) all.push_back(proof_plot(p, bench_, added_).candidate);
+    for (const ProofPlot& p : proof_.plots) all.push_back(proof_plot(p, workbench_, added_).candidate);
   }
   page_->set_candidates(all);
   if (const auto plot = plot_at(chosen_)) large_->set_candidate(plot->candidate);
@@ -373,8 +374,8 @@ void FailingPane::show_variable(const std::string& variable) {
 }
 
 void FailingPane::refresh_selection() {
-  const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
-  const auto& many = bench_.selection.many();
+  const auto id = workbench_.selection.current().observation.value_or(widgets::no_observation);
+  const auto& many = workbench_.selection.many();
   const std::vector<widgets::ObservationId> ids = many.size() > 1
                                                       ? std::vector<widgets::ObservationId>(many.begin(), many.end())
                                                       : std::vector<widgets::ObservationId>{};
@@ -388,12 +389,12 @@ void FailingPane::refresh_selection() {
 void FailingPane::look_for_common() {
   common_->hide();
   common_variable_.clear();
-  const auto& many = bench_.selection.many();
+  const auto& many = workbench_.selection.many();
   if (!residuals_ || many.size() < 2) return;
   const ResidualViews& v = residuals_->views;
   std::vector<char> chosen;
   for (const ProblemObservation& o : v.problem.observations)
-    chosen.push_back(many.contains(id_at(bench_.document.session(), o.index)) ? 1 : 0);
+    chosen.push_back(many.contains(id_at(workbench_.document.session(), o.index)) ? 1 : 0);
   auto list = what_is_common(v.variables, chosen);
   // What was dragged over is no news.
   if (const auto plot = plot_at(chosen_); plot && list.size() > 1)

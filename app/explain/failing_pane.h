@@ -27,7 +27,7 @@ class FailingPane : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FailingPane(Workbench& bench, QWidget* parent = nullptr);
+  explicit FailingPane(Workbench& workbench, QWidget* parent = nullptr);
 
   /// The residuals that are shown (null: none yet). `fresh`: of another session; else places and axes stay.
   void show_residuals(std::shared_ptr<const ModelResiduals> residuals, bool fresh);
@@ -95,7 +95,7 @@ class FailingPane : public QWidget {
   void look_for_common();
   std::vector<widgets::PatternPlot> plots(const ModelResiduals& residuals, const std::vector<Eigen::VectorXd>* values);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::shared_ptr<const ModelResiduals> residuals_;
   std::vector<PlotKey> places_;
   std::vector<std::vector<widgets::TrendPoint>> predictions_;

@@ -30,14 +30,14 @@ void FailingPane::say_proof() {
 }
 
 void FailingPane::say_patterns() {
-  const auto diagnosis = bench_.diagnosis_of(bench_.document.shown_model());
-  const StoryState state = bench_.story().state;
+  const auto diagnosis = workbench_.find_diagnosis(workbench_.document.shown_model());
+  const StoryState state = workbench_.story().state;
   const bool agrees = diagnosis && (state == StoryState::at_the_noise || state == StoryState::unnamed_at_the_noise ||
-                                    state == StoryState::scatter);
+                                    state == StoryState::repeatability);
   const QString title = agrees ? tr("What is left") : tr("Where it fails");
   title_->setText(residuals_ ? titled(title, *residuals_) : title);
   const PlotKey* key = key_at(chosen_);
-  const QString alone = agrees && key ? as_if_alone(*key, diagnosis->scatter) : QString();
+  const QString alone = agrees && key ? as_if_alone(*key, diagnosis->repeatability) : QString();
   hint_->setText(alone.isEmpty()
                      ? tr("Hold N: noise alone    Hold B: before and after    Shift + drag: what have these in common?")
                      : alone);
@@ -116,7 +116,7 @@ void FailingPane::show_proof_added(Proof proof) {
   lead_ = {};
   if (proof.is_empty()) return end_proof();
   const bool is_same = proof.name == proof_.name && !proof_.is_empty();
-  proof.plots = in_the_order_of(proof_.plots, std::move(proof.plots));
+  proof.plots = in_same_order(proof_.plots, std::move(proof.plots));
   proof_ = std::move(proof);
   added_ = 0;
   wants_patterns_ = false;

@@ -24,8 +24,8 @@ namespace handsight::app {
 using widgets::CandidateList;
 using widgets::EffectTable;
 
-MissingPane::MissingPane(Workbench& bench, Adding& adding, QWidget* parent)
-    : QWidget(parent), bench_(bench), adding_(adding) {
+MissingPane::MissingPane(Workbench& workbench, Adding& adding, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), adding_(adding) {
   make_layout();
   connect_all();
 }
@@ -57,7 +57,7 @@ void MissingPane::make_layout() {
   table_->view()->setColumnHidden(why_column, true);
   truth_ = new widgets::TruthPanel(this);
   truth_->setObjectName("truth");
-  poses_ = new PosesPane(bench_, this);
+  poses_ = new PosesPane(workbench_, this);
   poses_->setObjectName("poses");
   row_reason_ = new QLabel(tr("Point at an effect, and here stands why. A double click opens its slider."), this);
   row_reason_->setObjectName("row_reason");
@@ -83,7 +83,7 @@ void MissingPane::make_layout() {
 }
 
 void MissingPane::make_until_it_stops() {
-  adding_on_ = new AddingOn(bench_, adding_, *cards_, this);
+  adding_on_ = new AddingOn(workbench_, adding_, *cards_, this);
   until_it_stops_ = new QPushButton(this);
   until_it_stops_->setObjectName("until_it_stops");
   until_it_stops_->setToolTip(
@@ -115,12 +115,12 @@ void MissingPane::connect_all() {
   connect(cards_, &CandidateList::what_if, this, &MissingPane::what_if);
   connect(cards_, &CandidateList::show_poses, this, [this](const QString& id) { show_poses(id.toStdString()); });
   connect(cards_, &CandidateList::measured, this, [this](const QString& id, const QString& text) {
-    const auto diagnosis = bench_.diagnosing.diagnosis();
+    const auto diagnosis = workbench_.diagnosing.diagnosis();
     if (!diagnosis) return;
-    const QString refusal = take_reading(bench_.document, *diagnosis, id.toStdString(), text);
+    const QString refusal = take_reading(workbench_.document, *diagnosis, id.toStdString(), text);
     if (!refusal.isEmpty()) cards_->set_measured_note(id, refusal);
   });
-  connect(&bench_.document, &Document::readings_changed, this, &MissingPane::refresh);
+  connect(&workbench_.document, &Document::readings_changed, this, &MissingPane::refresh);
   connect(cards_, &CandidateList::why_not_requested, this, [this] { pages_->setCurrentWidget(table_page_); });
   connect(cards_, &CandidateList::action, this, [this](const QString& action) {
     if (action == "plan") show_poses({});
@@ -144,7 +144,7 @@ void MissingPane::connect_all() {
     cards_->set_can_add(false);
   });
   connect(&adding_, &Adding::ended, this, [this] { cards_->set_can_add(true); });  // the workspace refreshes
-  connect(&bench_.document, &Document::opened, this, [this] {
+  connect(&workbench_.document, &Document::opened, this, [this] {
     show_cards();
     shown_for_.reset();
   });
@@ -158,7 +158,9 @@ void MissingPane::explain_row(const QString& id) {
                            (row.same_as.isEmpty() ? QString() : ' ' + row.same_as) + ". " + row.reason);
 }
 
-bool MissingPane::can_reveal() const { return bench_.document.is_open() && knows_truth(bench_.document.session()); }
+bool MissingPane::can_reveal() const {
+  return workbench_.document.is_open() && knows_truth(workbench_.document.session());
+}
 
 void MissingPane::reveal() {
   refresh_truth();
@@ -181,12 +183,13 @@ void MissingPane::show_poses(const std::string& id) {
 }
 
 void MissingPane::refresh_truth() {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   truth_->set_empty_text(tr("This session does not know its truth."));
-  if (!model || !model->fit || !knows_truth(bench_.document.session())) return truth_->set_rows({}, {});
+  if (!model || !model->fit || !knows_truth(workbench_.document.session())) return truth_->set_rows({}, {});
   try {
-    const TruthComparison c = compare_with_truth(bench_.document.session(), read_truth(bench_.document.session()),
-                                                 *model->fit, bench_.diagnosing.diagnosis().get());
+    const TruthComparison c =
+        compare_with_truth(workbench_.document.session(), read_truth(workbench_.document.session()), *model->fit,
+                           workbench_.diagnosing.diagnosis().get());
     if (c.rows.empty()) truth_->set_empty_text(c.sentence);
     truth_->set_rows(c.rows, c.sentence);
   } catch (const InputError& error) {
@@ -212,22 +215,22 @@ void MissingPane::allow_until_it_stops() {
 }
 
 void MissingPane::refresh_cards() {
-  const ModelVersionPointer model = bench_.document.model();
-  const auto diagnosis = bench_.diagnosing.diagnosis();
+  const ModelVersionPointer model = workbench_.document.model();
+  const auto diagnosis = workbench_.diagnosing.diagnosis();
   if (pages_->currentWidget() == truth_page_) refresh_truth();
   if (!model || !model->fit) {
-    const auto& observations = bench_.document.session().observations;
+    const auto& observations = workbench_.document.session().observations;
     const auto used = std::count_if(observations.begin(), observations.end(), is_used);
-    cards_->set_empty_text(bench_.refit.is_pending()
+    cards_->set_empty_text(workbench_.refit.is_pending()
                                ? tr("Comes with the fit of %1 observations.").arg(used)
                                : tr("Waits for a fit of at least 8 observations; %1 so far.").arg(used));
-    if (!bench_.refit.is_pending()) cards_->set_cards({}, widgets::CardOrder::fresh);
+    if (!workbench_.refit.is_pending()) cards_->set_cards({}, widgets::CardOrder::fresh);
     return;
   }
   if (!diagnosis) {
-    const bool runs = bench_.diagnosing.is_running();
+    const bool runs = workbench_.diagnosing.is_running();
     cards_->set_empty_text(runs ? tr("Trying every effect of the catalogue ...") : QString());
-    cards_->set_progress(runs ? tr("%1 %").arg(std::lround(100 * bench_.diagnosing.share())) : QString());
+    cards_->set_progress(runs ? tr("%1 %").arg(std::lround(100 * workbench_.diagnosing.share())) : QString());
     std::vector<widgets::CardState> stopped;
     if (!runs)
       stopped.push_back({.id = "honest",
@@ -247,9 +250,9 @@ void MissingPane::refresh_cards() {
   const bool news = shown_for_ && same_fit(*shown_for_, *model);
   shown_for_ = model;
   cards_->set_empty_text(tr("Nothing to add."));
-  cards_->set_cards(candidate_cards(bench_, model, *diagnosis, adding_.refused()),
+  cards_->set_cards(candidate_cards(workbench_, model, *diagnosis, adding_.refused()),
                     news ? widgets::CardOrder::kept : widgets::CardOrder::fresh);
-  rows_ = effect_rows(bench_, *model, *diagnosis, adding_.refused());
+  rows_ = effect_rows(workbench_, *model, *diagnosis, adding_.refused());
   table_->set_rows(rows_);
 }
 

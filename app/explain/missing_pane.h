@@ -25,7 +25,7 @@ class MissingPane : public QWidget {
   Q_OBJECT
 
  public:
-  MissingPane(Workbench& bench, Adding& adding, QWidget* parent = nullptr);
+  MissingPane(Workbench& workbench, Adding& adding, QWidget* parent = nullptr);
 
   /// The cards of the present diagnosis, or what is waited for.
   void refresh();
@@ -60,7 +60,7 @@ class MissingPane : public QWidget {
   void explain_row(const QString& id);
   QWidget* page_with_way_back(QWidget* content, const QString& title, const char* name);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   Adding& adding_;
   AddingOn* adding_on_;
   QPushButton *until_it_stops_, *pause_;

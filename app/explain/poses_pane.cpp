@@ -45,7 +45,7 @@ std::string poses_csv(const Session& session, const Plan& plan) {
 
 }  // namespace
 
-PosesPane::PosesPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+PosesPane::PosesPane(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   title_ = new QLabel(tr("Poses that would tell"), this);
   title_->setFont(widgets::text_font(widgets::TextRole::title));
   back_ = new QPushButton(tr("Back to the candidates"), this);
@@ -88,46 +88,46 @@ PosesPane::PosesPane(Workbench& bench, QWidget* parent) : QWidget(parent), bench
     if (plan_ && chosen >= 0 && chosen < static_cast<int>(plan_->poses.size()))
       emit pose_chosen(plan_->poses[static_cast<std::size_t>(chosen)].position);
   });
-  connect(&bench.explaining, &Jobs::stopped, this, [this] {
+  connect(&workbench.explaining, &Jobs::stopped, this, [this] {
     if (!plan_ && table_->rowCount() == 0) sentence_->setText(tr("Stopped before poses were found."));
   });
-  connect(&bench.document, &Document::opened, this, [this] {
-    path_->setText(QString::fromStdString((folder(bench_.document.session()) / "poses.csv").string()));
+  connect(&workbench.document, &Document::opened, this, [this] {
+    path_->setText(QString::fromStdString((folder(workbench_.document.session()) / "poses.csv").string()));
     plan_.reset();
   });
 }
 
 void PosesPane::plan_for(const std::string& id) {
-  const ModelSettings settings = bench_.document.settings();
+  const ModelSettings settings = workbench_.document.settings();
   PlanOptions options;
   options.count = poses_planned;
   options.effects = settings.held;
   options.estimated = settings.estimated;
   QString what = tr("make the estimate surer");
   std::string rival;
-  if (const auto diagnosis = bench_.diagnosing.diagnosis(); diagnosis && !id.empty())
+  if (const auto diagnosis = workbench_.diagnosing.diagnosis(); diagnosis && !id.empty())
     for (const DiagnosisCandidate& c : diagnosis->candidates)
-      if (c.id == id && !c.cannot_be_told_from.empty()) {
-        rival = c.cannot_be_told_from.front();
-        what = tr("tell %1 from %2").arg(effect_of(id, c.where), effect_of(rival, {}));
+      if (c.id == id && !c.indistinguishable_from.empty()) {
+        rival = c.indistinguishable_from.front();
+        what = tr("tell %1 from %2").arg(term_effect(id, c.where), term_effect(rival, {}));
         for (const DiagnosisCandidate& other : diagnosis->candidates)
-          if (other.id == rival) options.between = RivalEffects{id, rival, c.terms, other.terms};
+          if (other.id == rival) options.between = CompetingEffects{id, rival, c.terms, other.terms};
       }
   plan_.reset();
   said_->clear();
   table_->setRowCount(0);
   save_->setEnabled(false);
   sentence_->setText(tr("Looking for poses that would %1 ...").arg(what));
-  bench_.explaining.start<Plan>(
+  workbench_.explaining.start<Plan>(
       "plan", tr("Planning poses"),
-      [session = bench_.document.shared_session(), options](JobControl&) { return plan(*session, options); },
+      [session = workbench_.document.shared_session(), options](JobControl&) { return plan(*session, options); },
       [this, what](const Plan& made) { show_plan(made, what); },
       [this](const QString& sentence) { sentence_->setText(sentence); });
 }
 
 void PosesPane::show_plan(const Plan& made, const QString& what) {
   plan_ = made;
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   QString text = tr("%1 more poses would %2. Choose one to see it in 3D.").arg(made.poses.size()).arg(what);
   if (session.is_touch())
     text = tr("%1 more touches would %2. Choose one to see it in 3D.").arg(made.poses.size()).arg(what);
@@ -168,7 +168,7 @@ void PosesPane::show_plan(const Plan& made, const QString& what) {
 void PosesPane::save() {
   if (!plan_) return;
   try {
-    replace_file(path_->text().trimmed().toStdString(), poses_csv(bench_.document.session(), *plan_));
+    replace_file(path_->text().trimmed().toStdString(), poses_csv(workbench_.document.session(), *plan_));
     said_->setText(tr("Written: %1, in rad and m.").arg(path_->text().trimmed()));
   } catch (const std::exception& error) {
     said_->setText(translated_error(error));

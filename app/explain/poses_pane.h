@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "bench/workbench.h"
 #include "diagnosis/planning/planning.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 class QLineEdit;
@@ -18,10 +18,10 @@ class PosesPane : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PosesPane(Workbench& bench, QWidget* parent = nullptr);
+  explicit PosesPane(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Plans poses that tell a candidate of the present diagnosis from the first that it cannot be told from; without an
-  /// id, poses for precision.
+  /// Plans poses that tell a candidate of the present diagnosis from the first that it cannot be distinguished from;
+  /// without an id, poses for precision.
   void plan_for(const std::string& id);
   const std::optional<Plan>& plan_shown() const { return plan_; }
 
@@ -33,7 +33,7 @@ class PosesPane : public QWidget {
   void show_plan(const Plan& plan, const QString& what);
   void save();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::optional<Plan> plan_;
   QLabel *title_, *sentence_, *said_;
   QTableWidget* table_;

@@ -64,7 +64,7 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
     const EffectParameter& parameter = effect.parameters[p];
     const ShownUnit unit = shown_unit(unit_at(effect, p, hidden.joint, session.robot));
     widgets::TruthRow row;
-    row.what = place.empty() ? effect_of(hidden.id, {}) : place_text(place);
+    row.what = place.empty() ? term_effect(hidden.id, {}) : place_text(place);
     row.parameter = number_title(parameter.name);
     row.unit = unit.unit;
     row.hidden = unit.scale * hidden.values[p];
@@ -87,7 +87,7 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
 
 /// Is the term a curve without a name that acts at this joint or follows its angle?
 bool is_curve_at(const EffectTerm& term, const std::string& joint, const Session& session) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   if (!effect.is_unnamed()) return false;
   if (place_name(effect, term.joint, session.robot) == joint) return true;
   return std::any_of(effect.definition->moves.begin(), effect.definition->moves.end(), [&](const DefinedMove& m) {
@@ -104,12 +104,12 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
     const bool is_curve = std::any_of(truth.curves.begin(), truth.curves.end(),
                                       [&](const auto& curve) { return is_curve_at(f.term, curve.first, session); });
     if (is_hidden || is_curve) continue;
-    const Effect& effect = effect_of(f.term);
+    const Effect& effect = term_effect(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
       widgets::TruthRow row;
-      row.what = name_of({f.term}, session);
+      row.what = display_name({f.term}, session);
       row.parameter = number_title(effect.parameters[p].name);
       row.unit = unit.unit;
       row.found = unit.scale * f.term.values[p];
@@ -123,12 +123,12 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
 
 QString hidden_text(const Session& session, const Truth& truth) {
   QStringList parts;
-  for (const std::string& id : ids_of(truth.effects)) {
+  for (const std::string& id : list_ids(truth.effects)) {
     std::vector<std::string> where;
     for (const EffectTerm& t : truth.effects)
       if (const std::string place = place_name(*find_effect(id), t.joint, session.robot); t.id == id && !place.empty())
         where.push_back(place);
-    parts << effect_of(id, where);
+    parts << term_effect(id, where);
   }
   for (const auto& [joint, formula] : truth.curves)
     parts << QObject::tr("a curve without a name in %1, %2 rad")
@@ -146,7 +146,7 @@ Truth read_truth(const Session& session) {
   const std::filesystem::path file = truth_file(session);
   const std::string name = shown_path(file);
   const auto document = parse_xml(read_file(file), name);
-  const XmlNode root = root_of(*document, name, "handsight_truth");
+  const XmlNode root = require_root(*document, name, "handsight_truth");
   Truth truth;
   if (const auto effects = find_child(root, "effects"))
     for (const XmlNode& node : children(*effects, "effect")) read_effect(node, session, truth.effects);

@@ -2,8 +2,8 @@
 // Reveal the truth: what was hidden in a sample session, beside what the model has found. Nothing else reads it.
 #pragma once
 
-#include "bench/workbench.h"
 #include "widgets/explain/truth_panel.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 

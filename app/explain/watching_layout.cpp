@@ -7,7 +7,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "bench/link_selection.h"
 #include "explain/watching_pane.h"
 #include "widgets/base/motion.h"
 #include "widgets/base/theme.h"
@@ -15,14 +14,15 @@
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/link_selection.h"
 
 namespace handsight::app {
 
-WatchingPane::WatchingPane(Workbench& bench, Adding& adding, QWidget* parent)
-    : QWidget(parent), bench_(bench), adding_(adding) {
+WatchingPane::WatchingPane(Workbench& workbench, Adding& adding, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), adding_(adding) {
   make_layout();
   connect_all();
-  bending_.setDuration(widgets::kShortMotion);
+  bending_.setDuration(widgets::short_motion);
   bending_.setStartValue(0.0);
   bending_.setEndValue(1.0);
   connect(&bending_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
@@ -108,27 +108,27 @@ void WatchingPane::connect_all() {
   connect(stairs_, &Staircase::compared, this, &WatchingPane::compare);
   connect(versions_, &VersionList::compared, this, &WatchingPane::compare);
   connect(versions_, &VersionList::take_back_requested, this, &WatchingPane::take_back);
-  link_selection(stairs_, bench_);
-  link_selection(cost_, bench_);
-  link_selection(cloud_, bench_);
-  link_selection(robot_, bench_);
+  link_selection(stairs_, workbench_);
+  link_selection(cost_, workbench_);
+  link_selection(cloud_, workbench_);
+  link_selection(robot_, workbench_);
   connect(&adding_, &Adding::began, this, &WatchingPane::began);
   connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
   connect(&adding_, &Adding::pictured, this, &WatchingPane::picture);
   connect(&adding_, &Adding::ended, this, &WatchingPane::ended);
-  connect(&bench_.document, &Document::opened, this, [this] {
+  connect(&workbench_.document, &Document::opened, this, [this] {
     robot_is_set_ = false;
     a_ = b_ = -1;
     rows_.clear();
-    memory_ = remembered_stairs(bench_.document.file());
+    memory_ = remembered_stairs(workbench_.document.file());
     cost_->clear();
     cloud_->reset();
     choose_tab(tab_stairs);
   });
-  connect(&bench_.selection, &Selection::changed, this, [this] {
+  connect(&workbench_.selection, &Selection::changed, this, [this] {
     if (!isVisible()) return;
-    cloud_->set_selected(bench_.selection.current().observation.value_or(widgets::kNoObservation));
-    const auto& many = bench_.selection.many();
+    cloud_->set_selected(workbench_.selection.current().observation.value_or(widgets::no_observation));
+    const auto& many = workbench_.selection.many();
     cloud_->set_highlighted(many.size() > 1 ? std::vector<widgets::ObservationId>(many.begin(), many.end())
                                             : std::vector<widgets::ObservationId>{});
     show_robot();

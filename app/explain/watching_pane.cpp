@@ -7,8 +7,6 @@
 #include <QStackedWidget>
 #include <algorithm>
 
-#include "bench/observation_views.h"
-#include "bench/touch_views.h"
 #include "document/bent_robot.h"
 #include "document/effect_words.h"
 #include "findings/bill_entries.h"
@@ -19,6 +17,8 @@
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/version_list.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/observation_views.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 namespace {
@@ -27,8 +27,8 @@ std::optional<double> shown(std::optional<double> error, bool in_pixels) {
   return error ? std::optional(in_pixels ? *error : 1e3 * *error) : std::nullopt;
 }
 
-widgets::VersionStep step_of(const ModelVersion& version, widgets::SizeUnit unit, std::optional<double> noise) {
-  const VersionSizes sizes = sizes_of(version, noise);
+widgets::VersionStep find_step(const ModelVersion& version, widgets::SizeUnit unit, std::optional<double> noise) {
+  const VersionSizes sizes = list_sizes(version, noise);
   return {version.cause.isEmpty() ? QObject::tr("as opened") : version.cause, sizes.fitted.in(unit),
           sizes.held_out.in(unit)};
 }
@@ -40,14 +40,14 @@ ModelVersionPointer WatchingPane::version_at(int row) const {
 }
 
 int WatchingPane::selected_index() const {
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   if (s.observations.empty()) return -1;
-  return std::max(0,
-                  bench_.document.index_of(bench_.selection.current().observation.value_or(s.observations.front().id)));
+  return std::max(0, workbench_.document.find_index(
+                         workbench_.selection.current().observation.value_or(s.observations.front().id)));
 }
 
-const RememberedStair* WatchingPane::memory_of(int index) const {
-  const QUndoStack& stack = bench_.document.undo_stack();
+const RememberedStair* WatchingPane::find_memory(int index) const {
+  const QUndoStack& stack = workbench_.document.undo_stack();
   for (const RememberedStair& s : memory_)
     if (s.index == index && index <= stack.count() && s.action == (index > 0 ? stack.text(index - 1) : QString()))
       return &s;
@@ -55,21 +55,21 @@ const RememberedStair* WatchingPane::memory_of(int index) const {
 }
 
 void WatchingPane::remember() {
-  if (!bench_.document.is_open()) return;
-  const QUndoStack& stack = bench_.document.undo_stack();
+  if (!workbench_.document.is_open()) return;
+  const QUndoStack& stack = workbench_.document.undo_stack();
   std::vector<RememberedStair> stairs;
-  const auto versions = bench_.document.versions();
+  const auto versions = workbench_.document.versions();
   for (int i = 0; i < static_cast<int>(versions.size()); ++i) {
     const ModelVersionPointer& v = versions[static_cast<std::size_t>(i)];
     const QString action = i > 0 ? stack.text(i - 1) : QString();
     if (v && v->fit) {
       stairs.push_back({i, action, v->cause, v->report->fitted, v->report->held_out});
-    } else if (const RememberedStair* memory = memory_of(i)) {
+    } else if (const RememberedStair* memory = find_memory(i)) {
       stairs.push_back(*memory);
     }
   }
   memory_ = stairs;
-  if (stairs.size() > 1) remember_stairs(bench_.document.file(), stairs);
+  if (stairs.size() > 1) remember_stairs(workbench_.document.file(), stairs);
 }
 
 void WatchingPane::refresh() {
@@ -94,18 +94,18 @@ void WatchingPane::show_bill() {
   if (!bill_->entries().empty()) choose_tab(tab_versions);
 }
 
-void WatchingPane::refresh_bill() { bill_->set_entries(bill_entries(bench_, bench_.document.shown_model())); }
+void WatchingPane::refresh_bill() { bill_->set_entries(bill_entries(workbench_, workbench_.document.shown_model())); }
 
 void WatchingPane::refresh_rows() {
   const ModelVersionPointer marked_a = compared_a(), marked_b = compared_b();
   rows_.clear();
   remember();
-  const auto versions = bench_.document.versions();
+  const auto versions = workbench_.document.versions();
   for (std::size_t i = 0; i < versions.size(); ++i) {
     const auto index = static_cast<int>(i);
     if (versions[i] && versions[i]->fit) {
       rows_.push_back({versions[i], nullptr, index});
-    } else if (const RememberedStair* memory = memory_of(index)) {
+    } else if (const RememberedStair* memory = find_memory(index)) {
       rows_.push_back({nullptr, nullptr, index, memory});
     }
     for (const Refusal& r : adding_.refused())
@@ -115,16 +115,16 @@ void WatchingPane::refresh_rows() {
   widgets::StaircaseState state;
   std::vector<widgets::VersionEntry> entries;
   std::optional<double> before;
-  const ModelVersionPointer now = bench_.document.shown_model();
-  const widgets::SizeUnit unit = bench_.units.unit();
+  const ModelVersionPointer now = workbench_.document.shown_model();
+  const widgets::SizeUnit unit = workbench_.units.unit();
   const auto noise = now && now->fit ? now->fit->noise : std::nullopt;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     if (row.memory) {
-      const bool in_pixels = !bench_.document.session().is_tracker();
+      const bool in_pixels = !workbench_.document.session().is_tracker();
       const widgets::VersionStep step{row.memory->cause.isEmpty() ? tr("as opened") : row.memory->cause,
-                                      size_of(row.memory->fitted, in_pixels, noise).in(unit),
-                                      size_of(row.memory->held_out, in_pixels, noise).in(unit)};
+                                      measure_size(row.memory->fitted, in_pixels, noise).in(unit),
+                                      measure_size(row.memory->held_out, in_pixels, noise).in(unit)};
       state.versions.push_back(step);
       entries.push_back({.name = step.name, .held_out = step.held_out, .fitted = step.fitted});
       if (before && step.held_out) entries.back().change = *step.held_out - *before;
@@ -132,12 +132,12 @@ void WatchingPane::refresh_rows() {
       continue;
     }
     if (!row.version) {
-      const QString name = effect_of(row.refusal->id, row.refusal->where);
+      const QString name = term_effect(row.refusal->id, row.refusal->where);
       state.versions.push_back({.name = name, .is_refused = true, .reason = row.refusal->reason});
       entries.push_back({.name = name, .detail = row.refusal->reason, .is_refused = true});
       continue;
     }
-    const widgets::VersionStep step = step_of(*row.version, unit, noise);
+    const widgets::VersionStep step = find_step(*row.version, unit, noise);
     state.versions.push_back(step);
     entries.push_back({.name = step.name, .held_out = step.held_out, .fitted = step.fitted});
     if (before && step.held_out) entries.back().change = *step.held_out - *before;
@@ -146,7 +146,7 @@ void WatchingPane::refresh_rows() {
     if (row.version == marked_a) a_ = static_cast<int>(i);
     if (row.version == marked_b) b_ = static_cast<int>(i);
   }
-  if (now && now->fit) state.noise = sizes_of(*now, noise).noise.in(unit);
+  if (now && now->fit) state.noise = list_sizes(*now, noise).noise.in(unit);
   state.unit = widgets::unit_name(unit);
   state.compared_a = a_;
   state.compared_b = b_;
@@ -158,8 +158,9 @@ void WatchingPane::refresh_rows() {
 }
 
 std::vector<widgets::CloudPoint> WatchingPane::in_unit(std::vector<widgets::CloudPoint> points) const {
-  std::erase_if(points,
-                [this](const widgets::CloudPoint& p) { return !bench_.sessions.is_observation_shown(p.observation); });
+  std::erase_if(points, [this](const widgets::CloudPoint& p) {
+    return !workbench_.sessions.is_observation_shown(p.observation);
+  });
   for (widgets::CloudPoint& p : points) {
     p.du *= cloud_scale_;
     p.dv *= cloud_scale_;
@@ -168,27 +169,27 @@ std::vector<widgets::CloudPoint> WatchingPane::in_unit(std::vector<widgets::Clou
 }
 
 void WatchingPane::refresh_cloud() {
-  const ModelVersionPointer now = bench_.document.shown_model();
-  if (const auto& rig = bench_.document.session().rig) cloud_->set_camera_names(camera_names_in_words(*rig));
+  const ModelVersionPointer now = workbench_.document.shown_model();
+  if (const auto& rig = workbench_.document.session().rig) cloud_->set_camera_names(camera_names_in_words(*rig));
   cloud_->set_predicted(false);
   if (!now || !now->fit) {
     cloud_->set_before({}, {});
     return cloud_->clear_after();
   }
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   const auto points = [&](const ModelVersionPointer& version) {
-    const auto residuals = bench_.diagnosing.residuals_of(version);
+    const auto residuals = workbench_.diagnosing.compute_residuals(version);
     if (!residuals) return std::vector<widgets::CloudPoint>{};
-    return in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, session)));
+    return in_unit(make_cloud(residuals->views.corners, ids_of_places(residuals->views.problem, session)));
   };
   const auto title = [&](const ModelVersionPointer& v) {
     const QString name = v->cause.isEmpty() ? tr("as opened") : v->cause;
-    const auto residuals = bench_.diagnosing.residuals_of(v);
+    const auto residuals = workbench_.diagnosing.compute_residuals(v);
     return residuals ? titled(name, *residuals) : name;
   };
-  if (const auto residuals = bench_.diagnosing.residuals_of(now)) {
-    const double noise = *shown(residuals->views.weighing.noise, now->inspection->in_pixels);
-    const bool in_sigma = bench_.units.unit() == widgets::SizeUnit::sigma;
+  if (const auto residuals = workbench_.diagnosing.compute_residuals(now)) {
+    const double noise = *shown(residuals->views.noise_model.noise, now->inspection->in_pixels);
+    const bool in_sigma = workbench_.units.unit() == widgets::SizeUnit::sigma;
     cloud_scale_ = in_sigma ? 1 / noise : 1;
     // In an image there are no mm: what is no sigma stays as it is measured.
     cloud_->set_unit(in_sigma                     ? widgets::SizeUnit::sigma
@@ -225,12 +226,12 @@ void WatchingPane::compare(int a, int b) {
   const ModelVersionPointer first = compared_a(), second = compared_b();
   QString sentence;
   if (first && second) {
-    const auto told = [&](const ModelVersion& version) {
-      return bench_.units.text(sizes_of(version, first->fit->noise).error());
+    const auto reported = [&](const ModelVersion& version) {
+      return workbench_.units.text(list_sizes(version, first->fit->noise).error());
     };
     const double moved = (first->fit->tcp_from_body.translation - second->fit->tcp_from_body.translation).norm();
     sentence = tr("A to B: %1 → %2 held out; TCP→Body moves %3 mm.")
-                   .arg(told(*first), told(*second), widgets::short_text(1e3 * moved));
+                   .arg(reported(*first), reported(*second), widgets::short_text(1e3 * moved));
     refresh_cloud();
   }
   versions_->set_comparison(sentence);
@@ -239,10 +240,10 @@ void WatchingPane::compare(int a, int b) {
 void WatchingPane::take_back(int row) {
   if (row < 0 || row >= static_cast<int>(rows_.size())) return;
   const int index = rows_[static_cast<std::size_t>(row)].index;
-  while (bench_.document.undo_stack().index() > index) {
-    const int before = bench_.document.undo_stack().index();
-    bench_.document.undo();
-    if (bench_.document.undo_stack().index() == before) return;
+  while (workbench_.document.undo_stack().index() > index) {
+    const int before = workbench_.document.undo_stack().index();
+    workbench_.document.undo();
+    if (workbench_.document.undo_stack().index() == before) return;
   }
 }
 
@@ -257,20 +258,20 @@ void WatchingPane::set_prediction(const ModelResiduals* residuals, const Candida
     refresh_cloud();
     return show_robot();
   }
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   const ResidualViews& v = residuals->views;
   const std::vector<std::int64_t> ids = ids_of_places(v.problem, session);
   std::vector<CornerResidual> after = v.corners;
   const Eigen::VectorXd change = view->effect.corners * numbers;
   for (std::size_t c = 0; c < after.size(); ++c)
     after[c].residual -= change.segment<2>(static_cast<Eigen::Index>(2 * c));
-  cloud_->set_before(in_unit(cloud_of(v.corners, ids)), tr("now"));
-  cloud_->set_after(in_unit(cloud_of(after, ids)), tr("predicted with it"));
+  cloud_->set_before(in_unit(make_cloud(v.corners, ids)), tr("now"));
+  cloud_->set_after(in_unit(make_cloud(after, ids)), tr("predicted with it"));
   cloud_->set_predicted(true);
   // In mm the staircase cannot show it before it is fitted; the header tells it in px.
-  ResidualSize left = size_of_error(rms_left(v, view->effect, numbers), !session.is_tracker(), v.weighing.noise);
-  if (const ModelVersionPointer now = bench_.document.shown_model()) left = as_read(left, *now);
-  stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = left.in(bench_.units.unit())});
+  ResidualSize left = size_of_error(rms_left(v, view->effect, numbers), !session.is_tracker(), v.noise_model.noise);
+  if (const ModelVersionPointer now = workbench_.document.shown_model()) left = as_read(left, *now);
+  stairs_->set_preview(widgets::VersionStep{.name = name, .held_out = left.in(workbench_.units.unit())});
   std::vector<EffectTerm> bent = v.problem.terms;
   bent.insert(bent.end(), terms.begin(), terms.end());
   straight_ = bent_links(*v.problem.source, selected_index(), {});
@@ -279,7 +280,7 @@ void WatchingPane::set_prediction(const ModelResiduals* residuals, const Candida
 }
 
 void WatchingPane::began(const QString&) {
-  const bool in_pixels = !bench_.document.session().is_tracker();
+  const bool in_pixels = !workbench_.document.session().is_tracker();
   stairs_->set_preview(std::nullopt);
   cloud_->set_predicted(false);
   cloud_->clear_after();
@@ -287,14 +288,14 @@ void WatchingPane::began(const QString&) {
   magnification_ = 1;
   bent_now_.clear();
   cost_->start(tr("rms of a coordinate"), in_pixels ? "px" : "mm");
-  const ModelVersionPointer now = bench_.document.model();
+  const ModelVersionPointer now = workbench_.document.model();
   cost_->set_floor(now && now->fit ? shown(now->fit->noise, in_pixels) : std::nullopt);
   const Tab tab = adding_.offered().name.isEmpty() ? tab_stairs : tab_fit;  // other names are sought without pictures
   choose_tab(tab);
-  if (const auto residuals = bench_.diagnosing.residuals())
-    cloud_->set_before(
-        in_unit(cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench_.document.session()))),
-        tr("before"));
+  if (const auto residuals = workbench_.diagnosing.residuals())
+    cloud_->set_before(in_unit(make_cloud(residuals->views.corners,
+                                          ids_of_places(residuals->views.problem, workbench_.document.session()))),
+                       tr("before"));
 }
 
 void WatchingPane::picture(const FitPicture& picture) {

@@ -28,7 +28,7 @@ class WatchingPane : public QWidget {
   Q_OBJECT
 
  public:
-  WatchingPane(Workbench& bench, Adding& adding, QWidget* parent = nullptr);
+  WatchingPane(Workbench& workbench, Adding& adding, QWidget* parent = nullptr);
 
   /// The versions, the cloud and the robot of the model that is shown.
   void refresh();
@@ -75,10 +75,10 @@ class WatchingPane : public QWidget {
   void bend(double share);  // of the way from one picture of a fit to the next
   void set_ghost(const std::vector<Rigid>& bent);
   ModelVersionPointer version_at(int row) const;
-  const RememberedStair* memory_of(int index) const;
+  const RememberedStair* find_memory(int index) const;
   int selected_index() const;  // the selected observation, into Session::observations
 
-  Workbench& bench_;
+  Workbench& workbench_;
   Adding& adding_;
   std::vector<RememberedStair> memory_;  // of this session's versions, from before it was opened and since
   std::vector<Row> rows_;

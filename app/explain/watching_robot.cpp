@@ -3,12 +3,12 @@
 #include <QLabel>
 #include <algorithm>
 
-#include "bench/observation_views.h"
-#include "bench/touch_views.h"
 #include "document/bent_robot.h"
 #include "explain/watching_pane.h"
 #include "widgets/base/number_text.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/observation_views.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 namespace {
@@ -33,17 +33,17 @@ std::vector<Vector3> places_of_interest(const Session& session, int index) {
 }  // namespace
 
 void WatchingPane::show_robot() {
-  const Session& session = bench_.document.session();
-  const ModelVersionPointer now = bench_.document.shown_model();
+  const Session& session = workbench_.document.session();
+  const ModelVersionPointer now = workbench_.document.shown_model();
   const int index = selected_index();
-  if (index < 0 || !bench_.document.is_open()) return;
+  if (index < 0 || !workbench_.document.is_open()) return;
   if (!robot_is_set_) {
     robot_->set_robot(session.robot, (folder(session) / session.robot_file).parent_path());
     robot_is_set_ = true;
   }
   robot_->set_interest(places_of_interest(session, index));
   const Observation& chosen = session.observations[static_cast<std::size_t>(index)];
-  robot_->set_fixtures(scene_fixtures(bench_.document, chosen, link_motions(session, chosen.position)));
+  robot_->set_fixtures(scene_fixtures(workbench_.document, chosen, link_motions(session, chosen.position)));
   if (!now || !now->fit) {
     straight_ = link_motions(session, session.observations[static_cast<std::size_t>(index)].position);
     robot_->set_posture(straight_);
@@ -54,12 +54,12 @@ void WatchingPane::show_robot() {
   straight_ = bent_links(*now->fit->problem.source, index, {});
   robot_->set_posture(straight_);
   robot_->set_selected_observation(session.observations[static_cast<std::size_t>(index)].id);
-  set_ghost(bent_links(*now->fit->problem.source, index, terms_of(*now->fit)));
+  set_ghost(bent_links(*now->fit->problem.source, index, list_terms(*now->fit)));
 }
 
 void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
   const double largest = largest_motion(straight_, bent);
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   const auto id = session.observations[static_cast<std::size_t>(selected_index())].id;
   if (largest < 1e-7) {
     robot_->set_ghost(std::nullopt);
@@ -76,7 +76,7 @@ void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
 }
 
 void WatchingPane::show_posture(const Eigen::VectorXd& position) {
-  robot_->set_posture(link_motions(bench_.document.session(), position));
+  robot_->set_posture(link_motions(workbench_.document.session(), position));
   robot_->set_ghost(std::nullopt);
   robot_title_->setText(tr("The planned pose"));
 }

@@ -102,7 +102,7 @@ class GainBars : public QWidget {
   GainBins shown_;
 };
 
-CorrectionBox::CorrectionBox(Workbench& bench, QWidget* parent) : QWidget(parent), bench_(bench) {
+CorrectionBox::CorrectionBox(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
   setObjectName("correction");
   auto* title = new QLabel(tr("What this buys you"), this);
   title->setFont(widgets::text_font(TextRole::title));
@@ -130,15 +130,15 @@ void CorrectionBox::show_model(const ModelVersionPointer& model, std::size_t han
   hand_ = hand;
   gain_.reset();
   show_gain();
-  bench_.background.start<CorrectionGain>(
+  workbench_.background.start<CorrectionGain>(
       "correction", tr("What correcting buys"),
       [model, hand,
-       session =
-           hand < model->hands.size() ? model->hands[hand].session : bench_.document.shared_session()](JobControl&) {
+       session = hand < model->hands.size() ? model->hands[hand].session
+                                            : workbench_.document.shared_session()](JobControl&) {
         std::vector<Eigen::VectorXd> measured;
         for (const Observation& o : session->observations)
           if (is_used(o)) measured.push_back(o.position);
-        return correction_gain(chain_of(*session),
+        return correction_gain(make_chain(*session),
                                hand < model->hands.size() ? model->hands[hand].prediction : model->prediction, measured,
                                poses, 1);
       },

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
-#include "bench/workbench.h"
 #include "correct/correction.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 
@@ -17,7 +17,7 @@ class CorrectionBox : public QWidget {
   Q_OBJECT
 
  public:
-  CorrectionBox(Workbench& bench, QWidget* parent);
+  CorrectionBox(Workbench& workbench, QWidget* parent);
   /// Of this model, worked out beside the window where it is not known; nothing is shown of a model without effects.
   /// `hand`: of a collection, which session's.
   void show_model(const ModelVersionPointer& model, std::size_t hand = 0);
@@ -27,7 +27,7 @@ class CorrectionBox : public QWidget {
  private:
   void show_gain();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   ModelVersionPointer model_;
   std::size_t hand_ = 0;
   std::optional<CorrectionGain> gain_;

@@ -15,10 +15,10 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
 #include "export/correction_box.h"
 #include "export/export_workspace.h"
 #include "export/exported.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 namespace {
@@ -101,7 +101,7 @@ QWidget* ExportWorkspace::make_left() {
   motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
   layout->addWidget(motion_);
-  correction_ = new CorrectionBox(bench_, left);
+  correction_ = new CorrectionBox(workbench_, left);
   layout->addWidget(correction_);
   excluded_title_ = heading(tr("Not used"), left);
   layout->addWidget(excluded_title_);
@@ -140,15 +140,15 @@ QWidget* ExportWorkspace::make_right() {
 }
 
 void ExportWorkspace::make_layout() {
-  told_ = new QWidget;
-  told_->setAutoFillBackground(true);
-  remarks_ = new QVBoxLayout(told_);
+  reported_ = new QWidget;
+  reported_->setAutoFillBackground(true);
+  remarks_ = new QVBoxLayout(reported_);
   remarks_->setContentsMargins(12, 8, 12, 8);
   remarks_->setSpacing(4);
   before_ = new QScrollArea(this);
   before_->setObjectName("export_remarks");
   before_->setAccessibleName(tr("Before you use it"));
-  before_->setWidget(told_);
+  before_->setWidget(reported_);
   before_->setWidgetResizable(true);
   before_->setFrameShape(QFrame::NoFrame);
   before_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

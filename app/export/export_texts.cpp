@@ -6,13 +6,13 @@
 
 #include "base/degrees.h"
 #include "base/numbers.h"
-#include "bench/model_effects.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
 #include "findings/explain_texts.h"
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
+#include "workbench/model_effects.h"
 
 namespace handsight::app {
 namespace {
@@ -37,9 +37,9 @@ double moved_by_effects(const Fit& fit) {
 }
 
 QString effects_text(const Session& session, const Fit& fit) {
-  const std::vector<EffectTerm> terms = terms_of(fit);
+  const std::vector<EffectTerm> terms = list_terms(fit);
   QStringList names;
-  for (const std::string& id : ids_of(terms)) names << name_of(terms_of_effect(terms, id), session);
+  for (const std::string& id : list_ids(terms)) names << display_name(terms_of_effect(terms, id), session);
   return names.join(QObject::tr(", "));
 }
 
@@ -48,7 +48,7 @@ QString effects_text(const Session& session, const Fit& fit) {
 std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
   std::vector<MotionLine> lines;
   for (const FittedEffect& f : fit.effects) {
-    const Effect& effect = effect_of(f.term);
+    const Effect& effect = term_effect(f.term);
     const std::string place = place_name(effect, f.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
@@ -57,7 +57,7 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
           widgets::with_sigma_text(unit.scale * f.term.values[p],
                                    is_held ? std::nullopt : std::optional(unit.scale * f.sigmas[p]))
               .split(QString(" ± "));
-      const QString name = name_of({f.term}, session) +
+      const QString name = display_name({f.term}, session) +
                            (effect.parameters.size() > 1 ? ", " + number_title(effect.parameters[p].name) : QString());
       lines.push_back({name, parts.value(0), is_held ? QObject::tr("held") : parts.value(1), unit.unit});
     }
@@ -156,12 +156,12 @@ ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelV
   const auto ratio = error_and_noise(model).ratio();
   switch (verdict.state) {
     case SessionState::adequate:
-    case SessionState::scatter:  // nothing is to be mended before it is used
+    case SessionState::repeatability:  // nothing is to be mended before it is used
       return {verdict.sentence, false};
     case SessionState::waiting:
     case SessionState::looking:
-      return {verdict.sentence,
-              !ratio || *ratio >= most_beside_scatter || model.fit->covariance_kind == CovarianceKind::scatter};
+      return {verdict.sentence, !ratio || *ratio >= most_beside_repeatability ||
+                                    model.fit->covariance_kind == CovarianceKind::repeatability};
     default:
       return {verdict.sentence, true};
   }
@@ -171,7 +171,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
   std::vector<ExportRemark> remarks;
   if (!model.fit->converged())
     remarks.push_back({QObject::tr("The fit has not converged: more observations, or look at Inspect."), true});
-  if (model.fit->covariance_kind == CovarianceKind::scatter)
+  if (model.fit->covariance_kind == CovarianceKind::repeatability)
     remarks.push_back(
         {QObject::tr("The uncertainties come from how the observations differ, not from the noise alone: they hold for "
                      "poses like these."),

@@ -58,21 +58,21 @@ QString fresh_text(const FreshPose& pose) {
 
 }  // namespace
 
-ExportWorkspace::ExportWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+ExportWorkspace::ExportWorkspace(Workbench& workbench, QWidget* parent) : Workspace(workbench, parent) {
   setObjectName("export");
   make_layout();
-  connect(&bench.document, &Document::opened, this, [this] {
+  connect(&workbench.document, &Document::opened, this, [this] {
     exported_ = -1;
-    path_->setText(QString::fromStdString((folder(bench_.document.session()) / "calibration.xml").string()));
+    path_->setText(QString::fromStdString((folder(workbench_.document.session()) / "calibration.xml").string()));
     said_->hide();
     fill_hands();
   });
-  connect(&bench.document, &Document::model_changed, this, [this] {
+  connect(&workbench.document, &Document::model_changed, this, [this] {
     emit status_changed();
     if (is_active()) refresh();
   });
   for (auto signal : {&Diagnosing::diagnosis_changed, &Diagnosing::elsewhere_changed})
-    connect(&bench.diagnosing, signal, this, [this] {
+    connect(&workbench.diagnosing, signal, this, [this] {
       if (is_active()) refresh();
     });
   connect_buttons();
@@ -84,12 +84,12 @@ void ExportWorkspace::connect_buttons() {
   connect(pdf_, &QPushButton::clicked, this, [this] { save_report(true); });
   connect(certificate_, &QPushButton::clicked, this, &ExportWorkspace::save_certificate);
   connect(copy_, &QPushButton::clicked, this, [this] {
-    const ModelVersionPointer model = bench_.document.model();
+    const ModelVersionPointer model = workbench_.document.model();
     if (!model || !model->fit) return;
     QGuiApplication::clipboard()->setText(motion_text(tcp_from_body(*model, hand()), form()));
     say(tr("Copied, in m and rad."), false);
   });
-  connect(calibrate_, &QPushButton::clicked, this, [this] { emit bench_.workspace_requested(Place::calibrate); });
+  connect(calibrate_, &QPushButton::clicked, this, [this] { emit workbench_.workspace_requested(Place::calibrate); });
   connect(forms_, &QButtonGroup::idClicked, this, &ExportWorkspace::refresh_motion);
   connect(hand_, &QComboBox::currentIndexChanged, this, [this] {
     if (is_active()) refresh();
@@ -102,7 +102,7 @@ void ExportWorkspace::fill_hands() {
   const int before = hand_->currentIndex();
   const QSignalBlocker quiet(hand_);
   hand_->clear();
-  const QStringList names = bench_.sessions.names();
+  const QStringList names = workbench_.sessions.names();
   for (int i = 0; i < names.size(); ++i)
     hand_->addItem(QIcon(widgets::session_mark_picture(i, 16, devicePixelRatioF())), names[i]);
   hand_->setVisible(!names.isEmpty());
@@ -110,21 +110,21 @@ void ExportWorkspace::fill_hands() {
 }
 
 WorkStatus ExportWorkspace::status() const {
-  const ModelVersionPointer model = bench_.document.shown_model();
+  const ModelVersionPointer model = workbench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
   if (model->report->used < fewest_that_tell) return {WorkState::waiting, tr("waits for more observations")};
-  if (exported_ == bench_.document.revision()) return {WorkState::done, tr("exported")};
+  if (exported_ == workbench_.document.revision()) return {WorkState::done, tr("exported")};
   return {WorkState::open, exported_ < 0 ? tr("ready") : tr("changed since")};
 }
 
 void ExportWorkspace::activate() { refresh(); }
 
 void ExportWorkspace::refresh() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   const bool ready = model && model->fit;
-  empty_->setText(model && !model->fit         ? tr("Nothing to export: %1").arg(model->refusal)
-                  : bench_.jobs.is_busy("fit") ? tr("A fit runs; the export follows it.")
-                                               : tr("Nothing to export: TCP→Body has not been estimated."));
+  empty_->setText(model && !model->fit             ? tr("Nothing to export: %1").arg(model->refusal)
+                  : workbench_.jobs.is_busy("fit") ? tr("A fit runs; the export follows it.")
+                                                   : tr("Nothing to export: TCP→Body has not been estimated."));
   empty_->setVisible(!ready);
   calibrate_->setVisible(!ready);
   body_->setVisible(ready);
@@ -147,7 +147,7 @@ void ExportWorkspace::refresh() {
 
 /// As Explain says it.
 widgets::SessionVerdict ExportWorkspace::verdict(const ModelVersionPointer& model) const {
-  return session_verdict(bench_, model);
+  return session_verdict(workbench_, model);
 }
 
 void ExportWorkspace::refresh_remarks(const ModelVersionPointer& model) {
@@ -158,25 +158,25 @@ void ExportWorkspace::refresh_remarks(const ModelVersionPointer& model) {
   before_->setVisible(model != nullptr);
   if (!model) return;
   bool any_warning = false;
-  std::vector<ExportRemark> remarks = export_remarks(bench_.document, *model);
+  std::vector<ExportRemark> remarks = export_remarks(workbench_.document, *model);
   std::stable_partition(remarks.begin(), remarks.end(), [](const ExportRemark& remark) { return remark.is_warning; });
   remarks.insert(remarks.begin(), verdict_remark(verdict(model), *model));
   for (const ExportRemark& remark : remarks) {
-    auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, told_);
+    auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, reported_);
     label->setWordWrap(true);
     remarks_->addWidget(label);
     any_warning = any_warning || remark.is_warning;
   }
-  QPalette tinted = told_->palette();
+  QPalette tinted = reported_->palette();
   tinted.setColor(QPalette::Window, any_warning ? colors().care_tint : colors().good_tint);
-  told_->setPalette(tinted);
+  reported_->setPalette(tinted);
   fit_remarks();
 }
 
 /// However much there is to say, what is exported stays in sight, and the button that saves it.
 void ExportWorkspace::fit_remarks() {
   if (remarks_->isEmpty()) return;
-  const int least = 100, wanted = told_->heightForWidth(width() - 32), most = std::max(height() / 5, least);
+  const int least = 100, wanted = reported_->heightForWidth(width() - 32), most = std::max(height() / 5, least);
   // A bar that is there takes room, and by that seems needed where it is not.
   before_->setVerticalScrollBarPolicy(wanted > most ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   before_->setFixedHeight(std::min(wanted, most));
@@ -189,11 +189,11 @@ void ExportWorkspace::resizeEvent(QResizeEvent* event) {
 }
 
 void ExportWorkspace::refresh_motion() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) return;
   auto lines = motion_lines(*model, form(), hand());
   if (form() != MotionForm::matrix)
-    for (const MotionLine& line : effect_lines(bench_.document.session(), *model->fit)) lines.push_back(line);
+    for (const MotionLine& line : effect_lines(workbench_.document.session(), *model->fit)) lines.push_back(line);
   motion_->setRowCount(static_cast<int>(lines.size()));
   for (int r = 0; r < motion_->rowCount(); ++r) {
     const MotionLine& l = lines[static_cast<std::size_t>(r)];
@@ -292,11 +292,11 @@ void ExportWorkspace::say(const QString& sentence, bool is_refusal) {
 }
 
 void ExportWorkspace::save_xml() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) return;
   try {
     write_calibration(path(), *model->calibration);
-    exported_ = bench_.document.revision();
+    exported_ = workbench_.document.revision();
     say(tr("Written: %1").arg(path_->text()), false);
     refresh();
     emit status_changed();
@@ -306,15 +306,15 @@ void ExportWorkspace::save_xml() {
 }
 
 void ExportWorkspace::save_report(bool pdf) {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) return;
   std::filesystem::path file = path();
   file.replace_extension(pdf ? ".pdf" : ".html");
   try {
-    const auto pictures = report_pictures(bench_);
-    const ReportStory story = report_story(bench_, model);
-    const QByteArray bytes = pdf ? report_pdf(bench_.document, *model, pictures, story)
-                                 : report_html(bench_.document, *model, pictures, story).toUtf8();
+    const auto pictures = report_pictures(workbench_);
+    const ReportStory story = report_story(workbench_, model);
+    const QByteArray bytes = pdf ? report_pdf(workbench_.document, *model, pictures, story)
+                                 : report_html(workbench_.document, *model, pictures, story).toUtf8();
     replace_file(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     say(tr("Written: %1").arg(QString::fromStdString(file.string())), false);
   } catch (const std::exception& error) {
@@ -324,17 +324,17 @@ void ExportWorkspace::save_report(bool pdf) {
 
 /// Every observation is judged by a fit that has not seen it: five fits, in the background.
 void ExportWorkspace::save_certificate() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) return;
   std::filesystem::path file = path();
   file.replace_extension(".certificate.pdf");
-  bench_.background.start<std::string>(
+  workbench_.background.start<std::string>(
       "certificate", tr("Certificate"),
-      [model, session = session_of_hand(bench_.document, *model, hand()), hand = hand(),
+      [model, session = session_of_hand(workbench_.document, *model, hand()), hand = hand(),
        xml = path()](JobControl& control) {
         const CertificateRequest request =
             certificate_request(*session, calibration_of_hand(*model, hand), xml, "handsight " HANDSIGHT_VERSION);
-        const Certificate made = certificate_of(*session, request, [&](double done) {
+        const Certificate made = make_certificate(*session, request, [&](double done) {
           control.report(done);
           return !control.is_cancelled();
         });
@@ -353,9 +353,9 @@ void ExportWorkspace::save_certificate() {
 }
 
 void ExportWorkspace::save_for_others(const std::string& kind) {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (!model || !model->fit) return;
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   const std::filesystem::path urdf = folder(session) / session.robot_file;
   std::filesystem::path file = path();
   file.replace_extension(export_kind(kind).ending);
@@ -385,11 +385,11 @@ std::vector<Action> ExportWorkspace::own_actions() const {
                   .text = text,
                   .run =
                       [this, button, kind] {
-                        emit bench_.workspace_requested(Place::write_out);
+                        emit workbench_.workspace_requested(Place::write_out);
                         if (!kind.empty()) other_->setCurrentIndex(other_->findData(QString::fromStdString(kind)));
                         button->click();
                       },
-                  .is_possible = [this] { return bench_.document.is_open() && bench_.document.model(); }};
+                  .is_possible = [this] { return workbench_.document.is_open() && workbench_.document.model(); }};
   };
   std::vector<Action> actions = {offer("save_report_html", tr("Report as HTML"), html_),
                                  offer("save_report_pdf", tr("Report as PDF"), pdf_),

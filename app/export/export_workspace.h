@@ -2,8 +2,8 @@
 // The Export workspace: TCP->Body as it will be written, saved, copied, reported.
 #pragma once
 
-#include "bench/workspace.h"
 #include "export/export_texts.h"
+#include "workbench/workspace.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -23,7 +23,7 @@ class ExportWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit ExportWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit ExportWorkspace(Workbench& workbench, QWidget* parent = nullptr);
 
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
@@ -58,7 +58,7 @@ class ExportWorkspace : public Workspace {
   std::filesystem::path path() const;
 
   QScrollArea* before_;
-  QWidget *told_, *body_;
+  QWidget *reported_, *body_;
   QVBoxLayout* remarks_;
   CorrectionBox* correction_;
   QButtonGroup* forms_;

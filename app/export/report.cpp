@@ -10,7 +10,6 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/model_effects.h"
 #include "document/effect_words.h"
 #include "export/export_texts.h"
 #include "export/report_pages.h"
@@ -18,6 +17,7 @@
 #include "findings/robot_checks.h"
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
+#include "workbench/model_effects.h"
 
 namespace handsight::app {
 namespace {
@@ -175,7 +175,8 @@ QString bill_part(const std::vector<widgets::BillEntry>& bill) {
 /// The first page: what there is to say, before any number.
 QString story_part(const Document& document, const ReportStory& story) {
   const Session& s = document.session();
-  QString text = "<h1>" + name_of(s).toHtmlEscaped() + "</h1>\n<p><b>" + story.verdict.toHtmlEscaped() + "</b></p>\n";
+  QString text =
+      "<h1>" + display_name(s).toHtmlEscaped() + "</h1>\n<p><b>" + story.verdict.toHtmlEscaped() + "</b></p>\n";
   if (!story.next.isEmpty()) text += "<p>" + story.next.toHtmlEscaped() + "</p>\n";
   return text + "<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
          QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
@@ -242,7 +243,7 @@ QString report_html(const Document& document, const ModelVersion& model, const s
   return "<!DOCTYPE html>\n<html lang=\"" + language +
          "\"><head><meta charset=\"utf-8\"/>"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>" +
-         name_of(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
+         display_name(document.session()).toHtmlEscaped() + "</title><style>\n" + style + "</style></head><body>\n" +
          body(document, model, pictures, as_they_come(pictures.size()), story, Pages::of_a_browser, inside) +
          "</body></html>\n";
 }

@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "bench/observation_views.h"
 #include "findings/fit_watch.h"
 #include "findings/inspection_rows.h"
 #include "findings/pattern_plots.h"
@@ -15,6 +14,7 @@
 #include "widgets/explain/staircase.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/residual_map.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::app {
 namespace {
@@ -62,18 +62,18 @@ QString version_name(const ModelVersion& version) {
   return version.cause.isEmpty() ? QObject::tr("as opened") : version.cause;
 }
 
-void add_staircase(const Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+void add_staircase(const Workbench& workbench, const std::vector<ModelVersionPointer>& versions,
                    std::vector<ReportPicture>& pictures) {
   if (versions.size() < 2) return;
-  const SizeUnit unit = bench.units.unit();
+  const SizeUnit unit = workbench.units.unit();
   const auto noise = versions.back()->fit->noise;
   widgets::StaircaseState state;
   state.unit = widgets::unit_name(unit);
   for (const ModelVersionPointer& v : versions) {
-    const VersionSizes sizes = sizes_of(*v, noise);
+    const VersionSizes sizes = list_sizes(*v, noise);
     state.versions.push_back({version_name(*v), sizes.fitted.in(unit), sizes.held_out.in(unit)});
   }
-  state.noise = sizes_of(*versions.back(), noise).noise.in(unit);
+  state.noise = list_sizes(*versions.back(), noise).noise.in(unit);
   widgets::Staircase stairs;
   stairs.set_state(std::move(state));  // before it is shown: nothing is on its way
   lay_out(stairs, 640, 240);
@@ -81,16 +81,16 @@ void add_staircase(const Workbench& bench, const std::vector<ModelVersionPointer
       {QObject::tr("How the error fell from step to step, fitted and held out; hatched: the noise"), painted(stairs)});
 }
 
-std::vector<widgets::CloudPoint> cloud_of_version(Workbench& bench, const ModelVersionPointer& version) {
-  const auto residuals = bench.diagnosing.residuals_of(version);
+std::vector<widgets::CloudPoint> cloud_of_version(Workbench& workbench, const ModelVersionPointer& version) {
+  const auto residuals = workbench.diagnosing.compute_residuals(version);
   if (!residuals) return {};
-  return cloud_of(residuals->views.corners, ids_of_places(residuals->views.problem, bench.document.session()));
+  return make_cloud(residuals->views.corners, ids_of_places(residuals->views.problem, workbench.document.session()));
 }
 
-void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+void add_cloud(Workbench& workbench, const std::vector<ModelVersionPointer>& versions,
                std::vector<ReportPicture>& pictures) {
   const ModelVersionPointer &first = versions.front(), &last = versions.back();
-  auto before = cloud_of_version(bench, first), after = cloud_of_version(bench, last);
+  auto before = cloud_of_version(workbench, first), after = cloud_of_version(workbench, last);
   if (after.empty()) return;
   const bool in_pixels = last->inspection->in_pixels;
   widgets::ResidualCloud cloud;
@@ -107,16 +107,16 @@ void add_cloud(Workbench& bench, const std::vector<ModelVersionPointer>& version
   const QString caption =
       is_one ? QObject::tr("%1; the rings are one and three sigma").arg(of)
              : QObject::tr("%1, at first and now, on the same axes; the rings are one and three sigma").arg(of);
-  pictures.push_back({titled(caption, *bench.diagnosing.residuals_of(last)), painted(cloud)});
+  pictures.push_back({titled(caption, *workbench.diagnosing.compute_residuals(last)), painted(cloud)});
 }
 
-void add_patterns(Workbench& bench, const ModelVersionPointer& version, const std::vector<PlotKey>& keys,
+void add_patterns(Workbench& workbench, const ModelVersionPointer& version, const std::vector<PlotKey>& keys,
                   const QString& caption, std::vector<ReportPicture>& pictures) {
-  const auto residuals = bench.diagnosing.residuals_of(version);
+  const auto residuals = workbench.diagnosing.compute_residuals(version);
   if (!residuals) return;
   std::vector<widgets::PatternPlot> plots;
   for (const PlotKey& key : keys)
-    if (auto plot = pattern_plot(key, *residuals, bench)) plots.push_back(std::move(*plot));
+    if (auto plot = pattern_plot(key, *residuals, workbench)) plots.push_back(std::move(*plot));
   if (plots.empty()) return;
   widgets::PatternPage page;
   lay_out(page, 660, 420);
@@ -125,22 +125,23 @@ void add_patterns(Workbench& bench, const ModelVersionPointer& version, const st
 }
 
 /// Where the first model failed, and the same plots of the last one.
-void add_failures(Workbench& bench, const std::vector<ModelVersionPointer>& versions,
+void add_failures(Workbench& workbench, const std::vector<ModelVersionPointer>& versions,
                   std::vector<ReportPicture>& pictures) {
-  const auto residuals = bench.diagnosing.residuals_of(versions.front());
+  const auto residuals = workbench.diagnosing.compute_residuals(versions.front());
   if (!residuals) return;
   const std::vector<PlotKey> keys = strongest_plots(*residuals);
   const bool is_one = versions.size() < 2;
-  add_patterns(bench, versions.front(), keys,
+  add_patterns(workbench, versions.front(), keys,
                is_one ? QObject::tr("The residual against what it may follow, strongest first")
                       : QObject::tr("Where the first model failed: the residual against what it followed most"),
                pictures);
   if (!is_one)
-    add_patterns(bench, versions.back(), keys, QObject::tr("The same with the model as it is now"), pictures);
+    add_patterns(workbench, versions.back(), keys, QObject::tr("The same with the model as it is now"), pictures);
 }
 
-void add_proof(const Workbench& bench, const ProofPlot& proof, bool is_in_model, std::vector<ReportPicture>& pictures) {
-  widgets::PatternPlot shown = proof_plot(proof, bench, 0);
+void add_proof(const Workbench& workbench, const ProofPlot& proof, bool is_in_model,
+               std::vector<ReportPicture>& pictures) {
+  widgets::PatternPlot shown = proof_plot(proof, workbench, 0);
   widgets::ScatterPlot plot;
   lay_out(plot, 640, 230);
   plot.set_axes(shown.against, shown.x_unit, shown.what, shown.y_unit);
@@ -151,53 +152,53 @@ void add_proof(const Workbench& bench, const ProofPlot& proof, bool is_in_model,
 }
 
 /// What every observation says of each site that the model's effects move, with the curve of what was estimated.
-void add_proofs(const Workbench& bench, const ModelVersion& version, std::vector<ReportPicture>& pictures) {
+void add_proofs(const Workbench& workbench, const ModelVersion& version, std::vector<ReportPicture>& pictures) {
   std::vector<EffectTerm> estimated;
   for (const FittedEffect& f : version.fit->effects)
     if (std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double sigma) { return sigma > 0; }))
       estimated.push_back(f.term);
   constexpr std::size_t most = 8;
-  const std::vector<ProofPlot> proofs = proof_of(bench.document.session(), *version.fit, estimated);
-  for (std::size_t i = 0; i < std::min(most, proofs.size()); ++i) add_proof(bench, proofs[i], true, pictures);
+  const std::vector<ProofPlot> proofs = make_proof(workbench.document.session(), *version.fit, estimated);
+  for (std::size_t i = 0; i < std::min(most, proofs.size()); ++i) add_proof(workbench, proofs[i], true, pictures);
 }
 
 /// The plot that proves the cause by which the story goes.
-void add_lead(const Workbench& bench, std::vector<ReportPicture>& pictures) {
-  const StoryCause* lead = bench.story().lead();
-  const auto view = lead ? bench.diagnosing.view_of(lead->id) : nullptr;
-  if (view && !view->proof.empty()) add_proof(bench, view->proof.front(), false, pictures);
+void add_lead(const Workbench& workbench, std::vector<ReportPicture>& pictures) {
+  const StoryCause* lead = workbench.story().lead();
+  const auto view = lead ? workbench.diagnosing.find_view(lead->id) : nullptr;
+  if (view && !view->proof.empty()) add_proof(workbench, view->proof.front(), false, pictures);
 }
 
-void add_histogram(const Workbench& bench, const Inspection& all, std::vector<ReportPicture>& pictures) {
+void add_histogram(const Workbench& workbench, const Inspection& all, std::vector<ReportPicture>& pictures) {
   widgets::HistogramPlot histogram;
   lay_out(histogram, 640, 300);
   histogram.set_noise(all.noise ? std::optional((all.in_pixels ? 1 : 1e3) * *all.noise) : std::nullopt,
                       all.in_pixels ? "px" : "mm");
-  histogram.set_unit(bench.units.unit());
-  histogram.set_cells(bench.shown_cells());
+  histogram.set_unit(workbench.units.unit());
+  histogram.set_cells(workbench.shown_cells());
   histogram.fit();
   pictures.push_back({QObject::tr("Error of each observation against the noise (hatched: what noise alone shows)"),
                       histogram.picture()});
 }
 
-void add_map(const Workbench& bench, std::vector<ReportPicture>& pictures) {
-  const Session& s = bench.document.session();
+void add_map(const Workbench& workbench, std::vector<ReportPicture>& pictures) {
+  const Session& s = workbench.document.session();
   if (!s.rig) return;
   widgets::ResidualMap map;
   lay_out(map, 640, 480);
   map.set_image_size(s.rig->at(0).camera.width, s.rig->at(0).camera.height);
-  map.set_unit(bench.units.unit());
-  map.set_points(map_points(bench));
+  map.set_unit(workbench.units.unit());
+  map.set_points(map_points(workbench));
   map.fit();
   pictures.push_back({QObject::tr("Residuals over the image, arrows magnified"), map.picture()});
 }
 
 /// The worst of the observations that count; with images where any has them.
-const Observation* shown_observation(const Workbench& bench, const Inspection& all) {
+const Observation* shown_observation(const Workbench& workbench, const Inspection& all) {
   const Observation* best = nullptr;
   double worst = -1;
   for (const InspectionRow& row : all.rows) {
-    const Observation* o = bench.document.find(row.id);
+    const Observation* o = workbench.document.find(row.id);
     if (!o || !row.is_used || !row.rms || row.markers.empty()) continue;
     const double rank = *row.rms + (o->images[0].empty() ? 0 : 1e6);
     if (rank <= worst) continue;
@@ -207,15 +208,15 @@ const Observation* shown_observation(const Workbench& bench, const Inspection& a
   return best;
 }
 
-void add_robot(const Workbench& bench, const Observation& o, const Inspection& all,
+void add_robot(const Workbench& workbench, const Observation& o, const Inspection& all,
                std::vector<ReportPicture>& pictures) {
-  const Session& s = bench.document.session();
+  const Session& s = workbench.document.session();
   widgets::RobotView view;
   lay_out(view, 640, 480);
   view.set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
-  const InspectionRow* row = bench.row(o.id);
-  show_pose(bench.document, o, row, view);
-  view.set_arrows(scene_arrows(bench.document.session(), all, bench.sessions));
+  const InspectionRow* row = workbench.row(o.id);
+  show_pose(workbench.document, o, row, view);
+  view.set_arrows(scene_arrows(workbench.document.session(), all, workbench.sessions));
   if (row && row->tcp_from_tcp_est)
     view.set_ghost_magnification(
         magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all.noise_m, 0.05));
@@ -228,10 +229,10 @@ void add_robot(const Workbench& bench, const Observation& o, const Inspection& a
                       view.picture(sharpness)});
 }
 
-void add_images(Workbench& bench, const Observation& o, std::vector<ReportPicture>& pictures) {
-  if (!bench.document.session().rig || o.images[0].empty()) return;
+void add_images(Workbench& workbench, const Observation& o, std::vector<ReportPicture>& pictures) {
+  if (!workbench.document.session().rig || o.images[0].empty()) return;
   QWidget pair;
-  const int count = std::min(2, bench.document.session().rig->count());
+  const int count = std::min(2, workbench.document.session().rig->count());
   lay_out(pair, count == 2 ? 660 : 480, count == 2 ? 262 : 380);
   std::vector<ShownCamera> shown;
   for (int camera = 0; camera < count; ++camera) {
@@ -240,9 +241,9 @@ void add_images(Workbench& bench, const Observation& o, std::vector<ReportPictur
     shown.back().view->setGeometry(camera * (wide + 6), 0, wide, pair.height());
     shown.back().view->show();
   }
-  const InspectionRow* row = bench.row(o.id);
-  show_images(bench, o, row, shown, true, true);
-  const double times = row ? magnification_over_noise(row->worst_size, bench.inspection()->noise, 40) : 1;
+  const InspectionRow* row = workbench.row(o.id);
+  show_images(workbench, o, row, shown, true, true);
+  const double times = row ? magnification_over_noise(row->worst_size, workbench.inspection()->noise, 40) : 1;
   for (const ShownCamera& one : shown) {
     one.view->set_magnification(times);
     one.view->fit();
@@ -254,24 +255,24 @@ void add_images(Workbench& bench, const Observation& o, std::vector<ReportPictur
 
 }  // namespace
 
-std::vector<ReportPicture> report_pictures(Workbench& bench) {
+std::vector<ReportPicture> report_pictures(Workbench& workbench) {
   std::vector<ReportPicture> pictures;
-  const Inspection* all = bench.inspection();
+  const Inspection* all = workbench.inspection();
   if (!all) return pictures;
   const OnPaper paper;
-  const std::vector<ModelVersionPointer> versions = fitted_versions(bench.document);
-  add_lead(bench, pictures);
+  const std::vector<ModelVersionPointer> versions = fitted_versions(workbench.document);
+  add_lead(workbench, pictures);
   if (!versions.empty()) {
-    add_staircase(bench, versions, pictures);
-    add_cloud(bench, versions, pictures);
-    add_failures(bench, versions, pictures);
-    add_proofs(bench, *versions.back(), pictures);
+    add_staircase(workbench, versions, pictures);
+    add_cloud(workbench, versions, pictures);
+    add_failures(workbench, versions, pictures);
+    add_proofs(workbench, *versions.back(), pictures);
   }
-  add_histogram(bench, *all, pictures);
-  add_map(bench, pictures);
-  if (const Observation* o = shown_observation(bench, *all)) {
-    add_images(bench, *o, pictures);
-    add_robot(bench, *o, *all, pictures);
+  add_histogram(workbench, *all, pictures);
+  add_map(workbench, pictures);
+  if (const Observation* o = shown_observation(workbench, *all)) {
+    add_images(workbench, *o, pictures);
+    add_robot(workbench, *o, *all, pictures);
   }
   return pictures;
 }

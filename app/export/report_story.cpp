@@ -8,10 +8,10 @@
 namespace handsight::app {
 namespace {
 
-QString name_of_lead(const Workbench& bench, const Story& story, const ModelVersionPointer& model) {
-  const auto diagnosis = bench.diagnosis_of(model);
+QString name_of_lead(const Workbench& workbench, const Story& story, const ModelVersionPointer& model) {
+  const auto diagnosis = workbench.find_diagnosis(model);
   if (!diagnosis || story.causes.empty()) return {};
-  return name_of(diagnosis->candidates[story.causes.front().candidate], bench.document.session());
+  return display_name(diagnosis->candidates[story.causes.front().candidate], workbench.document.session());
 }
 
 QString next_text(const Story& story, const QString& lead) {
@@ -38,10 +38,10 @@ QString next_text(const Story& story, const QString& lead) {
 
 }  // namespace
 
-ReportStory report_story(const Workbench& bench, const ModelVersionPointer& model) {
-  const Story& story = bench.story_of(model);
-  return {session_verdict(bench, model).sentence, next_text(story, name_of_lead(bench, story, model)),
-          bill_entries(bench, model)};
+ReportStory report_story(const Workbench& workbench, const ModelVersionPointer& model) {
+  const Story& story = workbench.find_story(model);
+  return {session_verdict(workbench, model).sentence, next_text(story, name_of_lead(workbench, story, model)),
+          bill_entries(workbench, model)};
 }
 
 }  // namespace handsight::app

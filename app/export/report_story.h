@@ -2,12 +2,12 @@
 // What a report says first: the story, its picture, the bill.
 #pragma once
 
-#include "bench/workbench.h"
 #include "export/report.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
 /// Of a model with a fit, as every other place tells it.
-ReportStory report_story(const Workbench& bench, const ModelVersionPointer& model);
+ReportStory report_story(const Workbench& workbench, const ModelVersionPointer& model);
 
 }  // namespace handsight::app

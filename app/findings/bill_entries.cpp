@@ -12,10 +12,10 @@ namespace handsight::app {
 namespace {
 
 QString cause_of(const BillRow& row, const Fit& fit) {
-  QString name = effect_of(row.id, row.where);
+  QString name = term_effect(row.id, row.where);
   if (row.unnamed)
     for (const FittedEffect& f : fit.effects)
-      if (f.term.id == row.id) name = title_of(f.term, fit.problem.source->chain.robot);
+      if (f.term.id == row.id) name = make_title(f.term, fit.problem.source->chain.robot);
   return name.left(1).toUpper() + name.mid(1);
 }
 
@@ -26,11 +26,11 @@ QString built_text(const BillRow& row) {
   return row.unnamed ? QObject::tr("no name in the catalogue") : QObject::tr("plausible");
 }
 
-QString told_text(const BillRow& row) {
-  if (!row.cannot_be_told_from || row.held) return {};
-  if (row.cannot_be_told_from->empty()) return QObject::tr("told from all others");
+QString reported_text(const BillRow& row) {
+  if (!row.indistinguishable_from || row.held) return {};
+  if (row.indistinguishable_from->empty()) return QObject::tr("told from all others");
   QStringList others;
-  for (const std::string& id : *row.cannot_be_told_from) others << effect_of(id, {});
+  for (const std::string& id : *row.indistinguishable_from) others << term_effect(id, {});
   return QObject::tr("not told from %1").arg(others.join(", "));
 }
 
@@ -52,15 +52,15 @@ std::vector<widgets::BillEntry> bill_entries(const std::vector<BillRow>& rows, c
                        .worth = widgets::with_sigma_text(1e3 * row.hand_m, sigma) + QChar(0x00A0) + QObject::tr("mm"),
                        .sure = sure_text(row),
                        .built = built_text(row),
-                       .told = told_text(row),
+                       .reported = reported_text(row),
                        .is_stand_in = row.stands_in()});
   }
   return entries;
 }
 
-std::vector<widgets::BillEntry> bill_entries(const Workbench& bench, const ModelVersionPointer& model) {
+std::vector<widgets::BillEntry> bill_entries(const Workbench& workbench, const ModelVersionPointer& model) {
   if (!model || !model->fit) return {};
-  return bill_entries(bench.bill_of(model), *model->fit);
+  return bill_entries(workbench.make_bill(model), *model->fit);
 }
 
 }  // namespace handsight::app

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/percent.h"
-#include "bench/model_effects.h"
 #include "diagnosis/verdict/finding.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -11,6 +10,7 @@
 #include "findings/robot_checks.h"
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
+#include "workbench/model_effects.h"
 
 namespace handsight::app {
 namespace {
@@ -20,14 +20,14 @@ using widgets::CardState;
 
 /// The held-out error that it would leave; in mm it is known only where the candidate was fitted.
 ResidualSize size_left(const DiagnosisCandidate& c, bool in_pixels, std::optional<double> noise) {
-  if (c.held_out) return size_of(*c.held_out, in_pixels, noise);
+  if (c.held_out) return measure_size(*c.held_out, in_pixels, noise);
   return c.predicted_held_out ? size_of_error(*c.predicted_held_out, in_pixels, noise) : ResidualSize{};
 }
 
 /// All three in the unit in force, or all in the session's own where one of them has no value there.
 widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, const ModelVersion& model,
                               widgets::SizeUnit unit) {
-  const VersionSizes sizes = sizes_of(d.report, model.inspection->in_pixels, d.noise, d.noise);
+  const VersionSizes sizes = list_sizes(d.report, model.inspection->in_pixels, d.noise, d.noise);
   const ResidualSize left = size_left(c, model.inspection->in_pixels, d.noise);
   if (!left.in(unit)) unit = left.pixel ? widgets::SizeUnit::pixel : widgets::SizeUnit::millimetre;
   return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
@@ -46,8 +46,8 @@ QString evidence_text(const DiagnosisCandidate& c, const CandidateView* view) {
 }
 
 /// A cause in words; of a target what its numbers mean to who has it in the hand.
-QString words_of(const DiagnosisCandidate& c) {
-  const Effect& effect = effect_of(c.terms.front());
+QString list_words(const DiagnosisCandidate& c) {
+  const Effect& effect = term_effect(c.terms.front());
   const std::vector<double>& values = c.terms.front().values;
   if (c.id == "target_scale") {
     const double sigma = c.sigmas.empty() ? 0 : c.sigmas.front().front();
@@ -65,24 +65,25 @@ QString words_of(const DiagnosisCandidate& c) {
   return translated(effect.cause);
 }
 
-CardState card_of(const DiagnosisCandidate& c, const Workbench& bench, const Diagnosis& d, const ModelVersion& model) {
-  const Effect& effect = effect_of(c.terms.front());
-  CardState card{.id = QString::fromStdString(id_of(c)), .effect = c.id};
-  card.title = title_of(c.terms.front(), bench.document.session().robot);
+CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const Diagnosis& d,
+                  const ModelVersion& model) {
+  const Effect& effect = term_effect(c.terms.front());
+  CardState card{.id = QString::fromStdString(find_id(c)), .effect = c.id};
+  card.title = make_title(c.terms.front(), workbench.document.session().robot);
   if (!c.unnamed) card.where = places_text(c.where);
-  card.words = words_of(c);
+  card.words = list_words(c);
   card.add_text = QObject::tr("Add %1").arg(c.unnamed ? QObject::tr("this curve") : within_sentence(card.title));
-  card.error = card_error(c, d, model, bench.units.unit());
-  card.evidence = evidence_text(c, bench.diagnosing.view_of(id_of(c)).get());
-  card.sizes = effect_parameters(bench.document.session(), c.terms, c.sigmas);
+  card.error = card_error(c, d, model, workbench.units.unit());
+  card.evidence = evidence_text(c, workbench.diagnosing.find_view(find_id(c)).get());
+  card.sizes = effect_parameters(workbench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
   QStringList others;
-  for (const std::string& id : c.cannot_be_told_from) others << effect_of(id, {});
-  card.cannot_be_told_from = others.join(", ");
+  for (const std::string& id : c.indistinguishable_from) others << term_effect(id, {});
+  card.indistinguishable_from = others.join(", ");
   card.can_show_poses = !others.isEmpty();
   card.check = translated(effect.check);
   card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
-  if (!c.unnamed) card.check_number = card_check(c.check, bench.document.reading_of(c.id));
+  if (!c.unnamed) card.check_number = card_check(c.check, workbench.document.find_reading(c.id));
   if (pushes_back(c.terms, c.sigmas))
     card.caution = QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
   else if (!c.plausible)
@@ -103,20 +104,21 @@ CardState with_export(CardState card) {
 }
 
 /// What is said where no cause leads.
-std::optional<CardState> honest_card_of(const Workbench& bench, const ModelVersionPointer& model) {
-  const Story& story = bench.story_of(model);
-  const QString sentence = session_verdict(bench, model).sentence;
+std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelVersionPointer& model) {
+  const Story& story = workbench.find_story(model);
+  const QString sentence = session_verdict(workbench, model).sentence;
   switch (story.state) {
     case StoryState::at_the_noise:
       if (!story.stands_in.empty())
-        return with_export(
-            honest_card(CardKind::scatter, QObject::tr("At the noise, but by something that stands in"), sentence));
+        return with_export(honest_card(CardKind::repeatability,
+                                       QObject::tr("At the noise, but by something that stands in"), sentence));
       return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), sentence));
     case StoryState::unnamed_at_the_noise:
       return with_export(
-          honest_card(CardKind::scatter, QObject::tr("Down at the noise, but not all has a name"), sentence));
-    case StoryState::scatter:
-      return with_export(honest_card(CardKind::scatter, QObject::tr("The remaining error looks random"), sentence));
+          honest_card(CardKind::repeatability, QObject::tr("Down at the noise, but not all has a name"), sentence));
+    case StoryState::repeatability:
+      return with_export(
+          honest_card(CardKind::repeatability, QObject::tr("The remaining error looks random"), sentence));
     case StoryState::too_few_observations: {
       CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), sentence);
       card.action = QObject::tr("Plan poses");
@@ -144,7 +146,7 @@ std::optional<CardState> honest_card_of(const Workbench& bench, const ModelVersi
   }
 }
 
-const Refusal* refusal_of(const std::string& id, const Document& document, const std::vector<Refusal>& refused) {
+const Refusal* find_refusal(const std::string& id, const Document& document, const std::vector<Refusal>& refused) {
   for (const Refusal& r : refused)
     if (r.id == id && still_stands(r, document)) return &r;
   return nullptr;
@@ -159,19 +161,19 @@ QString odds_text(double ln_odds) {
   return QObject::tr("about %1 to one").arg(std::lround(std::round(odds / place) * place));
 }
 
-std::vector<CardState> candidate_cards(const Workbench& bench, const ModelVersionPointer& model, const Diagnosis& d,
+std::vector<CardState> candidate_cards(const Workbench& workbench, const ModelVersionPointer& model, const Diagnosis& d,
                                        const std::vector<Refusal>& refused) {
-  const Story& story = bench.story_of(model);
+  const Story& story = workbench.find_story(model);
   std::vector<CardState> cards;
   for (const StoryCause& cause : story.causes) {
-    cards.push_back(card_of(d.candidates[cause.candidate], bench, d, *model));
-    if (const Refusal* r = refusal_of(cause.id, bench.document, refused)) {
+    cards.push_back(card_of(d.candidates[cause.candidate], workbench, d, *model));
+    if (const Refusal* r = find_refusal(cause.id, workbench.document, refused)) {
       cards.back().can_add = false;
       cards.back().why_not = r->reason;
     }
   }
   // Where no cause leads, that is said first.
-  if (const std::optional<CardState> honest = honest_card_of(bench, model))
+  if (const std::optional<CardState> honest = honest_card_of(workbench, model))
     cards.insert(story.cause_leads ? cards.end() : cards.begin(), *honest);
   return cards;
 }
@@ -184,10 +186,10 @@ QString percent_text(double probability) {
 }
 
 /// What is likelier than one in twenty though too little speaks for it to be named, and how sure the model's names are.
-void add_certainty(const Certainty* certainty, widgets::EffectRow& row) {
+void add_inclusion_probabilities(const InclusionProbabilities* inclusion_probabilities, widgets::EffectRow& row) {
   using widgets::EffectVerdict;
-  if (!certainty) return;
-  for (const NameCertainty& n : certainty->names) {
+  if (!inclusion_probabilities) return;
+  for (const InclusionProbability& n : inclusion_probabilities->names) {
     if (n.id != row.id.toStdString()) continue;
     const QString percent = percent_text(n.probability);
     if (n.is_in_model) row.reason = QObject::tr("Sure to %1.").arg(percent) + ' ' + row.reason;
@@ -203,12 +205,12 @@ void add_certainty(const Certainty* certainty, widgets::EffectRow& row) {
 
 }  // namespace
 
-std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model, const Diagnosis& d,
+std::vector<widgets::EffectRow> effect_rows(const Workbench& workbench, const ModelVersion& model, const Diagnosis& d,
                                             const std::vector<Refusal>& refused) {
   using widgets::EffectVerdict;
   std::vector<widgets::EffectRow> rows;
   const bool in_pixels = error_and_noise(model).in_pixels;
-  const Session& session = bench.document.session();
+  const Session& session = workbench.document.session();
   std::optional<double> best;
   for (const DiagnosisCandidate& c : d.candidates)
     if (!c.unnamed && c.ln_bayes_factor >= d.threshold && !best) best = c.ln_bayes_factor;
@@ -222,9 +224,9 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
     const bool is_invisible = std::find(d.invisible.begin(), d.invisible.end(), effect.id) != d.invisible.end();
     if (!in_model.empty()) {
       row.verdict = EffectVerdict::in_model;
-      row.where = places_text(places_of(in_model, session));
+      row.where = places_text(list_places(in_model, session));
       row.reason = QObject::tr("It is estimated with the rest; the model panel shows its size.");
-      if (const RobotReading* reading = bench.document.reading_of(effect.id)) row.reason = reading_text(*reading);
+      if (const RobotReading* reading = workbench.document.find_reading(effect.id)) row.reason = reading_text(*reading);
     } else if (candidate == d.candidates.end()) {
       row.verdict = d.verdict == Verdict::too_few_observations ? EffectVerdict::unknown : EffectVerdict::cannot_be_seen;
       row.reason = row.verdict == EffectVerdict::unknown ? QObject::tr("Too few observations to tell.")
@@ -233,7 +235,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
       row.where = places_text(candidate->where);
       const bool is_best = candidate->ln_bayes_factor >= best.value_or(0) - 3;
       row.verdict = is_best ? EffectVerdict::would_help : EffectVerdict::worse;
-      const widgets::ShownSize left = bench.units.shown(size_left(*candidate, in_pixels, d.noise));
+      const widgets::ShownSize left = workbench.units.shown(size_left(*candidate, in_pixels, d.noise));
       row.reason = left.value
                        ? QObject::tr("It would leave %1; odds against nothing missing %2.")
                              .arg(widgets::size_text(left), odds_text(candidate->ln_bayes_factor))
@@ -241,19 +243,19 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelV
     } else if (is_invisible) {
       row.verdict = EffectVerdict::cannot_be_seen;
       row.reason = translated(effect.visibility);
-    } else if (!candidate->cannot_be_told_from.empty()) {
+    } else if (!candidate->indistinguishable_from.empty()) {
       row.verdict = EffectVerdict::same_as;
-      row.same_as = effect_of(candidate->cannot_be_told_from.front(), {});
+      row.same_as = term_effect(candidate->indistinguishable_from.front(), {});
       row.reason = QObject::tr("On these poses both do the same to the images.");
     } else {
       row.verdict = EffectVerdict::no_sign;
       row.reason = QObject::tr("Nothing in the residuals speaks for it beyond chance.");
     }
-    if (const Refusal* r = refusal_of(effect.id, bench.document, refused)) {
+    if (const Refusal* r = find_refusal(effect.id, workbench.document, refused)) {
       row.verdict = EffectVerdict::worse;
       row.reason = r->reason;
     }
-    add_certainty(bench.diagnosing.certainty().get(), row);
+    add_inclusion_probabilities(workbench.diagnosing.inclusion_probabilities().get(), row);
     rows.push_back(row);
   }
   return rows;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "findings/explain_texts.h"
 
-#include "bench/model_effects.h"
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/judging.h"
 #include "document/curve_words.h"
@@ -10,6 +9,7 @@
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
 #include "words/counted.h"
+#include "workbench/model_effects.h"
 
 namespace handsight::app {
 
@@ -26,7 +26,7 @@ struct Told {
   QString at_hand;  // " (12 mm at the hand)": the other way to tell it
 };
 
-Told told(const VersionSizes& sizes, widgets::SizeUnit unit) {
+Told reported(const VersionSizes& sizes, widgets::SizeUnit unit) {
   using widgets::SizeUnit;
   Told t{.error = text_in(unit, sizes.error())};
   const bool in_sigma = shown_in(unit, sizes.error()).unit == SizeUnit::sigma;
@@ -52,16 +52,16 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
     return QObject::tr("%1 alone cannot show an error: label or play more.")
         .arg(counted(model.report->used, "%n observation(s)"));
   if (!e.error) return QObject::tr("The error is not known.");
-  const Told t = told(sizes_of(model, model.fit->noise), unit);
+  const Told t = reported(list_sizes(model, model.fit->noise), unit);
   if (!e.noise)
     return QObject::tr(
                "The model misses by %1. Without three markers the noise is not known, so that the program cannot "
                "say whether that is much.")
         .arg(t.error);
   // So many observations may show that it is not the noise alone, however near it comes.
-  if (*e.ratio() < most_beside_scatter && model.fit->covariance_kind == CovarianceKind::scatter)
+  if (*e.ratio() < most_beside_repeatability && model.fit->covariance_kind == CovarianceKind::repeatability)
     return QObject::tr("The model comes near the noise (%1), but what is left is more than noise.").arg(t.both);
-  if (*e.ratio() < most_beside_scatter)
+  if (*e.ratio() < most_beside_repeatability)
     return QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(t.error, t.at_hand, t.noise);
 }
@@ -70,17 +70,17 @@ namespace {
 
 using widgets::SessionState;
 
-std::optional<widgets::Blame> shown(const Blame& blame, bool in_pixels) {
-  if (blame.letter == 0) return std::nullopt;
-  return widgets::Blame{blame.cameras, blame.body, blame.robot, !in_pixels};
+std::optional<widgets::ErrorAttribution> shown(const ErrorAttribution& attribution, bool in_pixels) {
+  if (attribution.letter == 0) return std::nullopt;
+  return widgets::ErrorAttribution{attribution.cameras, attribution.body, attribution.robot, !in_pixels};
 }
 
-QString blame_sentence(const std::optional<widgets::Blame>& blame, bool in_pixels) {
-  if (!blame) return {};
+QString attribution_sentence(const std::optional<widgets::ErrorAttribution>& attribution, bool in_pixels) {
+  if (!attribution) return {};
   const std::pair<double, QString> parts[] = {
-      {blame->robot, QObject::tr("the robot")},
-      {blame->body, QObject::tr("the marker body")},
-      {blame->cameras, in_pixels ? QObject::tr("the cameras") : QObject::tr("the tracker")}};
+      {attribution->robot, QObject::tr("the robot")},
+      {attribution->body, QObject::tr("the marker body")},
+      {attribution->cameras, in_pixels ? QObject::tr("the cameras") : QObject::tr("the tracker")}};
   const auto& most = *std::max_element(std::begin(parts), std::end(parts),
                                        [](const auto& a, const auto& b) { return a.first < b.first; });
   return QObject::tr("%1 % of it comes from %2.").arg(std::lround(100 * most.first)).arg(most.second);
@@ -90,10 +90,10 @@ QString adequate_sentence(const Diagnosis& d, const Told& t) {
   QString text = QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   QStringList unseen;
   // What is in the model was seen, if not in every place that it could have.
-  const std::vector<EffectTerm> seen = terms_of(d.model.fit);
+  const std::vector<EffectTerm> seen = list_terms(d.model.fit);
   for (const std::string& id : d.invisible)
     if (std::none_of(seen.begin(), seen.end(), [&](const EffectTerm& term) { return term.id == id; }))
-      unseen << effect_of(id, {});
+      unseen << term_effect(id, {});
   constexpr qsizetype most = 3;
   if (unseen.size() > most) unseen = unseen.mid(0, most) << QObject::tr("%1 more").arg(unseen.size() - most);
   if (!unseen.isEmpty()) text += ' ' + QObject::tr("These poses could not show: %1.").arg(unseen.join(", "));
@@ -103,8 +103,8 @@ QString adequate_sentence(const Diagnosis& d, const Told& t) {
 /// At the noise with curves: what follows what, without a name.
 QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Told& t) {
   QStringList list;
-  for (const EffectTerm& curve : curves_of(*model.fit)) {
-    QString title = title_of(curve, d.model.session.robot);
+  for (const EffectTerm& curve : list_curves(*model.fit)) {
+    QString title = make_title(curve, d.model.session.robot);
     title[0] = title[0].toLower();
     list << title;
   }
@@ -112,27 +112,27 @@ QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Tol
       .arg(t.both, list.join("; "));
 }
 
-QString scatter_sentence(const Diagnosis& d, const Told& t) {
-  if (!d.scatter.is_any())
+QString repeatability_sentence(const Diagnosis& d, const Told& t) {
+  if (!d.repeatability.is_any())
     return QObject::tr(
                "What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was "
                "measured. No effect can remove it.")
         .arg(t.error, t.noise);
-  const QString place = widgets::short_text(1e3 * d.scatter.place);
-  if (d.scatter.joints == 0)
+  const QString place = widgets::short_text(1e3 * d.repeatability.place);
+  if (d.repeatability.joints == 0)
     return QObject::
         tr("What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat "
            "better than %3 mm. No effect can remove it.")
             .arg(t.error, t.noise, place);
-  if (d.scatter.place >= least_told_place)
+  if (d.repeatability.place >= least_reported_place)
     return QObject::tr(
                "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat "
                "better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.")
-        .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints), place);
+        .arg(t.error, t.noise, widgets::short_text(1e3 * d.repeatability.joints), place);
   return QObject::tr(
              "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
              "than %3 mrad. No effect can remove it.")
-      .arg(t.error, t.noise, widgets::short_text(1e3 * d.scatter.joints));
+      .arg(t.error, t.noise, widgets::short_text(1e3 * d.repeatability.joints));
 }
 
 QString what_is_left_follows(const Diagnosis& d) {
@@ -141,10 +141,10 @@ QString what_is_left_follows(const Diagnosis& d) {
       return curve_sentence(c.terms.front(), d.model.session.robot) + '.';
     } else if (c.unnamed && c.ln_bayes_factor >= d.threshold)
       return QObject::tr("It follows the %1 (%2).")
-          .arg(translated(c.unnamed->localiser.variable->name),
-               QString::fromStdString(c.unnamed->localiser.best.shape.text));
+          .arg(translated(c.unnamed->empirical_error.variable->name),
+               QString::fromStdString(c.unnamed->empirical_error.best.shape.text));
   if (!follows_a_pattern(d))
-    return scatters_too_much(d) ? QObject::tr("It follows nothing that was measured, and robots scatter less.")
+    return repeats_too_badly(d) ? QObject::tr("It follows nothing that was measured, and robots scatter less.")
                                 : QString();
   return QObject::tr("It follows the %1.").arg(translated(d.patterns.front().against.name));
 }
@@ -152,7 +152,7 @@ QString what_is_left_follows(const Diagnosis& d) {
 /// What no robot is built like is said wherever it is in the model.
 QString stand_in_sentence(const Story& story) {
   QStringList names;
-  for (const StandIn& one : story.stands_in) names << effect_of(one.id, one.where);
+  for (const StandIn& one : story.stands_in) names << term_effect(one.id, one.where);
   if (names.isEmpty()) return {};
   return QObject::tr("No robot is built so, it stands in for another cause: %1.").arg(names.join("; "));
 }
@@ -163,7 +163,7 @@ QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told&
     return QObject::tr(
                "Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the "
                "catalogue explains the rest. %4")
-        .arg(t.error, noise, name_of(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
+        .arg(t.error, noise, display_name(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
         .trimmed();
   return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
       .arg(t.error, noise, what_is_left_follows(d))
@@ -172,21 +172,21 @@ QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told&
 
 /// What, where, how much, whose: names first, so that they are read where there is little room.
 QString missing_sentence(const ModelVersion& model, const Story& story, const Diagnosis& d, widgets::SizeUnit unit) {
-  const Told t = told(sizes_of(model, model.fit->noise), unit);
+  const Told t = reported(list_sizes(model, model.fit->noise), unit);
   // How many mm that is at the hand stands beside it.
   QString misses = story.error.error && story.error.noise
                        ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
                        : comparison_sentence(model, unit);
-  const QString whose = blame_sentence(shown(story.blame, story.error.in_pixels), story.error.in_pixels);
+  const QString whose = attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels);
   if (!whose.isEmpty()) misses += ' ' + whose;
   const StoryCause& lead = story.causes.front();
-  const QString name = name_of(d.candidates[lead.candidate], d.model.session);
+  const QString name = display_name(d.candidates[lead.candidate], d.model.session);
   if (story.state == StoryState::implausible)
     return QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name) + ' ' +
            misses;
   if (story.state == StoryState::ambiguous)
     return QObject::tr("%1 or %2: on these poses they look the same.")
-               .arg(name.left(1).toUpper() + name.mid(1), effect_of(lead.cannot_be_told_from.front(), {})) +
+               .arg(name.left(1).toUpper() + name.mid(1), term_effect(lead.indistinguishable_from.front(), {})) +
            ' ' + misses;
   return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
 }
@@ -204,8 +204,8 @@ SessionState shown_state(const Story& story, bool is_running) {
       return story.stands_in.empty() ? SessionState::adequate : SessionState::stand_in;
     case StoryState::unnamed_at_the_noise:
       return SessionState::unnamed;
-    case StoryState::scatter:
-      return SessionState::scatter;
+    case StoryState::repeatability:
+      return SessionState::repeatability;
     case StoryState::missing:
     case StoryState::implausible:
       return SessionState::missing;
@@ -219,11 +219,12 @@ SessionState shown_state(const Story& story, bool is_running) {
 }
 
 QString sentence_of(const ModelVersion& model, const Story& story, const Diagnosis* d, widgets::SizeUnit unit) {
-  const Told t = told(sizes_of(model, model.fit->noise), unit);
+  const Told t = reported(list_sizes(model, model.fit->noise), unit);
   if (!d || story.state == StoryState::not_looked) {
-    const QString whose = story.error.ratio().value_or(0) >= most_beside_scatter
-                              ? blame_sentence(shown(story.blame, story.error.in_pixels), story.error.in_pixels)
-                              : QString();
+    const QString whose =
+        story.error.ratio().value_or(0) >= most_beside_repeatability
+            ? attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)
+            : QString();
     return (comparison_sentence(model, unit) + ' ' + whose).trimmed();
   }
   switch (story.state) {
@@ -233,8 +234,8 @@ QString sentence_of(const ModelVersion& model, const Story& story, const Diagnos
       return adequate_sentence(*d, t);
     case StoryState::unnamed_at_the_noise:
       return curves_sentence(model, *d, t);
-    case StoryState::scatter:
-      return scatter_sentence(*d, t);
+    case StoryState::repeatability:
+      return repeatability_sentence(*d, t);
     case StoryState::missing:
     case StoryState::ambiguous:
     case StoryState::implausible:
@@ -258,19 +259,19 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
   widgets::SessionVerdict v;
   v.sentence = comparison_sentence(model, unit);
   if (!model.fit) return v;
-  const VersionSizes sizes = sizes_of(model, model.fit->noise);
+  const VersionSizes sizes = list_sizes(model, model.fit->noise);
   v.unit = unit;
   v.error_px = sizes.error().pixel;
   v.error_mm = sizes.error().millimetre;
   v.error_sigma = sizes.error().sigma;
   v.noise_px = sizes.noise.pixel;
   v.noise_mm = sizes.noise.millimetre;
-  v.blame = shown(story.blame, story.error.in_pixels);
+  v.attribution = shown(story.attribution, story.error.in_pixels);
   const auto& source = model.fit->problem.source;
   if (source && source->chain.is_touch)
-    v.why_no_blame = QObject::tr("Cannot be split by touches");
+    v.why_no_attribution = QObject::tr("Cannot be split by touches");
   else if (model.fit->problem.marker_count == 1)
-    v.why_no_blame = cannot_be_split_text();
+    v.why_no_attribution = cannot_be_split_text();
   v.state = shown_state(story, is_running);
   v.sentence = sentence_of(model, story, d, unit);
   // What is in the model and stands in for something else belongs before what agrees by it.
@@ -283,9 +284,9 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
   return v;
 }
 
-widgets::SessionVerdict session_verdict(const Workbench& bench, const ModelVersionPointer& model) {
-  return session_verdict(*model, bench.story_of(model), bench.diagnosis_of(model).get(), bench.diagnosing.is_running(),
-                         bench.units.unit());
+widgets::SessionVerdict session_verdict(const Workbench& workbench, const ModelVersionPointer& model) {
+  return session_verdict(*model, workbench.find_story(model), workbench.find_diagnosis(model).get(),
+                         workbench.diagnosing.is_running(), workbench.units.unit());
 }
 
 }  // namespace handsight::app

@@ -2,12 +2,12 @@
 // What Explain says: the verdict, cards, verdicts on every effect.
 #pragma once
 
-#include "bench/workbench.h"
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "document/refusal.h"
 #include "widgets/explain/candidate_card.h"
 #include "widgets/explain/effect_table.h"
 #include "widgets/explain/verdict_line.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -18,17 +18,17 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = 
 /// says.
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& story, const Diagnosis* diagnosis,
                                         bool is_running, widgets::SizeUnit unit);
-widgets::SessionVerdict session_verdict(const Workbench& bench, const ModelVersionPointer& model);
+widgets::SessionVerdict session_verdict(const Workbench& workbench, const ModelVersionPointer& model);
 
 /// The cards, best first; the first is an honest one where there is nothing to add.
-std::vector<widgets::CardState> candidate_cards(const Workbench& bench, const ModelVersionPointer& model,
+std::vector<widgets::CardState> candidate_cards(const Workbench& workbench, const ModelVersionPointer& model,
                                                 const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
 /// Why nobody can say whose fault an error is where there is one marker alone.
 QString cannot_be_split_text();
 
 /// One verdict for every effect of the catalogue.
-std::vector<widgets::EffectRow> effect_rows(const Workbench& bench, const ModelVersion& model,
+std::vector<widgets::EffectRow> effect_rows(const Workbench& workbench, const ModelVersion& model,
                                             const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
 
 /// "about 12 to one", "about 32000 to one" (two digits of it), "more than a million to one".

@@ -14,8 +14,8 @@ std::vector<std::int64_t> ids_of_places(const Problem& problem, const Session& s
   return ids;
 }
 
-std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& corners,
-                                          const std::vector<std::int64_t>& ids) {
+std::vector<widgets::CloudPoint> make_cloud(const std::vector<CornerResidual>& corners,
+                                            const std::vector<std::int64_t>& ids) {
   std::vector<widgets::CloudPoint> points;
   points.reserve(corners.size());
   for (const CornerResidual& c : corners) {
@@ -28,7 +28,7 @@ std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& cor
 
 void FitWatch::begin(const Session& session, const std::vector<EffectTerm>& held,
                      const std::vector<EffectTerm>& estimated, int observation) {
-  problem_ = make_problem(session, chain_of(session), held, estimated);
+  problem_ = make_problem(session, make_chain(session), held, estimated);
   ids_ = ids_of_places(*problem_, session);
   observation_ = observation;
   running_ = 0;
@@ -54,7 +54,7 @@ void FitWatch::iteration(double cost, const Unknowns& unknowns) {
   }
   if (!problem_ || !has_room || unknowns.effects.size() != problem_->effect_count()) return;
   FitPicture picture;
-  picture.cloud = cloud_of(corner_residuals(*problem_, unknowns), ids_);
+  picture.cloud = make_cloud(corner_residuals(*problem_, unknowns), ids_);
   picture.bent = bent_links(*problem_->source, observation_, terms_with(*problem_, unknowns.effects));
   const std::lock_guard lock(mutex_);
   shots_.push_back({number, std::move(picture)});

@@ -51,8 +51,8 @@ class FitWatch {
 };
 
 /// Residuals as points of the cloud. `ids` per place of the problem.
-std::vector<widgets::CloudPoint> cloud_of(const std::vector<CornerResidual>& corners,
-                                          const std::vector<std::int64_t>& ids);
+std::vector<widgets::CloudPoint> make_cloud(const std::vector<CornerResidual>& corners,
+                                            const std::vector<std::int64_t>& ids);
 std::vector<std::int64_t> ids_of_places(const Problem& problem, const Session& session);
 
 }  // namespace handsight::app

@@ -4,13 +4,13 @@
 #include <Eigen/Dense>
 
 #include "base/degrees.h"
-#include "bench/display_units.h"
-#include "bench/observation_views.h"
-#include "bench/touch_views.h"
 #include "document/effect_words.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "words/core_words.h"
+#include "workbench/display_units.h"
+#include "workbench/observation_views.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 namespace {
@@ -25,19 +25,19 @@ QString reason_of(const Observation& o, const InspectionRow* row, bool is_touch)
 
 }  // namespace
 
-std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
+std::vector<widgets::ObservationRow> table_rows(const Workbench& workbench) {
   std::vector<widgets::ObservationRow> list;
-  const auto cells = bench.cells();
-  const auto& observations = bench.document.session().observations;
-  const bool pixels = !bench.document.session().is_tracker();
-  const auto& rig = bench.document.session().rig;
-  const bool are_touches = bench.document.session().is_touch();
+  const auto cells = workbench.cells();
+  const auto& observations = workbench.document.session().observations;
+  const bool pixels = !workbench.document.session().is_tracker();
+  const auto& rig = workbench.document.session().rig;
+  const bool are_touches = workbench.document.session().is_touch();
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& o = observations[i];
-    const InspectionRow* row = bench.row(o.id);
-    if (!bench.sessions.is_observation_shown(o.id)) continue;
+    const InspectionRow* row = workbench.row(o.id);
+    if (!workbench.sessions.is_observation_shown(o.id)) continue;
     widgets::ObservationRow r{.id = o.id, .state = cells[i].state};
-    r.session = bench.sessions.session_of(o.id);
+    r.session = workbench.sessions.find_session(o.id);
     if (row) {
       if (pixels) r.rms_pixel = row->rms;
       r.rms_mm = scaled(pixels ? row->hand_m : row->rms_m, 1e3);
@@ -48,11 +48,11 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
         r.worst = QString::number(row->worst_marker);
         if (rig && rig->count() > 1 && row->worst_camera >= 0) r.worst += ", " + camera_name(*rig, row->worst_camera);
       }
-      if (bench.inspection()->noise && *bench.inspection()->noise > 0)
-        r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *bench.inspection()->noise;
+      if (workbench.inspection()->noise && *workbench.inspection()->noise > 0)
+        r.worst_over_sigma = row->worst_size / std::sqrt(pixels ? 2.0 : 3.0) / *workbench.inspection()->noise;
       if (are_touches) r.worst_over_sigma = row->ratio;
     }
-    const Fixture* fixture = touched_fixture(bench.document.session(), o);
+    const Fixture* fixture = touched_fixture(workbench.document.session(), o);
     if (fixture && are_touches) r.worst = QString::fromStdString(fixture->id);
     r.is_odd = (row && row->outlier) || o.decision == Decision::rejected;
     r.reason = reason_of(o, row, fixture != nullptr);
@@ -61,16 +61,16 @@ std::vector<widgets::ObservationRow> table_rows(const Workbench& bench) {
   return list;
 }
 
-std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
+std::vector<widgets::MapPoint> map_points(const Workbench& workbench) {
   std::vector<widgets::MapPoint> points;
-  const Inspection* all = bench.inspection();
-  const auto& rig = bench.document.session().rig;
+  const Inspection* all = workbench.inspection();
+  const auto& rig = workbench.document.session().rig;
   if (!all || !rig) return points;
   for (const InspectionRow& row : all->rows) {
-    if (!row.is_used || !bench.sessions.is_observation_shown(row.id)) continue;
+    if (!row.is_used || !workbench.sessions.is_observation_shown(row.id)) continue;
     for (const MarkerResidual& m : row.markers)
       for (int camera = 0; camera < rig->count(); ++camera) {
-        const auto residual = corner_in(bench.units.unit(), m, camera, *rig, all->noise);
+        const auto residual = corner_in(workbench.units.unit(), m, camera, *rig, all->noise);
         if (!residual) continue;
         points.push_back({.observation = row.id,
                           .marker = m.marker,
@@ -83,18 +83,18 @@ std::vector<widgets::MapPoint> map_points(const Workbench& bench) {
   return points;
 }
 
-std::optional<widgets::Blame> shown_blame(const Workbench& bench, const InspectionRow& row) {
-  const bool of_tracker = bench.document.session().is_tracker();
-  if (bench.document.session().is_touch()) return std::nullopt;
-  const Blame& own = row.blame;
+std::optional<widgets::ErrorAttribution> shown_attribution(const Workbench& workbench, const InspectionRow& row) {
+  const bool of_tracker = workbench.document.session().is_tracker();
+  if (workbench.document.session().is_touch()) return std::nullopt;
+  const ErrorAttribution& own = row.attribution;
   switch (own.letter) {
     case 'C':
-      return widgets::Blame{1, 0, 0, of_tracker};
+      return widgets::ErrorAttribution{1, 0, 0, of_tracker};
     case 'B':
-      return widgets::Blame{own.cameras, own.body + own.robot, 0, of_tracker};
+      return widgets::ErrorAttribution{own.cameras, own.body + own.robot, 0, of_tracker};
     case 'R': {
-      const Blame b = bench.blame_of(row);
-      return widgets::Blame{b.cameras, b.body, b.robot, of_tracker};
+      const ErrorAttribution b = workbench.attribute_error(row);
+      return widgets::ErrorAttribution{b.cameras, b.body, b.robot, of_tracker};
     }
     default:
       return std::nullopt;
@@ -104,10 +104,10 @@ std::optional<widgets::Blame> shown_blame(const Workbench& bench, const Inspecti
 namespace {
 
 /// What the hand's place alone would put on the robot, and the session's cause puts elsewhere.
-QString in_the_light_of_the_cause(const Workbench& bench, char letter) {
-  const StoryCause& cause = bench.story().causes.front();
-  const QString name = effect_of(cause.id, cause.where);
-  const bool in_pixels = bench.document.session().rig.has_value();
+QString in_the_light_of_the_cause(const Workbench& workbench, char letter) {
+  const StoryCause& cause = workbench.story().causes.front();
+  const QString name = term_effect(cause.id, cause.where);
+  const bool in_pixels = workbench.document.session().rig.has_value();
   return (letter == 'B'
               ? QObject::tr("The marker body, as in the whole session: what is missing (%1) explains most of it. ")
           : in_pixels ? QObject::tr("The cameras, as in the whole session: what is missing (%1) explains most of it. ")
@@ -128,10 +128,10 @@ QString touch_sentence(const InspectionRow* row, const Observation& o) {
 
 }  // namespace
 
-QString blame_sentence(const Workbench& bench, const InspectionRow* row, const Observation* observation) {
-  const bool in_pixels = bench.document.session().rig.has_value();
+QString attribution_sentence(const Workbench& workbench, const InspectionRow* row, const Observation* observation) {
+  const bool in_pixels = workbench.document.session().rig.has_value();
   if (!observation) return QObject::tr("Choose an observation in the strip, a plot or the 3D view.");
-  if (bench.document.session().is_touch()) return touch_sentence(row, *observation);
+  if (workbench.document.session().is_touch()) return touch_sentence(row, *observation);
   if (!row) {
     if (observation->sightings.empty() && observation->decision == Decision::rejected)
       return QObject::tr("Its markers were not found, at a second look neither: %1")
@@ -141,8 +141,8 @@ QString blame_sentence(const Workbench& bench, const InspectionRow* row, const O
   }
   if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
   QString text;
-  const char letter = bench.blame_of(*row).letter;
-  switch (row->blame.letter) {
+  const char letter = workbench.attribute_error(*row).letter;
+  switch (row->attribution.letter) {
     case 'C':
       text = in_pixels ? QObject::tr("The cameras: the two images do not agree with each other. ")
                        : QObject::tr("The tracker: its points do not agree with each other. ");
@@ -152,14 +152,14 @@ QString blame_sentence(const Workbench& bench, const InspectionRow* row, const O
       break;
     case 'R':
       text = letter == 'R' ? QObject::tr("The robot: the hand is not where the joints say. ")
-                           : in_the_light_of_the_cause(bench, letter);
+                           : in_the_light_of_the_cause(workbench, letter);
       break;
     default:
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
   if (!row->what_would_mend.empty())
     text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));
-  if (row->smallest_visible && row->blame.letter != 'R')
+  if (row->smallest_visible && row->attribution.letter != 'R')
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
                 .arg(in_pixels ? QObject::tr("%1 px").arg(widgets::fixed_text(*row->smallest_visible, 1))
                                : QObject::tr("%1 mm").arg(widgets::fixed_text(1e3 * *row->smallest_visible, 1)));
@@ -172,8 +172,8 @@ QString exclusion_sentence(const ModelVersion& now, const ModelVersion& then, st
   QString text = QObject::tr("%1 of %2.").arg(excluded).arg(of);
   if (!then.fit) return text + " " + then.refusal;
   if (!now.fit) return text;
-  const widgets::ShownSize a = units.shown(sizes_of(now, now.fit->noise).error());
-  const widgets::ShownSize b = units.shown(sizes_of(then, now.fit->noise).error());
+  const widgets::ShownSize a = units.shown(list_sizes(now, now.fit->noise).error());
+  const widgets::ShownSize b = units.shown(list_sizes(then, now.fit->noise).error());
   if (a.value && b.value && a.unit == b.unit)
     text += QObject::tr(" Error %1 → %2").arg(widgets::short_text(a.value, 3), widgets::size_text(b, 3));
   const Vector6 xi = small_motion_between(now.fit->tcp_from_body, then.fit->tcp_from_body);

@@ -69,7 +69,7 @@ const InspectionRow* row_at(const PlottedSession& of, int index) {
 
 std::vector<widgets::TrendPoint> shown_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   std::vector<widgets::TrendPoint> line;
-  for (const TrendPoint& p : trend_of(x, y)) line.push_back({p.x, p.y, p.low, p.high});
+  for (const TrendPoint& p : compute_trend(x, y)) line.push_back({p.x, p.y, p.low, p.high});
   return line;
 }
 
@@ -80,7 +80,7 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
   std::vector<PlotKey> keys;
   std::vector<std::size_t> variables, series;
   for (const Pattern& p : residuals.patterns) {
-    if (keys.size() == widgets::PatternPage::kPlots) break;
+    if (keys.size() == widgets::PatternPage::plot_count) break;
     const auto is_same = [&](std::size_t other) {
       return tell_the_same(residuals.views.variables[other], residuals.views.variables[p.variable]);
     };
@@ -95,11 +95,13 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals) {
 }
 
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
-                                                 const Workbench& bench, const std::vector<Eigen::VectorXd>* values) {
+                                                 const Workbench& workbench,
+                                                 const std::vector<Eigen::VectorXd>* values) {
   auto plot = pattern_plot(
       key, residuals,
-      PlottedSession{bench.document.session(), values ? nullptr : bench.inspection(), bench.units.unit()}, values);
-  if (plot) bench.sessions.apply(plot->points);
+      PlottedSession{workbench.document.session(), values ? nullptr : workbench.inspection(), workbench.units.unit()},
+      values);
+  if (plot) workbench.sessions.apply(plot->points);
   return plot;
 }
 
@@ -141,13 +143,14 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   return plot;
 }
 
-QString as_if_alone(const PlotKey& key, const Scatter& scatter) {
-  constexpr std::string_view error_of = "error of ";
-  if (scatter.joints <= 0 || !key.residual.starts_with(error_of)) return {};
+QString as_if_alone(const PlotKey& key, const Repeatability& repeatability) {
+  constexpr std::string_view compute_error = "error of ";
+  if (repeatability.joints <= 0 || !key.residual.starts_with(compute_error)) return {};
   return QObject::tr(
              "Each point: as if %1 alone had made the whole error. It is more than the %2 mrad to which the joints "
              "repeat, for all of them had their share.")
-      .arg(QString::fromStdString(key.residual.substr(error_of.size())), widgets::short_text(1e3 * scatter.joints));
+      .arg(QString::fromStdString(key.residual.substr(compute_error.size())),
+           widgets::short_text(1e3 * repeatability.joints));
 }
 
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
@@ -168,7 +171,7 @@ bool shows_there(const PlotKey& key, const ModelResiduals& residuals, const Diag
                  const std::string& id) {
   constexpr double most_of_it = 0.5;
   const auto found = find(key, residuals.views);
-  const auto view = diagnosing.view_of(id);
+  const auto view = diagnosing.find_view(id);
   if (!found || !view) return false;
   const Eigen::VectorXd& x = residuals.views.variables[found->variable].values;
   // Where an earlier version is shown, the views are of another one, maybe of other observations.
@@ -197,7 +200,7 @@ std::unordered_map<std::int64_t, double> predicted_ratios(const ModelResiduals& 
   std::unordered_map<std::int64_t, double> ratios;
   for (std::size_t i = 0; i < squares.size(); ++i)
     if (rows[i] > 0)
-      ratios[id_at(session, v.problem.observations[i].index)] = std::sqrt(squares[i] / rows[i]) / v.weighing.noise;
+      ratios[id_at(session, v.problem.observations[i].index)] = std::sqrt(squares[i] / rows[i]) / v.noise_model.noise;
   return ratios;
 }
 

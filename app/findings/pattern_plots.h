@@ -2,8 +2,8 @@
 // "Where it fails" as data for plots: which residual against what, points, trends, predictions.
 #pragma once
 
-#include "bench/workbench.h"
 #include "widgets/explain/pattern_page.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -25,9 +25,9 @@ std::vector<PlotKey> strongest_plots(const ModelResiduals& residuals);
 
 /// The plot of a key; nothing where these residuals do not have it. `values` (per series) stand in for the measured
 /// ones: noise alone. Points have the colours of the window's observations. A series has a unit of its own (mm of a
-/// body, mrad of a joint), in which it is told; in sigma each point is over its own.
+/// body, mrad of a joint), in which it is reported; in sigma each point is over its own.
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
-                                                 const Workbench& bench,
+                                                 const Workbench& workbench,
                                                  const std::vector<Eigen::VectorXd>* values = nullptr);
 
 std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const ModelResiduals& residuals,
@@ -36,14 +36,14 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
 
 /// Where all joints scatter, the whole error told as one joint's alone is more than that joint scatters: what to say
 /// beside such a plot; empty for any other.
-QString as_if_alone(const PlotKey& key, const Scatter& scatter);
+QString as_if_alone(const PlotKey& key, const Repeatability& repeatability);
 
 /// What a candidate with these numbers would show there; empty where the plot is not known.
 std::vector<widgets::TrendPoint> predicted_trend(const PlotKey& key, const ModelResiduals& residuals,
                                                  const EffectView& view, const Eigen::VectorXd& numbers,
                                                  widgets::SizeUnit unit);
 
-/// Does the candidate of this id_of show there: more than the noise, and most of it follows the variable?
+/// Does the candidate of this find_id show there: more than the noise, and most of it follows the variable?
 bool shows_there(const PlotKey& key, const ModelResiduals& residuals, const Diagnosing& diagnosing,
                  const std::string& id);
 

@@ -49,7 +49,7 @@ bool is_drift(const ProofPlot& plot) {
 
 }  // namespace
 
-widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, double added) {
+widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& workbench, double added) {
   const ShownUnit unit = shown_unit(proof.unit);
   widgets::PatternPlot plot;
   plot.id = QString::fromStdString("proof " + proof.of + " " + proof.quantity.english());
@@ -59,7 +59,7 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, 
   plot.y_unit = unit.unit;
   const double noise = unit.scale * proof.noise;
   for (const ProofPoint& p : proof.points) {
-    const InspectionRow* row = bench.row(p.id);
+    const InspectionRow* row = workbench.row(p.id);
     plot.points.push_back({.observation = p.id,
                            .x = p.x,
                            .y = unit.scale * (p.y - added * p.curve),
@@ -67,11 +67,11 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& bench, 
                            .coordinates = row && row->coordinates > 0 ? row->coordinates : 12,
                            .bar = unit.scale * p.sigma,
                            .is_weak = p.sigma > weak * proof.noise});
-    if (!bench.sessions.is_observation_shown(p.id)) continue;
+    if (!workbench.sessions.is_observation_shown(p.id)) continue;
     const double y = unit.scale * (1 - added) * p.curve;
     plot.candidate.push_back({p.x, y, y - noise, y + noise});
   }
-  bench.sessions.apply(plot.points);
+  workbench.sessions.apply(plot.points);
   std::stable_sort(plot.candidate.begin(), plot.candidate.end(),
                    [](const widgets::TrendPoint& a, const widgets::TrendPoint& b) { return a.x < b.x; });
   if (added >= 1) plot.trend = std::exchange(plot.candidate, {});
@@ -116,14 +116,14 @@ QString proof_sentence(const ProofPlot& p) {
       .arg(quantity, translated(p.against), numbers.join(", "), at_most(p));
 }
 
-ProofPlot noise_in_place_of(ProofPlot plot, std::uint64_t seed) {
+ProofPlot put_noise_in_place(ProofPlot plot, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> one;
   for (ProofPoint& p : plot.points) p.y = p.sigma * one(random);
   return plot;
 }
 
-std::vector<ProofPlot> in_the_order_of(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after) {
+std::vector<ProofPlot> in_same_order(const std::vector<ProofPlot>& before, std::vector<ProofPlot> after) {
   const auto place = [&](const ProofPlot& plot) {
     return std::find_if(before.begin(), before.end(),
                         [&](const ProofPlot& b) { return b.of == plot.of && b.quantity == plot.quantity; }) -

@@ -37,7 +37,7 @@ widgets::ConvergencePoint convergence_point(const OnlineStep& step) {
   return p;
 }
 
-std::vector<widgets::ConvergencePoint> convergence_of(const std::vector<OnlineStep>& steps) {
+std::vector<widgets::ConvergencePoint> list_convergence(const std::vector<OnlineStep>& steps) {
   std::vector<widgets::ConvergencePoint> points;
   for (const OnlineStep& step : steps)
     if (step.has_estimate && step.accepted) points.push_back(convergence_point(step));

@@ -17,6 +17,6 @@ std::vector<OnlineStep> recalled_steps(const Session& session, const std::functi
 widgets::ConvergencePoint convergence_point(const OnlineStep& step);
 
 /// Of the accepted steps that have an estimate.
-std::vector<widgets::ConvergencePoint> convergence_of(const std::vector<OnlineStep>& steps);
+std::vector<widgets::ConvergencePoint> list_convergence(const std::vector<OnlineStep>& steps);
 
 }  // namespace handsight::app

@@ -40,7 +40,7 @@ QString reading_text(const RobotReading& r) {
 }
 
 QString take_reading(Document& document, const Diagnosis& d, const std::string& effect, const QString& text) {
-  const RobotReading* known = document.reading_of(effect);
+  const RobotReading* known = document.find_reading(effect);
   std::optional<RobotReading> reading;
   if (!text.trimmed().isEmpty()) {
     const auto typed = parse_reading(text);

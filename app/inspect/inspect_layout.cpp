@@ -9,14 +9,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "bench/camera_strip.h"
 #include "inspect/inspect_workspace.h"
 #include "widgets/images/image_view.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 #include "widgets/lists/observation_table.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/residual_map.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/camera_strip.h"
 
 namespace handsight::app {
 
@@ -109,8 +109,8 @@ void InspectWorkspace::make_layout() {
   left_->setObjectName("inspect_left");
   right_->setObjectName("inspect_right");
   for (widgets::ImageView* view : {left_, right_}) view->set_labelling(true);
-  blame_ = new widgets::BlameBar(this);
-  blame_->setObjectName("blame");
+  attribution_ = new widgets::AttributionBar(this);
+  attribution_->setObjectName("blame");
   scene_ = new widgets::RobotView(this);
   scene_->setObjectName("inspect_scene");
   tabs_ = new QTabWidget(this);
@@ -122,26 +122,26 @@ void InspectWorkspace::make_layout() {
   auto* pair = new QSplitter(Qt::Horizontal, this);
   pair->addWidget(left_);
   pair->addWidget(right_);
-  cameras_ = new CameraStrip(bench_, left_, right_, this);
+  cameras_ = new CameraStrip(workbench_, left_, right_, this);
   auto* images = images_ = new QWidget(this);
   auto* images_layout = new QVBoxLayout(images);
   images_layout->setContentsMargins(0, 0, 0, 0);
   images_layout->setSpacing(4);
   images_layout->addWidget(cameras_);
   images_layout->addWidget(pair, 1);
-  auto* blame = new QWidget(this);
-  auto* blame_layout = new QVBoxLayout(blame);
-  blame_layout->setContentsMargins(0, 0, 0, 0);
-  blame_layout->setSpacing(8);
-  blame_layout->addWidget(blame_, 1);
-  blame_layout->addWidget(make_actions());
+  auto* attribution = new QWidget(this);
+  auto* attribution_layout = new QVBoxLayout(attribution);
+  attribution_layout->setContentsMargins(0, 0, 0, 0);
+  attribution_layout->setSpacing(8);
+  attribution_layout->addWidget(attribution_, 1);
+  attribution_layout->addWidget(make_actions());
   auto* lower = new QSplitter(Qt::Horizontal, this);
   lower->addWidget(scene_);
   lower->addWidget(tabs_);
   lower->setSizes({330, 340});
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(images);
-  rows->addWidget(blame);
+  rows->addWidget(attribution);
   rows->addWidget(lower);
   rows->setSizes({260, 120, 350});
   auto* columns = new QSplitter(Qt::Horizontal, this);

@@ -9,57 +9,57 @@
 #include <QTableView>
 #include <algorithm>
 
-#include "bench/camera_strip.h"
-#include "bench/link_selection.h"
-#include "bench/observation_views.h"
-#include "bench/touch_views.h"
 #include "findings/explain_texts.h"
 #include "findings/inspection_rows.h"
 #include "inspect/snap.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/images/image_view.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 #include "widgets/lists/observation_table.h"
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/residual_map.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/camera_strip.h"
+#include "workbench/link_selection.h"
+#include "workbench/observation_views.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 
-InspectWorkspace::InspectWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+InspectWorkspace::InspectWorkspace(Workbench& workbench, QWidget* parent) : Workspace(workbench, parent) {
   setObjectName("inspect");
   make_layout();
   connect_table();
   connect_images();
   connect_plots();
-  connect_bench();
+  connect_workbench();
 }
 
 std::vector<std::int64_t> InspectWorkspace::chosen() const {
-  const auto& many = bench_.selection.many();
+  const auto& many = workbench_.selection.many();
   return {many.begin(), many.end()};
 }
 
 void InspectWorkspace::connect_table() {
   using widgets::ObservationTable;
-  link_selection(table_, bench_);
+  link_selection(table_, workbench_);
   connect(table_, &ObservationTable::exclude_requested, this, [this](const std::vector<qint64>& ids) {
-    bench_.exclude({ids.begin(), ids.end()});
+    workbench_.exclude({ids.begin(), ids.end()});
   });
   connect(table_, &ObservationTable::include_requested, this, [this](const std::vector<qint64>& ids) {
-    bench_.include({ids.begin(), ids.end()});
+    workbench_.include({ids.begin(), ids.end()});
   });
-  connect(table_, &ObservationTable::relabel_requested, &bench_, &Workbench::relabel_requested);
+  connect(table_, &ObservationTable::relabel_requested, &workbench_, &Workbench::relabel_requested);
   connect(table_, &ObservationTable::empty_action_requested, this,
-          [this] { emit bench_.workspace_requested(Place::calibrate); });
-  connect(exclude_, &QPushButton::clicked, this, [this] { bench_.exclude(chosen()); });
-  connect(include_, &QPushButton::clicked, this, [this] { bench_.include(chosen()); });
+          [this] { emit workbench_.workspace_requested(Place::calibrate); });
+  connect(exclude_, &QPushButton::clicked, this, [this] { workbench_.exclude(chosen()); });
+  connect(include_, &QPushButton::clicked, this, [this] { workbench_.include(chosen()); });
   connect(relabel_, &QPushButton::clicked, this, [this] {
-    if (const auto id = bench_.selection.current().observation) emit bench_.relabel_requested(*id);
+    if (const auto id = workbench_.selection.current().observation) emit workbench_.relabel_requested(*id);
   });
   connect(look_, &QPushButton::clicked, this, [this] {
-    const InspectionRow* row = bench_.selected_row();
+    const InspectionRow* row = workbench_.selected_row();
     if (!row || row->worst_marker < 0) return;
     for (const MarkerResidual& m : row->markers) {
       if (m.marker != row->worst_marker) continue;
@@ -75,15 +75,15 @@ void InspectWorkspace::connect_images() {
   using widgets::ImageView;
   connect(cameras_, &CameraStrip::changed, this, &InspectWorkspace::refresh_observation);
   for (ImageView* view : {left_, right_}) {
-    connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
+    connect(view, &ImageView::read_out, &workbench_, &Workbench::pointed_at);
     connect(view, &ImageView::marker_selected, this, [this, view](int marker) {
-      const auto id = bench_.selection.current().observation;
+      const auto id = workbench_.selection.current().observation;
       if (!id || marker < 0) return;
-      bench_.selection.select({.observation = id, .marker = marker, .camera = cameras_->camera_of(view)});
+      workbench_.selection.select({.observation = id, .marker = marker, .camera = cameras_->look_up_camera(view)});
     });
     connect(view, &ImageView::marker_dragged, this,
             [this, view](int marker, const Vector2& px, bool finished, Qt::KeyboardModifiers keys) {
-              relabel_in_place(cameras_->camera_of(view), marker, px, finished, keys.testFlag(Qt::AltModifier));
+              relabel_in_place(cameras_->look_up_camera(view), marker, px, finished, keys.testFlag(Qt::AltModifier));
             });
     connect(view, &ImageView::marker_removed, this, &InspectWorkspace::remove_marker);
     connect(view, &ImageView::marker_renumbered, this, &InspectWorkspace::renumber);
@@ -92,9 +92,9 @@ void InspectWorkspace::connect_images() {
       right_->set_hovered_marker(marker);
     });
     connect(view, &ImageView::marker_nudged, this, [this, view](int marker, const Vector2& delta) {
-      const Observation* o = bench_.selected_observation();
+      const Observation* o = workbench_.selected_observation();
       if (!o) return;
-      const int camera = cameras_->camera_of(view);
+      const int camera = cameras_->look_up_camera(view);
       for (const Sighting& s : o->sightings)
         if (const CameraPoint* const px = seen_by(s, camera); s.marker == marker && px)
           return relabel_in_place(camera, marker, px->pixel + delta, true, true);
@@ -104,16 +104,16 @@ void InspectWorkspace::connect_images() {
 
 /// While it is dragged only the mark moves; what is let go is the action.
 void InspectWorkspace::relabel_in_place(int camera, int marker, const Vector2& px, bool finished, bool free) {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   if (!o || o->sightings.empty()) return;
-  widgets::ImageView& view = cameras_->camera_of(left_) == camera ? *left_ : *right_;
+  widgets::ImageView& view = cameras_->look_up_camera(left_) == camera ? *left_ : *right_;
   if (!finished) {
     std::vector<widgets::ImageMark> marks = view.marks();
     for (widgets::ImageMark& m : marks)
       if (m.marker == marker && m.role == widgets::MarkRole::measured) m.position = px;
     return view.set_marks(std::move(marks));
   }
-  ObservationState after = state_of(*o);
+  EditableState after = read_state(*o);
   for (Sighting& s : after.sightings) {
     if (s.marker != marker) continue;
     see(s, camera, free ? px : snapped(view.image(), px).value_or(px));  // without the sigma of what it was
@@ -122,31 +122,32 @@ void InspectWorkspace::relabel_in_place(int camera, int marker, const Vector2& p
   relabel(tr("moved marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
 }
 
-void InspectWorkspace::relabel(const QString& sentence, std::int64_t id, const ObservationState& after) {
-  Edit edit = bench_.document.edit_of(sentence, {{id, after}});
+void InspectWorkspace::relabel(const QString& sentence, std::int64_t id, const EditableState& after) {
+  Edit edit = workbench_.document.make_edit(sentence, {{id, after}});
   if (edit.is_empty()) return refresh_observation();
   // Unfinished labels of before know nothing of it.
-  edit.draft = bench_.document.edit_of_draft({}, id, std::nullopt).draft;
-  if (!bench_.document.perform(std::move(edit))) refresh_observation();
+  edit.draft = workbench_.document.edit_of_draft({}, id, std::nullopt).draft;
+  if (!workbench_.document.perform(std::move(edit))) refresh_observation();
 }
 
 void InspectWorkspace::remove_marker(int marker) {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   if (!o) return;
-  ObservationState after = state_of(*o);
+  EditableState after = read_state(*o);
   std::erase_if(after.sightings, [&](const Sighting& s) { return s.marker == marker; });
   relabel(tr("removed marker %1 of observation %2").arg(marker).arg(o->id), o->id, after);
 }
 
 void InspectWorkspace::renumber(int marker, int to) {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   if (!o) return;
-  const int count = bench_.document.session().marker_count;
+  const int count = workbench_.document.session().marker_count;
   if (to >= count) {
-    emit bench_.document.noticed(tr("There is no marker %1: this session has markers 0 to %2.").arg(to).arg(count - 1));
+    emit workbench_.document.noticed(
+        tr("There is no marker %1: this session has markers 0 to %2.").arg(to).arg(count - 1));
     return;
   }
-  ObservationState after = state_of(*o);
+  EditableState after = read_state(*o);
   for (Sighting& s : after.sightings) s.marker = s.marker == marker ? to : s.marker == to ? marker : s.marker;
   std::sort(after.sightings.begin(), after.sightings.end(),
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
@@ -155,47 +156,48 @@ void InspectWorkspace::renumber(int marker, int to) {
 
 void InspectWorkspace::connect_plots() {
   using widgets::HistogramPlot;
-  link_selection(histogram_, bench_);
-  link_selection(map_, bench_);
-  link_selection(scene_, bench_);
+  link_selection(histogram_, workbench_);
+  link_selection(map_, workbench_);
+  link_selection(scene_, workbench_);
   connect(histogram_, &HistogramPlot::threshold_changed, this, [this](double) {
     const auto beyond = histogram_->beyond_threshold();
     table_->set_highlighted(beyond);
-    if (!beyond.empty()) bench_.selection.select_many({beyond.begin(), beyond.end()});
+    if (!beyond.empty()) workbench_.selection.select_many({beyond.begin(), beyond.end()});
   });
   connect(histogram_, &HistogramPlot::threshold_set, this, [this](double threshold, const std::vector<qint64>& ids) {
     try_threshold(threshold, {ids.begin(), ids.end()});
   });
-  connect(exclude_beyond_, &QPushButton::clicked, this, [this] { bench_.exclude(beyond_, "beyond the threshold"); });
+  connect(exclude_beyond_, &QPushButton::clicked, this,
+          [this] { workbench_.exclude(beyond_, "beyond the threshold"); });
 }
 
 void InspectWorkspace::try_threshold(double threshold, const std::vector<std::int64_t>& beyond) {
   beyond_ = beyond;
   exclude_beyond_->setEnabled(false);
-  const ModelVersionPointer now = bench_.document.model();
+  const ModelVersionPointer now = workbench_.document.model();
   if (beyond.empty() || !now || !now->fit) {
-    beyond_text_->setText(tr("Nothing lies beyond %1.").arg(widgets::size_text({threshold, bench_.units.unit()})));
+    beyond_text_->setText(tr("Nothing lies beyond %1.").arg(widgets::size_text({threshold, workbench_.units.unit()})));
     return;
   }
-  Session without = bench_.document.session();
+  Session without = workbench_.document.session();
   for (const std::int64_t id : beyond)
-    without.observations[static_cast<std::size_t>(bench_.document.index_of(id))].decision = Decision::excluded;
-  bench_.jobs.start<ModelVersionPointer>(
+    without.observations[static_cast<std::size_t>(workbench_.document.find_index(id))].decision = Decision::excluded;
+  workbench_.jobs.start<ModelVersionPointer>(
       "threshold", tr("Fitting without them"),
-      [without, settings = bench_.document.settings(), revision = now->revision](JobControl& control) {
+      [without, settings = workbench_.document.settings(), revision = now->revision](JobControl& control) {
         return make_version(without, settings, revision, {}, {}, going_on(control));
       },
       [this, now, beyond](const ModelVersionPointer& then) {
-        if (then->revision != bench_.document.revision()) return;
-        beyond_text_->setText(
-            exclusion_sentence(*now, *then, beyond.size(), static_cast<std::size_t>(now->report->used), bench_.units));
+        if (then->revision != workbench_.document.revision()) return;
+        beyond_text_->setText(exclusion_sentence(*now, *then, beyond.size(),
+                                                 static_cast<std::size_t>(now->report->used), workbench_.units));
         exclude_beyond_->setEnabled(then->fit != nullptr);
       },
       [this](const QString& sentence) { beyond_text_->setText(sentence); });
 }
 
-void InspectWorkspace::connect_bench() {
-  connect(&bench_.document, &Document::opened, this, [this] {
+void InspectWorkspace::connect_workbench() {
+  connect(&workbench_.document, &Document::opened, this, [this] {
     robot_is_set_ = false;
     is_stale_ = true;
     histogram_->set_threshold(std::nullopt);  // that of another session
@@ -206,26 +208,27 @@ void InspectWorkspace::connect_bench() {
     emit status_changed();
     if (is_active()) refresh_all();
   };
-  connect(&bench_.document, &Document::model_changed, this, [this, stale] {
+  connect(&workbench_.document, &Document::model_changed, this, [this, stale] {
     exclude_beyond_->setEnabled(false);
     stale();
   });
-  connect(&bench_.units, &DisplayUnits::changed, this, stale);
-  connect(&bench_.sessions, &SessionFilter::changed, this, stale);
-  connect(&bench_.diagnosing, &Diagnosing::diagnosis_changed, this, [this] {  // what is missing is to blame here too
-    emit status_changed();
-    if (is_active()) refresh_observation();
-  });
-  connect(&bench_.document, &Document::edited, this, [this] {
+  connect(&workbench_.units, &DisplayUnits::changed, this, stale);
+  connect(&workbench_.sessions, &SessionFilter::changed, this, stale);
+  connect(&workbench_.diagnosing, &Diagnosing::diagnosis_changed, this,
+          [this] {  // what is missing is to blame here too
+            emit status_changed();
+            if (is_active()) refresh_observation();
+          });
+  connect(&workbench_.document, &Document::edited, this, [this] {
     if (is_active()) refresh_rows();
     is_stale_ = true;
   });
-  connect(&bench_.images, &ImageSource::arrived, this, [this] {
+  connect(&workbench_.images, &ImageSource::arrived, this, [this] {
     if (is_active()) refresh_observation();
   });
-  connect(&bench_.selection, &Selection::changed, this, [this] {
+  connect(&workbench_.selection, &Selection::changed, this, [this] {
     if (!is_active()) return;
-    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+    const auto id = workbench_.selection.current().observation.value_or(widgets::no_observation);
     table_->set_selected_many(chosen(), id);
     if (tabs_->currentIndex() == 0) {
       histogram_->set_selected(id);
@@ -235,13 +238,13 @@ void InspectWorkspace::connect_bench() {
     refresh_observation();
   });
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
-    const auto id = bench_.selection.current().observation.value_or(widgets::kNoObservation);
+    const auto id = workbench_.selection.current().observation.value_or(widgets::no_observation);
     histogram_->set_selected(id);
     map_->set_selected(id);
   });
-  connect(&bench_.selection, &Selection::hover_changed, this, [this] {
+  connect(&workbench_.selection, &Selection::hover_changed, this, [this] {
     if (!is_active()) return;
-    const auto id = bench_.selection.hovered().observation.value_or(widgets::kNoObservation);
+    const auto id = workbench_.selection.hovered().observation.value_or(widgets::no_observation);
     table_->set_hovered(id);
     if (map_->isVisible()) map_->set_hovered(id);
     scene_->set_hovered_observation(id);
@@ -249,21 +252,21 @@ void InspectWorkspace::connect_bench() {
 }
 
 WorkStatus InspectWorkspace::status() const {
-  const Inspection* all = bench_.inspection();
+  const Inspection* all = workbench_.inspection();
   if (!all) return {WorkState::waiting, tr("waits for a fit")};
   const auto odd = std::count_if(all->rows.begin(), all->rows.end(), [](const InspectionRow& r) { return r.outlier; });
-  const auto& observations = bench_.document.session().observations;
+  const auto& observations = workbench_.document.session().observations;
   const auto rejected = std::count_if(observations.begin(), observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
-  const Story& story = bench_.story();
+  const Story& story = workbench_.story();
   if (odd + rejected > 0) return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
   if (story.many_beyond()) return {WorkState::care, tr("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used)};
   return {WorkState::done, tr("nothing odd")};
 }
 
 void InspectWorkspace::activate() {
-  if (!robot_is_set_ && bench_.document.is_open()) {
-    const Session& s = bench_.document.session();
+  if (!robot_is_set_ && workbench_.document.is_open()) {
+    const Session& s = workbench_.document.session();
     scene_->set_robot(s.robot, (folder(s) / s.robot_file).parent_path());
     robot_is_set_ = true;
   }
@@ -282,11 +285,11 @@ void InspectWorkspace::refresh_all() {
 }
 
 void InspectWorkspace::refresh_rows() {
-  if (!bench_.document.is_open()) return;
-  const bool has_fit = bench_.inspection() != nullptr;
+  if (!workbench_.document.is_open()) return;
+  const bool has_fit = workbench_.inspection() != nullptr;
   refresh_units();
-  table_->set_rows(has_fit ? table_rows(bench_) : std::vector<widgets::ObservationRow>{});
-  table_->set_selected_many(chosen(), bench_.selection.current().observation.value_or(widgets::kNoObservation));
+  table_->set_rows(has_fit ? table_rows(workbench_) : std::vector<widgets::ObservationRow>{});
+  table_->set_selected_many(chosen(), workbench_.selection.current().observation.value_or(widgets::no_observation));
 }
 
 /// A touch has one tip: in place of the worst marker stands what it touched.
@@ -303,7 +306,7 @@ static void name_columns(QAbstractItemModel& table, bool are_touches, widgets::S
 
 void InspectWorkspace::refresh_units() {
   using widgets::SizeUnit;
-  const DisplayUnits& units = bench_.units;
+  const DisplayUnits& units = workbench_.units;
   const SizeUnit unit = units.unit();
   // Beside the unit in force stands the other of px and mm.
   std::optional<SizeUnit> second = SizeUnit::millimetre;
@@ -311,7 +314,7 @@ void InspectWorkspace::refresh_units() {
   table_->set_units(unit, second);
   histogram_->set_unit(unit);
   map_->set_unit(unit);
-  const bool are_touches = bench_.document.session().is_touch();
+  const bool are_touches = workbench_.document.session().is_touch();
   histogram_->set_touches(are_touches);
   // Through the filter columns cannot be named as long as there are no rows.
   const auto* filter = qobject_cast<QAbstractProxyModel*>(table_->view()->model());
@@ -322,30 +325,30 @@ void InspectWorkspace::refresh_units() {
 }
 
 void InspectWorkspace::refresh_plots() {
-  const Inspection* all = bench_.inspection();
-  const Session& s = bench_.document.session();
+  const Inspection* all = workbench_.inspection();
+  const Session& s = workbench_.document.session();
   histogram_->set_noise(all && all->noise ? std::optional((all->in_pixels ? 1 : 1e3) * *all->noise) : std::nullopt,
                         s.is_tracker() ? tr("mm") : tr("px"));
-  histogram_->set_cells(bench_.shown_cells());
+  histogram_->set_cells(workbench_.shown_cells());
   histogram_->fit();
   if (!histogram_->threshold()) {
-    const auto noise = all ? noise_in(bench_.units.unit(), *all) : std::nullopt;
+    const auto noise = all ? noise_in(workbench_.units.unit(), *all) : std::nullopt;
     histogram_->set_threshold(noise ? std::optional(beyond_noise * *noise) : std::nullopt);
     beyond_text_->setText(tr("Drag the threshold: what lies beyond it can be excluded."));
     exclude_beyond_->setEnabled(false);
   }
   refresh_cameras();
-  map_->set_points(map_points(bench_));
+  map_->set_points(map_points(workbench_));
   map_->fit();
   if (!all) return;
-  scene_->set_arrows(scene_arrows(s, *all, bench_.sessions));
+  scene_->set_arrows(scene_arrows(s, *all, workbench_.sessions));
   scene_->set_arrow_magnification(arrow_magnification(*all));
 }
 
 /// The choice of cameras over the image plane: of more than one.
 void InspectWorkspace::refresh_cameras() {
-  const auto& rig = bench_.document.session().rig;
-  images_->setVisible(rig || bench_.document.session().is_touch());
+  const auto& rig = workbench_.document.session().rig;
+  images_->setVisible(rig || workbench_.document.session().is_touch());
   tabs_->setTabVisible(1, rig.has_value());
   const QStringList names = rig ? camera_names_in_words(*rig) : QStringList();
   map_camera_->setVisible(names.size() > 1);
@@ -360,12 +363,12 @@ void InspectWorkspace::refresh_cameras() {
 }
 
 void InspectWorkspace::refresh_observation() {
-  const Observation* o = bench_.selected_observation();
-  const InspectionRow* row = bench_.selected_row();
+  const Observation* o = workbench_.selected_observation();
+  const InspectionRow* row = workbench_.selected_row();
   const auto ids = chosen();
   const auto any = [&](auto test) {
     return std::any_of(ids.begin(), ids.end(), [&](std::int64_t id) {
-      const Observation* one = bench_.document.find(id);
+      const Observation* one = workbench_.document.find(id);
       return one && test(*one);
     });
   };
@@ -373,29 +376,29 @@ void InspectWorkspace::refresh_observation() {
   include_->setEnabled(any([](const Observation& x) {
     return x.decision == Decision::excluded || (x.decision == Decision::rejected && !x.sightings.empty());
   }));
-  look_->setEnabled(row && row->worst_marker >= 0 && !(o && touched_fixture(bench_.document.session(), *o)));
-  const auto& rig = bench_.document.session().rig;
+  look_->setEnabled(row && row->worst_marker >= 0 && !(o && touched_fixture(workbench_.document.session(), *o)));
+  const auto& rig = workbench_.document.session().rig;
   relabel_->setEnabled(o && !o->images[0].empty() && rig && is_pair(*rig));
-  blame_->set_sentence(blame_sentence(bench_, row, o));
+  attribution_->set_sentence(attribution_sentence(workbench_, row, o));
   const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
-  const Session& s = bench_.document.session();
-  blame_->set_none_text(is_noise                     ? tr("Nothing stands out of the noise")
-                        : row && s.is_touch()        ? tr("Cannot be split by touches")
-                        : row && s.marker_count == 1 ? cannot_be_split_text()
-                                                     : QString());
-  blame_->set_blame(row ? shown_blame(bench_, *row) : std::nullopt);
+  const Session& s = workbench_.document.session();
+  attribution_->set_none_text(is_noise                     ? tr("Nothing stands out of the noise")
+                              : row && s.is_touch()        ? tr("Cannot be split by touches")
+                              : row && s.marker_count == 1 ? cannot_be_split_text()
+                                                           : QString());
+  attribution_->set_attribution(row ? shown_attribution(workbench_, *row) : std::nullopt);
   if (!o) {
     left_->clear(tr("Choose an observation in the strip, a plot or the 3D view."));
     right_->clear({});
     return;
   }
-  show_images(bench_, *o, row, cameras_->shown(), true);
-  const Inspection* all = bench_.inspection();
+  show_images(workbench_, *o, row, cameras_->shown(), true);
+  const Inspection* all = workbench_.inspection();
   const double times = row && rig ? magnification_over_noise(row->worst_size, all->noise, 60) : 1;
   left_->set_magnification(times);
   right_->set_magnification(times);
   magnified_->setText(row && row->rms && rig ? tr("arrows × %1").arg(times) : QString());
-  show_pose(bench_.document, *o, row, *scene_);
+  show_pose(workbench_.document, *o, row, *scene_);
   scene_->set_ghost_magnification(
       row && row->tcp_from_tcp_est
           ? magnification_over_noise(row->tcp_from_tcp_est->translation.norm(), all->noise_m, 0.05)

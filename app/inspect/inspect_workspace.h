@@ -2,7 +2,7 @@
 // The Inspect workspace: which observations are off, whose fault it is, and what becomes of the fit without them.
 #pragma once
 
-#include "bench/workspace.h"
+#include "workbench/workspace.h"
 
 class QComboBox;
 class QLabel;
@@ -10,7 +10,7 @@ class QPushButton;
 class QTabWidget;
 
 namespace handsight::widgets {
-class BlameBar;
+class AttributionBar;
 class HistogramPlot;
 class ImageView;
 class ObservationTable;
@@ -26,7 +26,7 @@ class InspectWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit InspectWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit InspectWorkspace(Workbench& workbench, QWidget* parent = nullptr);
 
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;
@@ -40,7 +40,7 @@ class InspectWorkspace : public Workspace {
   void connect_table();
   void connect_images();
   void connect_plots();
-  void connect_bench();
+  void connect_workbench();
   void refresh_all();
   void refresh_rows();
   void refresh_units();
@@ -48,7 +48,7 @@ class InspectWorkspace : public Workspace {
   void refresh_plots();
   void refresh_cameras();
   void relabel_in_place(int camera, int marker, const Vector2& px, bool finished, bool free);
-  void relabel(const QString& sentence, std::int64_t id, const ObservationState& after);
+  void relabel(const QString& sentence, std::int64_t id, const EditableState& after);
   void remove_marker(int marker);
   void renumber(int marker, int to);
   void try_threshold(double threshold, const std::vector<std::int64_t>& beyond);
@@ -58,7 +58,7 @@ class InspectWorkspace : public Workspace {
   widgets::ImageView *left_, *right_;
   CameraStrip* cameras_;
   QWidget* images_;  // hidden where there are none
-  widgets::BlameBar* blame_;
+  widgets::AttributionBar* attribution_;
   widgets::RobotView* scene_;
   widgets::HistogramPlot* histogram_;
   widgets::ResidualMap* map_;

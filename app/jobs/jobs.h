@@ -18,7 +18,7 @@ namespace handsight::app {
 class JobControl {
  public:
   bool is_cancelled() const { return cancelled_; }
-  /// Share that is done, 0 to 1; one that is less than was told before is kept to oneself.
+  /// Share that is done, 0 to 1; one that is less than was reported before is kept to oneself.
   void report(double share) {
     if (share > share_) share_ = share;
   }

@@ -105,13 +105,13 @@ void LabelWorkspace::connect_left() {
       if (found == labeller_.markers().end() || (!is_left && !found->second.right)) return;
       const Vector2 from = is_left ? found->second.left.position : found->second.right->position;
       labeller_.move(marker, is_left, from + delta, true);
-      if (nudged_ != marker) nudge_join_ = bench_.document.new_join();
+      if (nudged_ != marker) nudge_join_ = workbench_.document.new_join();
       nudged_ = marker;
       remember(tr("nudged marker %1 of observation %2").arg(marker).arg(observation_), nudge_join_);
     });
     connect(view, &ImageView::marker_removed, this, &LabelWorkspace::remove_marker);
     connect(view, &ImageView::marker_renumbered, this, &LabelWorkspace::renumber);
-    connect(view, &ImageView::read_out, &bench_, &Workbench::pointed_at);
+    connect(view, &ImageView::read_out, &workbench_, &Workbench::pointed_at);
   }
 }
 
@@ -142,7 +142,7 @@ void LabelWorkspace::connect_panel() {
   connect(triangle_, &TrianglePanel::marker_removed, this, &LabelWorkspace::remove_marker);
   connect(triangle_, &TrianglePanel::marker_renumbered, this, &LabelWorkspace::renumber);
   connect(triangle_, &TrianglePanel::candidate_chosen, this, &LabelWorkspace::choose_partner);
-  connect(triangle_, &TrianglePanel::action_requested, &bench_.document, &Document::undo);
+  connect(triangle_, &TrianglePanel::action_requested, &workbench_.document, &Document::undo);
   connect(triangle_, &TrianglePanel::candidate_hovered, right_, &widgets::ImageView::set_hovered_candidate);
 }
 

@@ -5,9 +5,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 
-#include "bench/observation_views.h"
-#include "bench/session_parts.h"
-#include "bench/touch_views.h"
 #include "vision/corners/corner_detector.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
@@ -15,40 +12,43 @@
 #include "widgets/images/loupe.h"
 #include "widgets/images/triangle_panel.h"
 #include "words/counted.h"
+#include "workbench/observation_views.h"
+#include "workbench/session_parts.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 
-LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+LabelWorkspace::LabelWorkspace(Workbench& workbench, QWidget* parent) : Workspace(workbench, parent) {
   setObjectName("label");
   make_layout();
   connect_left();
   connect_right();
   connect_panel();
-  connect(&bench.selection, &Selection::changed, this, [this] {
+  connect(&workbench.selection, &Selection::changed, this, [this] {
     if (is_active()) show_observation();
   });
   // What is shown is read again where it was changed elsewhere: corrected, undone, taken by a play.
-  connect(&bench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
+  connect(&workbench.document, &Document::edited, this, [this](const std::vector<std::int64_t>& ids) {
     emit status_changed();
     if (is_own_edit_ || std::find(ids.begin(), ids.end(), observation_) == ids.end()) return;
     observation_ = -1;
     if (is_active()) show_observation();
   });
-  connect(&bench.document, &Document::draft_changed, this, [this](std::int64_t id) {
+  connect(&workbench.document, &Document::draft_changed, this, [this](std::int64_t id) {
     if (is_own_edit_ || id != observation_) return;
     observation_ = -1;
     if (is_active()) show_observation();
   });
-  connect(&bench.images, &ImageSource::arrived, this, [this] {
+  connect(&workbench.images, &ImageSource::arrived, this, [this] {
     if (!was_coming_) return;
     observation_ = -1;
     if (is_active()) show_observation();
   });
-  connect(&bench, &Workbench::relabel_requested, this, [this](qint64 id) {
-    bench_.selection.select_observation(id);
+  connect(&workbench, &Workbench::relabel_requested, this, [this](qint64 id) {
+    workbench_.selection.select_observation(id);
     observation_ = -1;
   });
-  connect(&bench.document, &Document::closed, this, [this] {
+  connect(&workbench.document, &Document::closed, this, [this] {
     observation_ = corners_of_ = -1;
     corners_ = {};
     left_->clear({});
@@ -57,7 +57,7 @@ LabelWorkspace::LabelWorkspace(Workbench& bench, QWidget* parent) : Workspace(be
 }
 
 WorkStatus LabelWorkspace::status() const {
-  const Session& s = bench_.document.session();
+  const Session& s = workbench_.document.session();
   const auto labelled = std::count_if(s.observations.begin(), s.observations.end(), [](const Observation& o) {
     return std::any_of(o.sightings.begin(), o.sightings.end(),
                        [](const Sighting& x) { return x.by == MarkedBy::hand; });
@@ -65,7 +65,7 @@ WorkStatus LabelWorkspace::status() const {
   if (is_joined(s)) return {WorkState::done, tr("in each session")};
   const bool any = std::any_of(s.observations.begin(), s.observations.end(),
                                [](const Observation& o) { return !o.sightings.empty(); });
-  if (bench_.document.session().is_touch()) return {WorkState::done, tr("needs no labels")};
+  if (workbench_.document.session().is_touch()) return {WorkState::done, tr("needs no labels")};
   if (labelled > 0) return {WorkState::done, tr("%1 by hand").arg(labelled)};
   if (any) return {WorkState::done, tr("labels included")};
   if (s.target) return {WorkState::done, tr("needs no labels")};
@@ -81,7 +81,7 @@ bool LabelWorkspace::key(QKeyEvent* event) {
 }
 
 void LabelWorkspace::show_observation() {
-  const Observation* o = bench_.selected_observation();
+  const Observation* o = workbench_.selected_observation();
   if (!o) {
     left_->clear(tr("Choose an observation in the strip."));
     right_->clear({});
@@ -94,13 +94,13 @@ void LabelWorkspace::show_observation() {
   sentence_.clear();
   can_take_back_ = false;
   nudged_ = -1;
-  const Session& s = bench_.document.session();
-  labeller_.start(s, *o, corners_of_ == o->id ? corners_ : CornersOfPair{}, bench_.document.draft_of(o->id));
+  const Session& s = workbench_.document.session();
+  labeller_.start(s, *o, corners_of_ == o->id ? corners_ : CornersOfPair{}, workbench_.document.find_draft(o->id));
   if (!labeller_.markers().contains(marker_)) marker_ = -1;
-  const OwnSession own = own_session_of(s, o->part);
-  const ShownImage left = bench_.images.image(s, *o, own.first_camera),
-                   right = bench_.images.image(s, *o, own.first_camera + 1);
-  const QString none = s.is_touch()     ? touched_text(s, *o, bench_.row(o->id), bench_.units)
+  const OwnSession own = take_own_session(s, o->part);
+  const ShownImage left = workbench_.images.image(s, *o, own.first_camera),
+                   right = workbench_.images.image(s, *o, own.first_camera + 1);
+  const QString none = s.is_touch()     ? touched_text(s, *o, workbench_.row(o->id), workbench_.units)
                        : s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
                                         : tr("Observation %1 has no images to label.").arg(o->id);
   const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
@@ -136,7 +136,7 @@ void LabelWorkspace::show_observation() {
 }
 
 void LabelWorkspace::find_corners(std::int64_t id) {
-  bench_.background.start<CornersOfPair>(
+  workbench_.background.start<CornersOfPair>(
       "corners", tr("Looking for corners"),
       [left = left_->image(), right = right_->image()](JobControl&) {
         return CornersOfPair{detect_corners(grey_image(left)), detect_corners(grey_image(right))};
@@ -149,18 +149,18 @@ void LabelWorkspace::corners_found(std::int64_t id, CornersOfPair corners) {
   if (id != observation_) return;
   corners_of_ = id;
   corners_ = std::move(corners);
-  const Observation* o = bench_.document.find(id);
+  const Observation* o = workbench_.document.find(id);
   if (!o) return;
-  labeller_.start(bench_.document.session(), *o, corners_, bench_.document.draft_of(id));
+  labeller_.start(workbench_.document.session(), *o, corners_, workbench_.document.find_draft(id));
   refresh();
 }
 
 void LabelWorkspace::select_marker(int marker) {
   marker_ = marker;
-  if (bench_.selection.current().observation) {
-    Selected s{.observation = bench_.selection.current().observation};
+  if (workbench_.selection.current().observation) {
+    Selected s{.observation = workbench_.selection.current().observation};
     if (marker >= 0) s.marker = marker;
-    bench_.selection.select(s);
+    workbench_.selection.select(s);
   }
   refresh();
 }
@@ -181,9 +181,9 @@ void LabelWorkspace::refresh() {
     left_marks.push_back({.marker = number, .position = m.left.position});
     if (m.right) right_marks.push_back({.marker = number, .position = m.right->position});
   }
-  const Session& s = bench_.document.session();
-  if (const Observation* o = bench_.selected_observation(); o && s.rig && (is_joined(s) || !is_pair(*s.rig))) {
-    const int first = own_session_of(s, o->part).first_camera;
+  const Session& s = workbench_.document.session();
+  if (const Observation* o = workbench_.selected_observation(); o && s.rig && (is_joined(s) || !is_pair(*s.rig))) {
+    const int first = take_own_session(s, o->part).first_camera;
     left_marks = label_marks(*o, first);
     right_marks = label_marks(*o, first + 1);
   }
@@ -232,7 +232,7 @@ void LabelWorkspace::refresh_panel() {
   const int missing = labeller_.wanted() - static_cast<int>(labeller_.markers().size());
   const bool has_images = !left_->image().isNull();
   state.can_use = labeller_.will_do();
-  state.can_discard = has_images || bench_.document.session().observations.size() > 1;
+  state.can_discard = has_images || workbench_.document.session().observations.size() > 1;
   state.verdict = widgets::TriangleVerdict::waiting;
   if (can_take_back_) state.action = tr("As I clicked them");
   for (std::size_t m = 0; m < labeller_.known().in_body.size(); ++m)
@@ -244,13 +244,13 @@ void LabelWorkspace::refresh_panel() {
   } else if (!labeller_.refusal().isEmpty()) {
     state.verdict = widgets::TriangleVerdict::bad;
     state.sentence = labeller_.refusal();
-  } else if (is_joined(bench_.document.session())) {
+  } else if (is_joined(workbench_.document.session())) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in one session: open it by itself.");
-  } else if (bench_.document.session().is_touch()) {
+  } else if (workbench_.document.session().is_touch()) {
     state.can_use = false;
     state.sentence = tr("Touches have no images: there is nothing to label.");
-  } else if (const auto& rig = bench_.document.session().rig; rig && !is_pair(*rig)) {
+  } else if (const auto& rig = workbench_.document.session().rig; rig && !is_pair(*rig)) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in sessions of two cameras. These labels came with the session.");
   } else if (!has_images) {
@@ -282,10 +282,10 @@ void LabelWorkspace::refresh_panel() {
 }
 
 void LabelWorkspace::remember(const QString& sentence, std::int64_t join) {
-  Edit edit = bench_.document.edit_of_draft(sentence, observation_, labeller_.draft());
+  Edit edit = workbench_.document.edit_of_draft(sentence, observation_, labeller_.draft());
   edit.joins = join;
   is_own_edit_ = true;
-  const bool is_done = bench_.document.perform(std::move(edit));
+  const bool is_done = workbench_.document.perform(std::move(edit));
   is_own_edit_ = false;
   if (!is_done) {  // what cannot be written down is not there
     observation_ = -1;
@@ -338,27 +338,28 @@ void LabelWorkspace::choose_partner(int corner) {
 }
 
 void LabelWorkspace::use() {
-  const Observation* o = bench_.document.find(observation_);
+  const Observation* o = workbench_.document.find(observation_);
   if (!o || !labeller_.will_do()) return;
-  const ObservationState after{labeller_.sightings(), Decision::none, ""};
-  Edit edit = bench_.document.edit_of(tr("labelled observation %1").arg(o->id), {{o->id, after}});
-  if (edit.is_empty()) return bench_.workspace_requested(Place::calibrate);
-  edit.draft = bench_.document.edit_of_draft({}, o->id, std::nullopt).draft;
-  const auto& all = bench_.document.session().observations;
+  const EditableState after{labeller_.sightings(), Decision::none, ""};
+  Edit edit = workbench_.document.make_edit(tr("labelled observation %1").arg(o->id), {{o->id, after}});
+  if (edit.is_empty()) return workbench_.workspace_requested(Place::calibrate);
+  edit.draft = workbench_.document.edit_of_draft({}, o->id, std::nullopt).draft;
+  const auto& all = workbench_.document.session().observations;
   const bool is_first =
       std::none_of(all.begin(), all.end(), [](const Observation& x) { return x.decision == Decision::accepted; });
-  const bool is_waited_for = bench_.label_wanted.has_value();
-  if (bench_.document.perform(edit) && (is_first || is_waited_for)) emit bench_.workspace_requested(Place::calibrate);
+  const bool is_waited_for = workbench_.label_wanted.has_value();
+  if (workbench_.document.perform(edit) && (is_first || is_waited_for))
+    emit workbench_.workspace_requested(Place::calibrate);
 }
 
 void LabelWorkspace::next_observation() {
-  const auto& all = bench_.document.session().observations;
-  const int index = bench_.document.index_of(observation_);
+  const auto& all = workbench_.document.session().observations;
+  const int index = workbench_.document.find_index(observation_);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Observation& o = all[(static_cast<std::size_t>(std::max(0, index)) + k) % all.size()];
-    const auto& rig = bench_.document.session().rig;
+    const auto& rig = workbench_.document.session().rig;
     if (o.images[0].empty() || (rig && rig->count() > 1 && o.images[1].empty())) continue;
-    bench_.selection.select_observation(o.id);
+    workbench_.selection.select_observation(o.id);
     return;
   }
   say(tr("No other observation has images."));

@@ -2,8 +2,8 @@
 // The Label workspace: the first observation, by hand.
 #pragma once
 
-#include "bench/workspace.h"
 #include "label/labeller.h"
+#include "workbench/workspace.h"
 
 class QCheckBox;
 class QLabel;
@@ -20,7 +20,7 @@ class LabelWorkspace : public Workspace {
   Q_OBJECT
 
  public:
-  explicit LabelWorkspace(Workbench& bench, QWidget* parent = nullptr);
+  explicit LabelWorkspace(Workbench& workbench, QWidget* parent = nullptr);
 
   std::vector<Action> own_actions() const override;
   WorkStatus status() const override;

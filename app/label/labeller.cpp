@@ -47,7 +47,7 @@ KnownMarkers known_from_others(const Session& session, std::int64_t except) {
 
 void Labeller::start(const Session& session, const Observation& observation, CornersOfPair corners,
                      const LabelDraft* draft) {
-  rig_ = session.rig && is_pair(*session.rig) ? std::optional(stereo_of(*session.rig)) : std::nullopt;
+  rig_ = session.rig && is_pair(*session.rig) ? std::optional(make_stereo(*session.rig)) : std::nullopt;
   marker_count_ = session.marker_count;
   known_ = known_from_others(session, observation.id);
   markers_.clear();

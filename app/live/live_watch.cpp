@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "bench/preferences.h"
 #include "words/core_words.h"
+#include "workbench/preferences.h"
 
 namespace handsight::app {
 namespace {
@@ -44,7 +44,7 @@ void remember_live_sources(const fs::path& session_file, const LiveSources& sour
   remember_preference(preference_of(session_file), paths.join('\n'));
 }
 
-LiveWatch::LiveWatch(Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {
+LiveWatch::LiveWatch(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &LiveWatch::look);
   const auto news = [this] {
@@ -52,8 +52,8 @@ LiveWatch::LiveWatch(Workbench& bench, QObject* parent) : QObject(parent), bench
   };
   connect(&files_, &QFileSystemWatcher::directoryChanged, this, news);
   connect(&files_, &QFileSystemWatcher::fileChanged, this, news);
-  connect(&bench.document, &Document::edited, this, [this] { is_session_changed_ = true; });
-  connect(&bench.document, &Document::closed, this, [this] { set_watching(false); });
+  connect(&workbench.document, &Document::edited, this, [this] { is_session_changed_ = true; });
+  connect(&workbench.document, &Document::closed, this, [this] { set_watching(false); });
 }
 
 void LiveWatch::set_watching(bool watching) {
@@ -67,8 +67,8 @@ void LiveWatch::set_watching(bool watching) {
   remarks_.clear();
   early_.clear();
   if (watching) {
-    sources_ = live_sources(bench_.document.session());
-    arrivals_ = std::make_shared<Arrivals>(bench_.document.session(), sources_, settled);
+    sources_ = live_sources(workbench_.document.session());
+    arrivals_ = std::make_shared<Arrivals>(workbench_.document.session(), sources_, settled);
     is_session_changed_ = false;
     arrived_ = 0;
     look();
@@ -77,7 +77,7 @@ void LiveWatch::set_watching(bool watching) {
 }
 
 void LiveWatch::set_sources(const LiveSources& sources) {
-  remember_live_sources(bench_.document.session().file, sources);
+  remember_live_sources(workbench_.document.session().file, sources);
   if (!is_watching_) return;
   set_watching(false);
   set_watching(true);
@@ -100,13 +100,13 @@ void LiveWatch::look() {
   if (!is_watching_) return;
   if (jobs_.is_busy()) return timer_.start(between_looks);  // a look of the watch before, at a slow drive
   watch_paths();
-  if (std::exchange(is_session_changed_, false)) arrivals_->know(bench_.document.session());
+  if (std::exchange(is_session_changed_, false)) arrivals_->know(workbench_.document.session());
   struct Found {
     std::vector<Observation> arrived;
     std::vector<Message> standing;
   };
   jobs_.start<std::shared_ptr<Found>>(
-      "look", bench_.document.session().rig ? tr("Looking for new images") : tr("Looking for new measurements"),
+      "look", workbench_.document.session().rig ? tr("Looking for new images") : tr("Looking for new measurements"),
       [arrivals = arrivals_](JobControl&) {
         auto found = std::make_shared<Found>();
         found->arrived = arrivals->look().arrived;
@@ -143,7 +143,7 @@ std::pair<std::int64_t, double> end_of(const Session& session) {
 void LiveWatch::take(std::vector<Observation> arrived, const std::vector<Message>& remarks) {
   if (!is_watching_) return;
   std::vector<Observation> observations;
-  auto [id, time] = end_of(bench_.document.session());
+  auto [id, time] = end_of(workbench_.document.session());
   for (Observation& o : arrived) {
     if (is_early(o, time)) continue;
     o.id = id++;
@@ -165,7 +165,7 @@ void LiveWatch::hand_over(const std::vector<Observation>& observations) {
   emit arrived_now(observations);
   if (!arrivals_) return;
   for (const Observation& o : observations)
-    if (bench_.document.find(o.id))
+    if (workbench_.document.find(o.id))
       ++arrived_;
     else
       arrivals_->forget(o);
@@ -174,8 +174,8 @@ void LiveWatch::hand_over(const std::vector<Observation>& observations) {
 
 QString LiveWatch::state_text() const {
   if (!is_watching_) return {};
-  const fs::path home = folder(bench_.document.session());
-  QString text = bench_.document.session().rig ? images_text(home) : measured_text();
+  const fs::path home = folder(workbench_.document.session());
+  QString text = workbench_.document.session().rig ? images_text(home) : measured_text();
   constexpr qsizetype most = 2;
   for (const QString& remark : remarks_.mid(0, most)) text += ' ' + remark;
   if (remarks_.size() > most) text += tr(" And %1 more.").arg(remarks_.size() - most);
@@ -183,7 +183,7 @@ QString LiveWatch::state_text() const {
 }
 
 QString LiveWatch::measured_text() const {
-  const Session& session = bench_.document.session();
+  const Session& session = workbench_.document.session();
   const QString wanted =
       session.pose_sensor ? tr("Waiting for the next pose of the target in poses.csv and %1 in joints.csv; %2 arrived.")
                           : tr("Waiting for the next points in points.csv and %1 in joints.csv; %2 arrived.");

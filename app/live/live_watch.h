@@ -8,8 +8,8 @@
 #include <QTimer>
 
 #include "base/message.h"
-#include "bench/workbench.h"
 #include "live/arrivals.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -21,7 +21,7 @@ class LiveWatch : public QObject {
   Q_OBJECT
 
  public:
-  explicit LiveWatch(Workbench& bench, QObject* parent = nullptr);
+  explicit LiveWatch(Workbench& workbench, QObject* parent = nullptr);
 
   bool is_watching() const { return is_watching_; }
   void set_watching(bool watching);
@@ -45,7 +45,7 @@ class LiveWatch : public QObject {
   void hand_over(const std::vector<Observation>& observations);
   bool is_early(const Observation& arrived, double last);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   Jobs jobs_;  // of its own: what else is in the background may take long
   QFileSystemWatcher files_;
   QTimer timer_;

@@ -96,27 +96,27 @@ QString collision_text(const Collision& c, bool mine) {
               : QObject::tr("the session as it was written; what was done here is kept beside the journal");
 }
 
-MergePage::MergePage(Workbench& bench, QWidget* parent) : Workspace(bench, parent) {
+MergePage::MergePage(Workbench& workbench, QWidget* parent) : Workspace(workbench, parent) {
   setObjectName("merge");
   make_layout();
   connect(table_, &QTableWidget::cellClicked, this, [this](int row, int column) {
     if (column == here || column == there) choose(row, column == here);
   });
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
-    const auto& all = bench_.document.collisions();
+    const auto& all = workbench_.document.collisions();
     if (row < 0 || row >= static_cast<int>(all.size())) return;
     const std::int64_t id = all[static_cast<std::size_t>(row)].id;
-    if (bench_.document.find(id)) bench_.selection.select_observation(id);
+    if (workbench_.document.find(id)) workbench_.selection.select_observation(id);
   });
   connect(all_mine_, &QPushButton::clicked, this, [this] { choose_all(true); });
   connect(all_theirs_, &QPushButton::clicked, this, [this] { choose_all(false); });
   connect(decide_, &QPushButton::clicked, this, &MergePage::decide);
   connect(later_, &QPushButton::clicked, this, [this] {
-    bench_.document.put_off_collisions();
+    workbench_.document.put_off_collisions();
     emit done();
   });
-  connect(&bench.document, &Document::collided, this, [this] {
-    mine_.assign(bench_.document.collisions().size(), true);
+  connect(&workbench.document, &Document::collided, this, [this] {
+    mine_.assign(workbench_.document.collisions().size(), true);
     refusal_->clear();
     refresh();
   });
@@ -150,7 +150,7 @@ void MergePage::make_layout() {
   const auto button = [&](const char* name, const QString& text) {
     auto* b = new QPushButton(text, this);
     b->setObjectName(name);
-    b->setMinimumHeight(widgets::kControlHeight);
+    b->setMinimumHeight(widgets::control_height);
     b->setAutoDefault(false);
     return b;
   };
@@ -178,7 +178,7 @@ void MergePage::make_layout() {
 }
 
 void MergePage::refresh() {
-  const std::vector<Collision>& all = bench_.document.collisions();
+  const std::vector<Collision>& all = workbench_.document.collisions();
   if (mine_.size() != all.size()) mine_.assign(all.size(), true);
   const bool is_whole = !all.empty() && all.front().what == Collision::What::session;
   sentence_->setText(is_whole
@@ -186,7 +186,7 @@ void MergePage::refresh() {
                               "it. Which of the two is to be the session? The other one is kept.")
                          : tr("What only one side has changed is put together by itself. Here both have changed the "
                               "same: click on what is to count."));
-  const bool is_tracker = bench_.document.session().is_tracker();
+  const bool is_tracker = workbench_.document.session().is_tracker();
   table_->setColumnHidden(observation, is_whole);
   table_->setRowCount(static_cast<int>(all.size()));
   for (int r = 0; r < table_->rowCount(); ++r) {
@@ -226,7 +226,7 @@ void MergePage::choose_all(bool mine) {
 
 void MergePage::decide() {
   try {
-    if (bench_.document.decide_collisions(mine_)) emit done();
+    if (workbench_.document.decide_collisions(mine_)) emit done();
   } catch (const std::exception& error) {
     refusal_->setText(QString::fromUtf8("✗ ") + translated_error(error));
   }

@@ -3,7 +3,7 @@
 // of the two counts. It takes the place of a workspace until it is decided or put off.
 #pragma once
 
-#include "bench/workspace.h"
+#include "workbench/workspace.h"
 
 class QLabel;
 class QPushButton;
@@ -15,7 +15,7 @@ class MergePage : public Workspace {
   Q_OBJECT
 
  public:
-  MergePage(Workbench& bench, QWidget* parent);
+  MergePage(Workbench& workbench, QWidget* parent);
 
   WorkStatus status() const override { return {}; }
   Panel panel() const override { return Panel::folded; }

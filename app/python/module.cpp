@@ -7,7 +7,7 @@
 #include <pybind11/stl.h>
 
 #include "base/error.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"
@@ -15,7 +15,7 @@
 #include "printing/diagnosis_output.h"
 #include "printing/fit_output.h"
 #include "printing/improvement_output.h"
-#include "printing/told_json.h"
+#include "printing/reported_json.h"
 #include "robot/urdf.h"
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
@@ -29,7 +29,7 @@ using Names = std::vector<std::string>;
 using Positions = Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 constexpr char software[] = "handsight " HANDSIGHT_VERSION;
 
-std::string text_of(const cli::Json& json) { return cli::json_text(json, -1); }
+std::string make_text(const cli::Json& json) { return cli::json_text(json, -1); }
 
 /// A session of this text and robot; there are no images.
 Session session_from_text(const std::string& text, const std::string& robot) {
@@ -45,7 +45,7 @@ Eigen::MatrixXd positions_of(const Session& s) {
   return all;
 }
 
-std::vector<std::int64_t> ids_of(const Session& s) {
+std::vector<std::int64_t> list_ids(const Session& s) {
   std::vector<std::int64_t> ids;
   for (const Observation& o : s.observations) ids.push_back(o.id);
   return ids;
@@ -102,30 +102,30 @@ Fitted fitted(const Session& session, const Names& effects, const std::string& o
               bool fix_markers, bool without_wrong_points) {
   const FitOptions options = fit_options(session, effects, objective, loss, fix_markers);
   const CleanFit clean =
-      without_wrong_points ? clean_model(session, options) : CleanFit{session, fit(session, options), {}};
-  const FitReport told = report(clean.session, clean.fit, options);
-  cli::Json json = cli::fit_json(session, clean.fit, told, options);
+      without_wrong_points ? fit_without_outliers(session, options) : CleanFit{session, fit(session, options), {}};
+  const FitReport reported = report(clean.session, clean.fit, options);
+  cli::Json json = cli::fit_json(session, clean.fit, reported, options);
   if (without_wrong_points) json["wrong_points"] = cli::wrong_points_json(clean.wrong, clean.session);
-  return {text_of(json), calibrated_robot(session, clean.fit, told, options, software)};
+  return {make_text(json), calibrated_robot(session, clean.fit, reported, options, software)};
 }
 
 std::string checked(const Session& session) {
   SessionCheck check = check_session(session);
   const bool works = check.problems.empty();
-  const auto size = works ? cli::target_size_of(session) : std::nullopt;
+  const auto size = works ? cli::find_target_size(session) : std::nullopt;
   if (size) check.warnings.push_back(size->text + " " + size->fix);
   cli::Json json = cli::check_json(session, check);
   json["target_size"] = cli::target_size_json(size);
   json["blunders"] =
-      cli::blunders_json(works && !cli::settles_it(size) ? cli::blunders_of(session) : std::vector<Blunder>());
-  return text_of(json);
+      cli::blunders_json(works && !cli::settles_it(size) ? cli::list_blunders(session) : std::vector<Blunder>());
+  return make_text(json);
 }
 
 std::string diagnosis_text(const Session& session, const Names& effects) {
   DiagnosisOptions options;
   cli::add_effects(effects, session, options.effects, options.estimated);
   options.on_progress = [](double) { return go_on(); };
-  return text_of(cli::diagnosis_json(session, diagnose(session, options)));
+  return make_text(cli::diagnosis_json(session, diagnose(session, options)));
 }
 
 Fitted improvement_of(const Session& session, const Names& effects, bool names_only) {
@@ -134,9 +134,9 @@ Fitted improvement_of(const Session& session, const Names& effects, bool names_o
   options.with_curves = !names_only;
   options.on_progress = [](double) { return go_on(); };
   const Improvement m = improve(session, options);
-  return {
-      text_of(cli::improvement_json(session, m)),
-      calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software, m.certainty.doubt)};
+  return {make_text(cli::improvement_json(session, m)),
+          calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software,
+                           m.inclusion_probabilities.model_uncertainty)};
 }
 
 CalibratedRobot read_calibrated(const std::string& file, const std::string& robot) {
@@ -144,24 +144,24 @@ CalibratedRobot read_calibrated(const std::string& file, const std::string& robo
 }
 
 /// One pose a row, each at rest and from nowhere.
-std::vector<Circumstances> poses_of(const CalibratedRobot& robot, const Positions& positions) {
+std::vector<ObservationState> poses_of(const CalibratedRobot& robot, const Positions& positions) {
   if (positions.cols() != static_cast<Eigen::Index>(robot.joint_names.size()))
     throw InputError(message("positions have {} columns; expected {}, one a joint: {}.", positions.cols(),
                              robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
   if (!positions.allFinite())
     throw InputError("positions hold a number that is not finite (nan or inf); expected angles in rad (m).");
-  std::vector<Circumstances> poses;
+  std::vector<ObservationState> poses;
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
-    poses.push_back(circumstances_at(robot.chain, Eigen::VectorXd(positions.row(i))));
+    poses.push_back(states_at(robot.chain, Eigen::VectorXd(positions.row(i))));
   return poses;
 }
 
 std::string predicted(const CalibratedRobot& calibrated, const Positions& positions) {
   const CalibratedRobot robot = with_moved_hand(calibrated);
   cli::Json list = cli::Json::array();
-  for (const Circumstances& pose : poses_of(robot, positions))
+  for (const ObservationState& pose : poses_of(robot, positions))
     list.push_back(cli::prediction_json(predict_tcp(pose, robot.model), robot.model.rotation_is_observed));
-  return text_of(list);
+  return make_text(list);
 }
 
 std::optional<Rigid> target_of(const std::optional<Eigen::Matrix4d>& matrix) {
@@ -179,9 +179,9 @@ std::string correction_text(const CalibratedRobot& calibrated, const Positions& 
   const CalibratedRobot robot = with_moved_hand(calibrated);
   const std::optional<Rigid> wanted = target_of(target);
   cli::Json list = cli::Json::array();
-  for (const Circumstances& pose : poses_of(robot, positions))
+  for (const ObservationState& pose : poses_of(robot, positions))
     list.push_back(cli::correction_json(cli::commanded_position(pose), corrected(pose, robot.model, wanted)));
-  return text_of(list);
+  return make_text(list);
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("marker_count", [](const Session& s) { return s.marker_count; })
       .def_property_readonly("notes", [](const Session& s) { return english(s.notes); })
       .def_property_readonly("cameras", &camera_names_of)
-      .def_property_readonly("ids", &ids_of)
+      .def_property_readonly("ids", &list_ids)
       .def_property_readonly("positions", &positions_of)
       .def("measured", &measured, arg("camera"))
       .def("text", &session_text);
@@ -210,7 +210,7 @@ PYBIND11_MODULE(_core, m) {
       "read_session",
       [](const std::string& path) {
         const auto one = [](const std::string& file) { return read_session(file); };
-        return is_collection(path) ? joined_of(read_collection(path), one) : one(path);
+        return is_collection(path) ? join_collection(read_collection(path), one) : one(path);
       },
       arg("path"));
   m.def("session_of", &session_from_text, arg("text"), arg("robot"));

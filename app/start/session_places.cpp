@@ -178,7 +178,7 @@ fs::path fresh_copy(const SampleSession& sample) {
   if (fs::exists(copy, error)) {
     // The journal belongs to the work that is thrown away.
     try {
-      const std::string digest = digest_of(read_file(copy / "session.xml"));
+      const std::string digest = compute_digest(read_file(copy / "session.xml"));
       Journal(copy / "session.xml", digest).clear(digest);
     } catch (const InputError&) {
       throw InputError(message("{}: the sample session is open in another window; close it first.", shown_path(copy)));
@@ -188,7 +188,7 @@ fs::path fresh_copy(const SampleSession& sample) {
   return working_copy(sample);
 }
 
-std::string sample_of(const fs::path& session_file) {
+std::string take_sample(const fs::path& session_file) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(session_file, error).parent_path();
   if (folder.parent_path() != fs::weakly_canonical(state_folder() / "samples", error)) return {};

@@ -41,6 +41,6 @@ std::filesystem::path working_copy(const SampleSession& sample);
 std::filesystem::path fresh_copy(const SampleSession& sample);
 
 /// The sample that a session is a copy of; empty where it is none.
-std::string sample_of(const std::filesystem::path& session_file);
+std::string take_sample(const std::filesystem::path& session_file);
 
 }  // namespace handsight::app

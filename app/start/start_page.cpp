@@ -11,12 +11,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
 #include "start/session_places.h"
 #include "widgets/base/cells.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/theme.h"
 #include "widgets/images/image_contrast.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <QLocale>
 #include <QMenu>
 
-#include "bench/preferences.h"
 #include "widgets/base/apply_theme.h"
 #include "window/language.h"
+#include "workbench/preferences.h"
 
 namespace handsight::app {
 namespace {
@@ -28,16 +28,14 @@ QString name_of_language(const QString& language) {
 }
 
 /// The place of a word in a list; the first where it is none of them.
-int place_of(const QStringList& words, const QString& word) {
-  return std::max(0, static_cast<int>(words.indexOf(word)));
-}
+int locate(const QStringList& words, const QString& word) { return std::max(0, static_cast<int>(words.indexOf(word))); }
 
 }  // namespace
 
 Appearance::Appearance(QApplication& application, const QString& named) : application_(application) {
   speak(application, preference("language"));
-  theme_ = static_cast<ThemeChoice>(place_of(theme_words, named.isEmpty() ? preference("theme") : named));
-  widgets::set_motion(static_cast<MotionChoice>(place_of(motion_words, preference("motion"))));
+  theme_ = static_cast<ThemeChoice>(locate(theme_words, named.isEmpty() ? preference("theme") : named));
+  widgets::set_motion(static_cast<MotionChoice>(locate(motion_words, preference("motion"))));
   connect(&desktop_theme_, &widgets::DesktopTheme::changed, this, &Appearance::apply);
   apply();
 }
@@ -83,9 +81,9 @@ void Appearance::add_to(QMenu& menu, QAction* before) {
       ->setObjectName("menu_motion");
   QStringList names{tr("As the &desktop"), "&English"};
   for (const QString& language : languages()) names << name_of_language(language);
-  add(tr("&Language, from the next start on"), names, place_of(language_words(), preference("language")),
-      [this](int i) { choose_language(language_words()[i]); })
-      ->setObjectName("menu_language");
+  add(tr("&Language, from the next start on"), names, locate(language_words(), preference("language")), [this](int i) {
+    choose_language(language_words()[i]);
+  })->setObjectName("menu_language");
 }
 
 }  // namespace handsight::app

@@ -32,9 +32,9 @@ bool is_lost(const Session& session, const ModelVersion& model) {
 
 /// Of the session alone, with nothing in its model; an answer that nothing was found where it cannot be fitted.
 std::vector<Blunder> searched(const Session& session, JobControl& control) {
-  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
+  if (std::vector<Blunder> reported = blunders_in_files(session); !reported.empty()) return reported;
   try {
-    const auto sample = sample_of(session, most_observations, most_observations);
+    const auto sample = take_sample(session, most_observations, most_observations);
     const Session& few = sample ? sample->session : session;
     const Fit quick = fit(few, {.smallest_step = 1e-6});
     return find_blunders(few, quick, [&](double share) {
@@ -48,7 +48,7 @@ std::vector<Blunder> searched(const Session& session, JobControl& control) {
 
 QString size_text(const Blunder& b, double rms) {
   return b.in_pixels ? widgets::with_unit_text(rms, QObject::tr("px"))
-                     : widgets::with_unit_text(1e3 * as_told(rms, false), QObject::tr("mm"));
+                     : widgets::with_unit_text(1e3 * as_reported(rms, false), QObject::tr("mm"));
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::filesystem::path mended_folder(const Session& session) {
   }
 }
 
-BlunderBar::BlunderBar(Workbench& bench, QWidget* parent) : QFrame(parent), bench_(bench) {
+BlunderBar::BlunderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), workbench_(workbench) {
   setObjectName("blunders");
   setAutoFillBackground(true);
   const auto label = [this](const char* name) {
@@ -81,7 +81,7 @@ BlunderBar::BlunderBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
   const auto button = [this](const char* name, const QString& text) {
     auto* made = new QPushButton(text, this);
     made->setObjectName(name);
-    made->setMinimumHeight(widgets::kControlHeight);
+    made->setMinimumHeight(widgets::control_height);
     made->setAutoDefault(false);
     return made;
   };
@@ -91,9 +91,9 @@ BlunderBar::BlunderBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
   auto* away = new QToolButton(this);
   away->setObjectName("blunders_away");
   away->setText(tr("Put away"));
-  away->setMinimumHeight(widgets::kControlHeight);
+  away->setMinimumHeight(widgets::control_height);
   auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(widgets::kGap, 4, widgets::kGap, 4);
+  grid->setContentsMargins(widgets::layout_gap, 4, widgets::layout_gap, 4);
   grid->setVerticalSpacing(2);
   grid->addWidget(text_, 0, 0);
   grid->addWidget(sizes_, 1, 0);
@@ -105,41 +105,41 @@ BlunderBar::BlunderBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
   connect(write_, &QPushButton::clicked, this, &BlunderBar::write);
   connect(open_, &QPushButton::clicked, this, [this] { emit open_wanted(written_); });
   connect(away, &QToolButton::clicked, this, &QWidget::hide);
-  connect(&bench.document, &Document::opened, this, [this] {
+  connect(&workbench.document, &Document::opened, this, [this] {
     has_looked_ = false;
     found_.clear();
     refresh();
   });
-  connect(&bench.document, &Document::closed, this, [this] {
-    bench_.background.cancel("blunders");
+  connect(&workbench.document, &Document::closed, this, [this] {
+    workbench_.background.cancel("blunders");
     found_.clear();
     refresh();
   });
-  connect(&bench.document, &Document::model_changed, this, &BlunderBar::follow);
+  connect(&workbench.document, &Document::model_changed, this, &BlunderBar::follow);
   refresh();
 }
 
 /// Once a session, where its first fit is lost.
 void BlunderBar::follow() {
-  const ModelVersionPointer model = bench_.document.model();
+  const ModelVersionPointer model = workbench_.document.model();
   if (has_looked_ || !model || !model->fit || !model->fit->effects.empty()) return;
   has_looked_ = true;
-  if (is_lost(bench_.document.session(), *model)) search(false);
+  if (is_lost(workbench_.document.session(), *model)) search(false);
 }
 
 void BlunderBar::look() {
-  if (bench_.document.is_open()) search(true);
+  if (workbench_.document.is_open()) search(true);
 }
 
 void BlunderBar::search(bool is_asked_for) {
-  bench_.background.start<std::vector<Blunder>>(
+  workbench_.background.start<std::vector<Blunder>>(
       "blunders", tr("Looking for mistakes of a whole kind"),
-      [session = bench_.document.shared_session()](JobControl& control) { return searched(*session, control); },
+      [session = workbench_.document.shared_session()](JobControl& control) { return searched(*session, control); },
       [this, is_asked_for](const std::vector<Blunder>& found) {
         found_ = found;
         refresh();
         if (found.empty() && is_asked_for)
-          emit bench_.document.noticed(tr("No mistake of a whole kind makes this session right."));
+          emit workbench_.document.noticed(tr("No mistake of a whole kind makes this session right."));
       });
 }
 
@@ -165,10 +165,10 @@ void BlunderBar::refresh() {
 
 void BlunderBar::write() {
   std::vector<std::string> ids;
-  for (const Blunder& b : found_) ids.push_back(name_of(b));
-  const std::filesystem::path made = mended_folder(bench_.document.session());
+  for (const Blunder& b : found_) ids.push_back(display_name(b));
+  const std::filesystem::path made = mended_folder(workbench_.document.session());
   try {
-    write_mended(bench_.document.session(), ids, made);
+    write_mended(workbench_.document.session(), ids, made);
     written_ = QString::fromStdString(made.string());
     write_->setEnabled(false);
     open_->show();

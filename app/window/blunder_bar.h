@@ -6,8 +6,8 @@
 
 #include <QFrame>
 
-#include "bench/workbench.h"
 #include "blunders/blunder.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 class QPushButton;
@@ -18,7 +18,7 @@ class BlunderBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit BlunderBar(Workbench& bench, QWidget* parent = nullptr);
+  explicit BlunderBar(Workbench& workbench, QWidget* parent = nullptr);
   /// Looks now, however good the fit is; says so where nothing is found.
   void look();
   const std::vector<Blunder>& found() const { return found_; }
@@ -36,7 +36,7 @@ class BlunderBar : public QFrame {
   void write();
   void say(const QString& sentence, bool is_refusal);
 
-  Workbench& bench_;
+  Workbench& workbench_;
   std::vector<Blunder> found_;
   QString written_;          // the folder of the session that was put right; empty: none yet
   bool has_looked_ = false;  // in this session

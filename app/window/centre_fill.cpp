@@ -39,7 +39,7 @@ bool has_use_for_it(const QWidget* w) {
 
 CentreFill::CentreFill(QWidget* centre) : QObject(centre), centre_(centre) { qApp->installEventFilter(this); }
 
-QWidget* CentreFill::panel_of(QWidget* widget) const {
+QWidget* CentreFill::find_panel(QWidget* widget) const {
   if (!widget || !centre_->isAncestorOf(widget)) return nullptr;
   // A plot in a tab is the tab's: the outermost view below a splitter.
   QWidget* best = nullptr;
@@ -50,8 +50,8 @@ QWidget* CentreFill::panel_of(QWidget* widget) const {
 
 void CentreFill::toggle() {
   if (put_back()) return;
-  QWidget* panel = panel_of(QApplication::focusWidget());
-  if (!panel) panel = panel_of(QApplication::widgetAt(QCursor::pos()));
+  QWidget* panel = find_panel(QApplication::focusWidget());
+  if (!panel) panel = find_panel(QApplication::widgetAt(QCursor::pos()));
   if (panel) fill_with(panel);
 }
 
@@ -86,7 +86,7 @@ bool CentreFill::eventFilter(QObject* watched, QEvent* event) {
   auto* widget = qobject_cast<QWidget*>(watched);
   auto* mouse = static_cast<QMouseEvent*>(event);
   if (!widget || mouse->button() != Qt::LeftButton || has_use_for_it(widget)) return false;
-  QWidget* panel = panel_of(widget);
+  QWidget* panel = find_panel(widget);
   if (!panel) return false;
   const bool is_on_tab = qobject_cast<QTabBar*>(widget);
   if (!is_on_tab && widget->mapTo(panel, mouse->position().toPoint()).y() >= title_height) return false;

@@ -28,7 +28,7 @@ class CentreFill : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QWidget* panel_of(QWidget* widget) const;
+  QWidget* find_panel(QWidget* widget) const;
   void fill_with(QWidget* panel);
 
   QWidget* centre_;

@@ -6,29 +6,29 @@
 
 namespace handsight::app {
 
-std::vector<FindEntry> session_entries(Workbench& bench) {
+std::vector<FindEntry> session_entries(Workbench& workbench) {
   std::vector<FindEntry> entries;
-  if (!bench.document.is_open()) return entries;
-  const Session& session = bench.document.session();
+  if (!workbench.document.is_open()) return entries;
+  const Session& session = workbench.document.session();
   for (const std::string& joint : session.joints)
-    entries.push_back({QObject::tr("joint"), QString::fromStdString(joint), {}, [&bench, joint] {
-                         Selected s = bench.selection.current();
+    entries.push_back({QObject::tr("joint"), QString::fromStdString(joint), {}, [&workbench, joint] {
+                         Selected s = workbench.selection.current();
                          s.joint = joint;
-                         bench.selection.select(s);
+                         workbench.selection.select(s);
                        }});
   for (const Effect& effect : catalogue())
     entries.push_back({QObject::tr("effect"), translated(effect.title), QString::fromStdString(effect.id),
-                       [&bench, check = effect.check] {
-                         emit bench.workspace_requested(Place::explain);
-                         emit bench.document.noticed(translated(check));
+                       [&workbench, check = effect.check] {
+                         emit workbench.workspace_requested(Place::explain);
+                         emit workbench.document.noticed(translated(check));
                        }});
   for (const Observation& o : session.observations) {
-    const InspectionRow* row = bench.row(o.id);
+    const InspectionRow* row = workbench.row(o.id);
     const QString hint = !o.reason.empty() ? QString::fromStdString(o.reason)
-                         : row && row->rms ? bench.units.text(size_of(*row))
+                         : row && row->rms ? workbench.units.text(measure_size(*row))
                                            : QString();
     entries.push_back({QObject::tr("observation"), QObject::tr("observation %1").arg(o.id), hint,
-                       [&bench, id = o.id] { bench.selection.select_observation(id); }});
+                       [&workbench, id = o.id] { workbench.selection.select_observation(id); }});
   }
   return entries;
 }

@@ -19,7 +19,7 @@ constexpr int between_looks = 2'000;  // ms: some file systems tell a watcher no
 
 }  // namespace
 
-ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), bench_(bench) {
+ForeignBar::ForeignBar(Workbench& workbench, QWidget* parent) : QFrame(parent), workbench_(workbench) {
   setObjectName("foreign");
   setAutoFillBackground(true);
   auto* label = new QLabel(tr("Another program has written this session since it was read."), this);
@@ -29,7 +29,7 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
     auto* b = new QPushButton(text, this);
     b->setObjectName(name);
     b->setToolTip(tip);
-    b->setMinimumHeight(widgets::kControlHeight);
+    b->setMinimumHeight(widgets::control_height);
     b->setAutoDefault(false);
     return b;
   };
@@ -37,7 +37,7 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
   auto* together = button("foreign_together", tr("Put together"),
                           tr("Takes over what was written there, and saves what was done here with it"));
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(widgets::kGap, 4, widgets::kGap, 4);
+  row->setContentsMargins(widgets::layout_gap, 4, widgets::layout_gap, 4);
   row->addWidget(label, 1);
   row->addWidget(later);
   row->addWidget(together);
@@ -49,15 +49,15 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &ForeignBar::look);
   connect(&files_, &QFileSystemWatcher::directoryChanged, this, [this] { timer_.start(after_news); });
-  connect(&bench.document, &Document::opened, this, &ForeignBar::begin);
-  connect(&bench.document, &Document::closed, this, &ForeignBar::end);
+  connect(&workbench.document, &Document::opened, this, &ForeignBar::begin);
+  connect(&workbench.document, &Document::closed, this, &ForeignBar::end);
   // A save knows what stands there.
-  connect(&bench.document, &Document::saved_changed, this, [this](bool is_saved) {
-    if (is_saved && bench_.document.is_open()) begin();
+  connect(&workbench.document, &Document::saved_changed, this, [this](bool is_saved) {
+    if (is_saved && workbench_.document.is_open()) begin();
   });
   // While it is asked what is to be kept the page says it.
-  connect(&bench.document, &Document::collided, this, [this] {
-    if (!bench_.document.collisions().empty()) hide();
+  connect(&workbench.document, &Document::collided, this, [this] {
+    if (!workbench_.document.collisions().empty()) hide();
   });
   tint();
   hide();
@@ -66,7 +66,7 @@ ForeignBar::ForeignBar(Workbench& bench, QWidget* parent) : QFrame(parent), benc
 void ForeignBar::begin() {
   is_put_off_ = false;
   seen_.reset();
-  const QString folder = QString::fromStdString(bench_.document.file().parent_path().string());
+  const QString folder = QString::fromStdString(workbench_.document.file().parent_path().string());
   if (!files_.directories().contains(folder)) {
     if (!files_.directories().isEmpty()) files_.removePaths(files_.directories());
     files_.addPath(folder);
@@ -82,11 +82,11 @@ void ForeignBar::end() {
 }
 
 void ForeignBar::look() {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   timer_.start(between_looks);
-  std::vector<fs::path> files{bench_.document.file()};
-  if (bench_.sessions.is_any())
-    for (const SessionPart& part : bench_.document.session().parts) files.push_back(part.file);
+  std::vector<fs::path> files{workbench_.document.file()};
+  if (workbench_.sessions.is_any())
+    for (const SessionPart& part : workbench_.document.session().parts) files.push_back(part.file);
   Stamp now{0, fs::file_time_type::min()};  // the sizes together, the latest time
   for (const fs::path& file : files) {
     std::error_code no_size, no_time;
@@ -96,11 +96,11 @@ void ForeignBar::look() {
   }
   if (seen_ == now) return;
   seen_ = now;
-  say(bench_.document.is_changed_by_another());
+  say(workbench_.document.is_changed_by_another());
 }
 
 void ForeignBar::say(bool is_changed) {
-  setVisible(is_changed && !is_put_off_ && bench_.document.collisions().empty());
+  setVisible(is_changed && !is_put_off_ && workbench_.document.collisions().empty());
 }
 
 void ForeignBar::tint() {

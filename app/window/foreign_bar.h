@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -16,7 +16,7 @@ class ForeignBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit ForeignBar(Workbench& bench, QWidget* parent = nullptr);
+  explicit ForeignBar(Workbench& workbench, QWidget* parent = nullptr);
 
  signals:
   /// What both have written is to be put together, as a save does.
@@ -37,7 +37,7 @@ class ForeignBar : public QFrame {
   void say(bool is_changed);
   void tint();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   QFileSystemWatcher files_;
   QTimer timer_;
   std::optional<Stamp> seen_;  // of what was looked at last; nothing: not yet

@@ -9,37 +9,37 @@
 #include <QStylePainter>
 #include <QToolButton>
 
-#include "bench/touch_views.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/three_numbers.h"
 #include "words/counted.h"
+#include "workbench/touch_views.h"
 
 namespace handsight::app {
 namespace {
 
 /// The error with everything that is left out of the fit (excluded observations, points that are wrong whatever the
 /// robot does), and how much that is; nothing where nothing is left out.
-QString excluded_note(const Workbench& bench) {
+QString excluded_note(const Workbench& workbench) {
   using widgets::SizeUnit;
-  const Inspection* all = bench.inspection();
+  const Inspection* all = workbench.inspection();
   if (!all) return {};
-  SizeUnit unit = bench.units.unit();
+  SizeUnit unit = workbench.units.unit();
   // In mm the number beside it is of the hand, which is not known of observations that the fit leaves out.
   if (unit == SizeUnit::millimetre && all->in_pixels) unit = SizeUnit::pixel;
   double squares = 0;
   int weights = 0, excluded = 0;
   for (const InspectionRow& row : all->rows) {
-    const Observation* o = bench.document.find(row.id);
-    const auto size = size_of(row).in(unit);
+    const Observation* o = workbench.document.find(row.id);
+    const auto size = measure_size(row).in(unit);
     if (!o || !size || (o->decision != Decision::excluded && !row.is_used)) continue;
     const int weight = unit == SizeUnit::millimetre ? row.points : row.coordinates;
     excluded += o->decision == Decision::excluded ? 1 : 0;
     squares += *size * *size * weight;
     weights += weight;
   }
-  const ModelVersionPointer model = bench.document.shown_model();
+  const ModelVersionPointer model = workbench.document.shown_model();
   const auto wrong = static_cast<qint64>(model ? model->wrong_points.size() : 0);
   if (excluded + wrong == 0 || weights == 0) return {};
   QStringList left_out;
@@ -71,8 +71,8 @@ class TitleButton : public QToolButton {
 
 }  // namespace
 
-Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent)
-    : QWidget(parent), bench_(bench), actions_(actions) {
+Header::Header(Workbench& workbench, const Actions& actions, QMenu* session_menu, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), actions_(actions) {
   setObjectName("header");
   const auto button = [this](const char* name, const QString& text, const QString& tip) {
     auto* b = new TitleButton(this);
@@ -80,7 +80,7 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
     b->setText(text);
     b->setToolTip(tip);
     b->setAutoRaise(true);
-    b->setMinimumHeight(widgets::kControlHeight);
+    b->setMinimumHeight(widgets::control_height);
     return b;
   };
   session_ = button("session_menu", tr("Session"), tr("Open, save, close"));
@@ -107,7 +107,7 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   numbers_->setObjectName("three_numbers");
   connect(numbers_, &widgets::ThreeNumbers::version_selected, this, [this](int stair) {
     if (stair < static_cast<int>(stairs_.size()))
-      bench_.document.show_version(stairs_[static_cast<std::size_t>(stair)]);
+      workbench_.document.show_version(stairs_[static_cast<std::size_t>(stair)]);
   });
 
   auto* layout = new QHBoxLayout(this);
@@ -123,28 +123,28 @@ Header::Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QW
   layout->addSpacing(16);
   layout->addWidget(numbers_);
 
-  connect(undo_, &QToolButton::clicked, &bench.document, &Document::undo);
-  connect(redo_, &QToolButton::clicked, &bench.document, &Document::redo);
-  connect(cancel_, &QToolButton::clicked, &bench.jobs, [this] { shown_jobs().stop(); });
-  for (Jobs* jobs : {&bench.jobs, &bench.explaining})
+  connect(undo_, &QToolButton::clicked, &workbench.document, &Document::undo);
+  connect(redo_, &QToolButton::clicked, &workbench.document, &Document::redo);
+  connect(cancel_, &QToolButton::clicked, &workbench.jobs, [this] { shown_jobs().stop(); });
+  for (Jobs* jobs : {&workbench.jobs, &workbench.explaining})
     connect(jobs, &Jobs::changed, this, [this] {
       if (shown_jobs().is_busy() && !poll_.isActive()) poll_.start(50);
       refresh_job();
     });
   connect(&poll_, &QTimer::timeout, this, &Header::refresh_job);
   for (auto signal : {&Document::opened, &Document::closed, &Document::model_changed})
-    connect(&bench.document, signal, this, [this] {
+    connect(&workbench.document, signal, this, [this] {
       refresh_session();
       refresh_numbers();
     });
-  connect(&bench.document, &Document::edited, this, &Header::refresh_session);
-  connect(&bench.document, &Document::settings_changed, this, &Header::refresh_session);
-  connect(&bench.document, &Document::readings_changed, this, &Header::refresh_session);
-  connect(&bench.document, &Document::saved_changed, this, &Header::refresh_session);
-  connect(&bench, &Workbench::tried, this, &Header::refresh_numbers);
+  connect(&workbench.document, &Document::edited, this, &Header::refresh_session);
+  connect(&workbench.document, &Document::settings_changed, this, &Header::refresh_session);
+  connect(&workbench.document, &Document::readings_changed, this, &Header::refresh_session);
+  connect(&workbench.document, &Document::saved_changed, this, &Header::refresh_session);
+  connect(&workbench, &Workbench::tried, this, &Header::refresh_numbers);
   for (auto signal : {&Diagnosing::diagnosis_changed, &Diagnosing::elsewhere_changed})
-    connect(&bench.diagnosing, signal, this, &Header::refresh_numbers);
-  connect(&bench.units, &DisplayUnits::changed, this, &Header::refresh_numbers);
+    connect(&workbench.diagnosing, signal, this, &Header::refresh_numbers);
+  connect(&workbench.units, &DisplayUnits::changed, this, &Header::refresh_numbers);
   refresh_session();
   refresh_job();
 }
@@ -160,8 +160,8 @@ void Header::resizeEvent(QResizeEvent* event) {
 }
 
 void Header::refresh_session() {
-  const Document& d = bench_.document;
-  const QString name = d.is_open() ? name_of(d.session()) + (d.is_saved() ? "" : " •") : tr("Session");
+  const Document& d = workbench_.document;
+  const QString name = d.is_open() ? display_name(d.session()) + (d.is_saved() ? "" : " •") : tr("Session");
   session_->setText(name + QStringLiteral("  ▾"));
   session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
                        : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.file().string()))
@@ -177,7 +177,7 @@ void Header::refresh_session() {
     w->setVisible(d.is_open());
 }
 
-Jobs& Header::shown_jobs() const { return bench_.jobs.is_busy() ? bench_.jobs : bench_.explaining; }
+Jobs& Header::shown_jobs() const { return workbench_.jobs.is_busy() ? workbench_.jobs : workbench_.explaining; }
 
 void Header::refresh_job() {
   const JobState state = shown_jobs().state();
@@ -200,11 +200,11 @@ void Header::refresh_job() {
 
 void Header::refresh_numbers() {
   widgets::ErrorNumbers n;
-  const ModelVersionPointer shown = bench_.document.shown_model();
+  const ModelVersionPointer shown = workbench_.document.shown_model();
   if (shown && shown->fit) {
-    const auto unit = bench_.units.unit();
+    const auto unit = workbench_.units.unit();
     const auto noise = shown->fit->noise;
-    const VersionSizes sizes = sizes_of(*shown, noise);
+    const VersionSizes sizes = list_sizes(*shown, noise);
     n.unit = widgets::unit_name(unit);
     n.now = sizes.error().in(unit);
     n.noise = sizes.noise.in(unit);
@@ -215,23 +215,23 @@ void Header::refresh_numbers() {
       constexpr double hides = 0.7;
       if (sizes.error().sigma && *n.ratio < hides * *sizes.error().sigma) n.noise_note = tr("mostly of the depth");
     }
-    const Story& story = bench_.story();
+    const Story& story = workbench_.story();
     if (story.error.elsewhere)
       n.elsewhere = size_of_error(*story.error.elsewhere, story.error.in_pixels, noise).in(unit);
-    n.is_stale = bench_.document.model() == nullptr;
-    n.excluded_note = excluded_note(bench_);
-    if (const auto predicted = bench_.predicted_error()) {
+    n.is_stale = workbench_.document.model() == nullptr;
+    n.excluded_note = excluded_note(workbench_);
+    if (const auto predicted = workbench_.predicted_error()) {
       const ResidualSize tried =
-          as_read(size_of_error(*predicted, !bench_.document.session().is_tracker(), noise), *shown);
+          as_read(size_of_error(*predicted, !workbench_.document.session().is_tracker(), noise), *shown);
       n.predicted = tried.in(unit);  // in a unit in which it is not known it is left out
       if (n.predicted) n.predicted_ratio = tried.sigma;
     }
     stairs_.clear();
-    for (const ModelVersionPointer& version : bench_.document.versions()) {
+    for (const ModelVersionPointer& version : workbench_.document.versions()) {
       if (!version || !version->fit) continue;
       if (version == shown) n.current = static_cast<int>(stairs_.size());
       stairs_.push_back(version);
-      const VersionSizes one = sizes_of(*version, noise);
+      const VersionSizes one = list_sizes(*version, noise);
       n.versions.push_back(
           {version->cause.isEmpty() ? tr("as opened") : version->cause, one.fitted.in(unit), one.error().in(unit)});
     }

@@ -5,8 +5,8 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "bench/actions.h"
-#include "bench/workbench.h"
+#include "workbench/actions.h"
+#include "workbench/workbench.h"
 
 class QLabel;
 class QMenu;
@@ -23,7 +23,7 @@ class Header : public QWidget {
   Q_OBJECT
 
  public:
-  Header(Workbench& bench, const Actions& actions, QMenu* session_menu, QWidget* parent = nullptr);
+  Header(Workbench& workbench, const Actions& actions, QMenu* session_menu, QWidget* parent = nullptr);
   widgets::ThreeNumbers* numbers() const { return numbers_; }
 
  protected:
@@ -35,7 +35,7 @@ class Header : public QWidget {
   void refresh_job();
   void refresh_numbers();
 
-  Workbench& bench_;
+  Workbench& workbench_;
   const Actions& actions_;
   QToolButton *session_, *undo_, *redo_, *cancel_;
   QLabel* job_;

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "bench/actions.h"
+#include "workbench/actions.h"
 
 namespace handsight::app {
 

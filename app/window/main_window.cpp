@@ -10,10 +10,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "bench/link_selection.h"
-#include "bench/model_effects.h"
-#include "bench/observation_views.h"
-#include "bench/preferences.h"
 #include "collection/sessions_bar.h"
 #include "compare/compare_page.h"
 #include "merge/merge_page.h"
@@ -26,12 +22,16 @@
 #include "window/blunder_bar.h"
 #include "window/centre_fill.h"
 #include "window/centre_room.h"
-#include "window/doubt_bar.h"
 #include "window/foreign_bar.h"
 #include "window/header.h"
 #include "window/input_manners.h"
 #include "window/rail.h"
+#include "window/warning_bar.h"
 #include "window/workspaces.h"
+#include "workbench/link_selection.h"
+#include "workbench/model_effects.h"
+#include "workbench/observation_views.h"
+#include "workbench/preferences.h"
 
 namespace handsight::app {
 
@@ -45,10 +45,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect_strip();
   connect_read_out();
   connect_units();
-  connect(&bench_.document, &Document::opened, this, &MainWindow::session_opened);
-  connect(&bench_.document, &Document::closed, this, &MainWindow::session_closed);
-  connect(&bench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
-  connect(&bench_, &Workbench::relabel_requested, this, [this] { show_workspace(Place::label); });
+  connect(&workbench_.document, &Document::opened, this, &MainWindow::session_opened);
+  connect(&workbench_.document, &Document::closed, this, &MainWindow::session_closed);
+  connect(&workbench_, &Workbench::workspace_requested, this, &MainWindow::show_workspace);
+  connect(&workbench_, &Workbench::relabel_requested, this, [this] { show_workspace(Place::label); });
   session_closed();
   open_in_size();
   new InputManners(this);
@@ -56,8 +56,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 
 MainWindow::~MainWindow() {
   hide();  // while what the workspaces talk to is still there
-  disconnect(&bench_.document, nullptr, this, nullptr);
-  bench_.document.close();
+  disconnect(&workbench_.document, nullptr, this, nullptr);
+  workbench_.document.close();
 }
 
 void MainWindow::make_pages() {
@@ -71,7 +71,7 @@ void MainWindow::make_pages() {
   connect(start_, &StartPage::sample_chosen, this, [this](const QString& name) { open_sample(name); });
 
   auto* session = new QWidget(pages_);
-  header_ = new Header(bench_, actions_, menu_, session);
+  header_ = new Header(workbench_, actions_, menu_, session);
   header_->setFixedHeight(44);
   make_workspaces(session);
   rail_ = new Rail(workspace_kinds(), session);
@@ -95,48 +95,48 @@ void MainWindow::make_pages() {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(0);
   rows->addWidget(header_);
-  rows->addWidget(new DoubtBar(bench_, session));
-  blunders_ = new BlunderBar(bench_, session);
+  rows->addWidget(new WarningBar(workbench_, session));
+  blunders_ = new BlunderBar(workbench_, session);
   connect(blunders_, &BlunderBar::open_wanted, this, &MainWindow::open);
   rows->addWidget(blunders_);
-  auto* foreign = new ForeignBar(bench_, session);
+  auto* foreign = new ForeignBar(workbench_, session);
   connect(foreign, &ForeignBar::save_requested, this, &MainWindow::save);
   rows->addWidget(foreign);
   rows->addLayout(middle, 1);
-  auto* sessions = new SessionsBar(bench_, session);
+  auto* sessions = new SessionsBar(workbench_, session);
   connect(sessions, &SessionsBar::add_wanted, this, &MainWindow::choose_added);
   connect(sessions, &SessionsBar::shared_wanted, this, &MainWindow::show_shared);
-  connect(&bench_.sessions, &SessionFilter::changed, this, &MainWindow::refresh_strip);
+  connect(&workbench_.sessions, &SessionFilter::changed, this, &MainWindow::refresh_strip);
   rows->addWidget(sessions);
   rows->addWidget(read_out_);
   rows->addWidget(strip_);
   pages_->addWidget(session);
   connect(rail_, &Rail::chosen, this, &MainWindow::show_workspace);
   connect(panel_, &widgets::ModelPanel::folded_changed, this, [this](bool folded) { panel_choice_ = folded; });
-  link_selection(panel_, bench_);
+  link_selection(panel_, workbench_);
 }
 
 void MainWindow::make_workspaces(QWidget* parent) {
   centre_ = new QStackedWidget(parent);
   for (const WorkspaceKind& kind : workspace_kinds()) {
-    workspaces_.push_back(kind.make(bench_, parent));
+    workspaces_.push_back(kind.make(workbench_, parent));
     centre_->addWidget(workspaces_.back());
     connect(workspaces_.back(), &Workspace::status_changed, this, &MainWindow::refresh_rail);
   }
-  compare_ = new ComparePage(bench_, parent);
+  compare_ = new ComparePage(workbench_, parent);
   centre_->addWidget(compare_);
   connect(compare_, &ComparePage::close_requested, this, [this] { show_workspace(place_); });
-  merge_ = new MergePage(bench_, parent);
+  merge_ = new MergePage(workbench_, parent);
   centre_->addWidget(merge_);
   connect(merge_, &MergePage::done, this, [this] { show_workspace(place_); });
-  connect(&bench_.document, &Document::collided, this, &MainWindow::show_collisions);
+  connect(&workbench_.document, &Document::collided, this, &MainWindow::show_collisions);
   fill_ = new CentreFill(centre_);
 }
 
 void MainWindow::offer(Appearance& appearance) { appearance.add_to(*menu_, after_choices_); }
 
 void MainWindow::show_workspace(Place place) {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   place_ = place;
   rail_->set_current(place);
   bring_to_front(page_of(place));
@@ -159,13 +159,13 @@ bool MainWindow::is_comparing() const { return &page_in_front() == compare_; }
 bool MainWindow::is_beside_work() const { return &page_in_front() != &page_of(place_); }
 
 void MainWindow::show_collisions() {
-  if (bench_.document.collisions().empty()) return;
+  if (workbench_.document.collisions().empty()) return;
   rail_->set_none();
   bring_to_front(*merge_);
 }
 
 void MainWindow::compare_with(const QString& path) {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   rail_->set_none();
   bring_to_front(*compare_);
   if (!path.isEmpty()) return compare_->compare_with(path.toStdString());
@@ -180,54 +180,55 @@ void MainWindow::fit_panel_to_workspace() {
 }
 
 void MainWindow::refresh_panel() {
-  if (bench_.document.is_open())
-    panel_->set_effects(model_effects(bench_.document, bench_.diagnosing.diagnosis().get()));
+  if (workbench_.document.is_open())
+    panel_->set_effects(model_effects(workbench_.document, workbench_.diagnosing.diagnosis().get()));
 }
 
 void MainWindow::refresh_strip() {
-  if (!bench_.document.is_open()) return;
-  strip_->set_session_names(bench_.sessions.names());
-  strip_->set_cells(bench_.shown_cells());
+  if (!workbench_.document.is_open()) return;
+  strip_->set_session_names(workbench_.sessions.names());
+  strip_->set_cells(workbench_.shown_cells());
 }
 
 void MainWindow::refresh_rail() {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   for (const WorkspaceKind& kind : workspace_kinds()) rail_->set_status(kind.place, page_of(kind.place).status());
 }
 
 void MainWindow::refresh_crumbs() {
-  const Selected& s = bench_.selection.current();
+  const Selected& s = workbench_.selection.current();
   QStringList crumbs;
   if (s.observation) crumbs << tr("obs %1").arg(*s.observation);
   if (s.marker) crumbs << tr("marker %1").arg(*s.marker);
-  const auto& rig = bench_.document.session().rig;
+  const auto& rig = workbench_.document.session().rig;
   if (s.camera && rig && *s.camera < rig->count()) crumbs << camera_name(*rig, *s.camera);
   if (s.joint) crumbs << QString::fromStdString(*s.joint);
-  const InspectionRow* row = bench_.selected_row();
+  const InspectionRow* row = workbench_.selected_row();
   if (!crumbs.isEmpty() && row && row->rms) {
-    const Inspection& all = *bench_.inspection();
-    ResidualSize size = size_of(*row);
+    const Inspection& all = *workbench_.inspection();
+    ResidualSize size = measure_size(*row);
     for (const MarkerResidual& m : row->markers) {
       if (!s.marker || m.marker != *s.marker) continue;
-      size = s.camera && rig ? size_of_corner(m, *s.camera, *rig, all.noise) : size_of(m, all);
+      size = s.camera && rig ? size_of_corner(m, *s.camera, *rig, all.noise) : measure_size(m, all);
     }
-    crumbs.last() += "  " + bench_.units.text(size);
+    crumbs.last() += "  " + workbench_.units.text(size);
   }
   read_out_->set_crumbs(crumbs);
 }
 
 void MainWindow::step(int by) {
-  const auto& observations = bench_.document.session().observations;
+  const auto& observations = workbench_.document.session().observations;
   if (observations.empty()) return;
   const int count = static_cast<int>(observations.size());
-  const int now = bench_.selection.current().observation
-                      ? bench_.document.index_of(*bench_.selection.current().observation)
+  const int now = workbench_.selection.current().observation
+                      ? workbench_.document.find_index(*workbench_.selection.current().observation)
                       : (by > 0 ? -1 : count);
-  bench_.selection.select_observation(observations[static_cast<std::size_t>(std::clamp(now + by, 0, count - 1))].id);
+  workbench_.selection.select_observation(
+      observations[static_cast<std::size_t>(std::clamp(now + by, 0, count - 1))].id);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-  if (!bench_.document.is_open()) return QMainWindow::keyPressEvent(event);
+  if (!workbench_.document.is_open()) return QMainWindow::keyPressEvent(event);
   if (page_in_front().key(event)) return;
   if (event->modifiers() != Qt::NoModifier && event->modifiers() != Qt::KeypadModifier)
     return QMainWindow::keyPressEvent(event);
@@ -237,7 +238,7 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Right:
       return step(1);
     case Qt::Key_Escape:
-      return fill_->put_back() ? void() : is_beside_work() ? show_workspace(place_) : bench_.selection.up();
+      return fill_->put_back() ? void() : is_beside_work() ? show_workspace(place_) : workbench_.selection.up();
     case Qt::Key_M:
       return actions_.run("fold_model");
     default:
@@ -262,13 +263,13 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   constexpr int wide_enough = 1400;
   const bool crosses = (event->oldSize().width() < wide_enough) != (event->size().width() < wide_enough);
-  if (crosses && bench_.document.is_open() && !panel_choice_) fit_panel_to_workspace();
+  if (crosses && workbench_.document.is_open() && !panel_choice_) fit_panel_to_workspace();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!isMaximized() && !isFullScreen())
     remember_preference("window size", QString("%1x%2").arg(width()).arg(height()));
-  bench_.document.close();
+  workbench_.document.close();
   event->accept();
 }
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "bench/workbench.h"
-#include "bench/workspace.h"
 #include "window/model_editor.h"
+#include "workbench/workbench.h"
+#include "workbench/workspace.h"
 
 class QAction;
 class QMenu;
@@ -46,7 +46,7 @@ class MainWindow : public QMainWindow {
   /// Opens a session; where it cannot be opened the sentence is shown on the page at hand. True where it was.
   bool open(const QString& path);
   bool open_sample(const QString& name, bool fresh = false);
-  Workbench& bench() { return bench_; }
+  Workbench& workbench() { return workbench_; }
   const Actions& registry() const { return actions_; }
   void show_workspace(Place place);
   /// Opens another session of the same robot, or a calibration, beside the one that is open. Empty: the user is asked.
@@ -105,9 +105,9 @@ class MainWindow : public QMainWindow {
   void open_in_size();
   void step(int by);
 
-  Workbench bench_;
+  Workbench workbench_;
   Actions actions_{this};
-  ModelEditor editor_{bench_};
+  ModelEditor editor_{workbench_};
   QMenu* menu_;
   QAction* after_choices_;  // of the menu: before it stand theme and motion
   QStackedWidget* pages_;   // start page, or the session

@@ -19,9 +19,9 @@ enum Section { of_session = 1, of_actions, of_help };
 
 void MainWindow::add_session_actions() {
   const QString everywhere = tr("Everywhere");
-  const auto is_open = [this] { return bench_.document.is_open(); };
-  const auto can_add = [this] { return bench_.document.is_open() && !bench_.document.session().is_touch(); };
-  const auto is_collection = [this] { return bench_.document.is_open() && bench_.sessions.is_any(); };
+  const auto is_open = [this] { return workbench_.document.is_open(); };
+  const auto can_add = [this] { return workbench_.document.is_open() && !workbench_.document.session().is_touch(); };
+  const auto is_collection = [this] { return workbench_.document.is_open() && workbench_.sessions.is_any(); };
   actions_.add({.id = "open",
                 .group = everywhere,
                 .text = tr("&Open a session…"),
@@ -76,7 +76,7 @@ void MainWindow::add_session_actions() {
                 .run = [this] { blunders_->look(); },
                 .is_possible = is_open,
                 .section = of_session});
-  const auto collides = [this] { return !bench_.document.collisions().empty(); };
+  const auto collides = [this] { return !workbench_.document.collisions().empty(); };
   actions_.add({.id = "collisions",
                 .group = everywhere,
                 .text = tr("What another program &wrote…"),
@@ -84,30 +84,34 @@ void MainWindow::add_session_actions() {
                 .is_possible = collides,
                 .is_offered = collides,
                 .section = of_session});
-  actions_.add(
-      {.id = "fit",
-       .group = everywhere,
-       .text = tr("&Fit again"),
-       .tip = tr("fit again what was stopped"),
-       .keys = {QKeySequence(Qt::Key_F5)},
-       .run = [this] { bench_.refit.again(); },
-       .is_possible =
-           [this] { return bench_.document.is_open() && !bench_.document.model() && !bench_.refit.is_pending(); },
-       .section = of_session});
+  actions_.add({.id = "fit",
+                .group = everywhere,
+                .text = tr("&Fit again"),
+                .tip = tr("fit again what was stopped"),
+                .keys = {QKeySequence(Qt::Key_F5)},
+                .run = [this] { workbench_.refit.again(); },
+                .is_possible =
+                    [this] {
+                      return workbench_.document.is_open() && !workbench_.document.model() &&
+                             !workbench_.refit.is_pending();
+                    },
+                .section = of_session});
   actions_.add({.id = "undo_all",
                 .group = everywhere,
                 .text = tr("&Undo everything"),
-                .run = [this] { bench_.document.undo_all(); },
+                .run = [this] { workbench_.document.undo_all(); },
                 .is_possible = is_open,
                 .section = of_actions});
-  const auto is_sample = [this] { return bench_.document.is_open() && !sample_of(bench_.document.file()).empty(); };
+  const auto is_sample = [this] {
+    return workbench_.document.is_open() && !take_sample(workbench_.document.file()).empty();
+  };
   actions_.add({.id = "anew",
                 .group = everywhere,
                 .text = tr("Start this sample &anew"),
                 .run =
                     [this] {
-                      const std::string name = sample_of(bench_.document.file());
-                      bench_.document.close();
+                      const std::string name = take_sample(workbench_.document.file());
+                      workbench_.document.close();
                       open_sample(QString::fromStdString(name), true);
                     },
                 .is_possible = is_sample,
@@ -130,7 +134,7 @@ void MainWindow::add_session_actions() {
                 .group = everywhere,
                 .text = tr("&Close the session"),
                 .keys = {QKeySequence::Close},
-                .run = [this] { bench_.document.close(); },
+                .run = [this] { workbench_.document.close(); },
                 .is_possible = is_open,
                 .section = of_help});
   actions_.add({.id = "quit",
@@ -143,7 +147,7 @@ void MainWindow::add_session_actions() {
 
 void MainWindow::add_view_actions() {
   const QString everywhere = tr("Everywhere");
-  const auto is_open = [this] { return bench_.document.is_open(); };
+  const auto is_open = [this] { return workbench_.document.is_open(); };
   for (const WorkspaceKind& kind : workspace_kinds())
     actions_.add({.id = "workspace_" + kind.id,
                   .group = everywhere,
@@ -151,19 +155,19 @@ void MainWindow::add_view_actions() {
                   .keys = {QKeySequence(Qt::CTRL | kind.key)},
                   .run = [this, place = kind.place] { show_workspace(place); },
                   .is_possible = is_open});
-  const auto can_undo = [this] { return bench_.document.undo_stack().canUndo(); };
-  const auto can_redo = [this] { return bench_.document.undo_stack().canRedo(); };
+  const auto can_undo = [this] { return workbench_.document.undo_stack().canUndo(); };
+  const auto can_redo = [this] { return workbench_.document.undo_stack().canRedo(); };
   actions_.add({.id = "undo",
                 .group = everywhere,
                 .text = tr("Undo"),
                 .keys = {QKeySequence::Undo},
-                .run = [this] { bench_.document.undo(); },
+                .run = [this] { workbench_.document.undo(); },
                 .is_possible = can_undo});
   actions_.add({.id = "redo",
                 .group = everywhere,
                 .text = tr("Do again"),
                 .keys = {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-                .run = [this] { bench_.document.redo(); },
+                .run = [this] { workbench_.document.redo(); },
                 .is_possible = can_redo});
   actions_.add({.id = "previous",
                 .group = everywhere,
@@ -181,13 +185,13 @@ void MainWindow::add_view_actions() {
                 .group = everywhere,
                 .text = tr("Selection one up"),
                 .gesture = tr("Esc"),
-                .run = [this] { bench_.selection.up(); },
+                .run = [this] { workbench_.selection.up(); },
                 .is_possible = is_open});
   actions_.add({.id = "back",
                 .group = everywhere,
                 .text = tr("The selection before"),
                 .keys = {QKeySequence(Qt::ALT | Qt::Key_Left)},
-                .run = [this] { bench_.selection.back(); },
+                .run = [this] { workbench_.selection.back(); },
                 .is_possible = is_open});
   actions_.add({.id = "fold_model",
                 .group = everywhere,
@@ -211,41 +215,42 @@ void MainWindow::add_view_actions() {
                 .text = tr("Next unit of sizes"),
                 .tip = tr("sizes in px, in mm at the hand, in σ"),
                 .keys = {QKeySequence(Qt::Key_U)},
-                .run = [this] { bench_.units.next(); },
+                .run = [this] { workbench_.units.next(); },
                 .is_possible = is_open});
   const std::tuple<const char*, DisplayUnits::Unit, QString> units[] = {
       {"px", DisplayUnits::Unit::pixel, tr("Sizes in px")},
       {"mm", DisplayUnits::Unit::millimetre, tr("Sizes in mm at the hand")},
       {"sigma", DisplayUnits::Unit::sigma, tr("Sizes in σ (sigma), residual over noise")}};
   for (const auto& [id, unit, text] : units)
-    actions_.add({.id = QString("unit_%1").arg(id),
-                  .group = everywhere,
-                  .text = text,
-                  .gesture = "U",
-                  .run = [this, unit = unit] { bench_.units.choose(unit); },
-                  .is_possible = [this, unit = unit] { return bench_.document.is_open() && bench_.units.has(unit); },
-                  .in_sheet = false});
+    actions_.add(
+        {.id = QString("unit_%1").arg(id),
+         .group = everywhere,
+         .text = text,
+         .gesture = "U",
+         .run = [this, unit = unit] { workbench_.units.choose(unit); },
+         .is_possible = [this, unit = unit] { return workbench_.document.is_open() && workbench_.units.has(unit); },
+         .in_sheet = false});
 }
 
 void MainWindow::add_observation_actions() {
   const QString inspect = tr("Inspect");
-  const auto has_chosen = [this] { return bench_.document.is_open() && !bench_.selection.many().empty(); };
+  const auto has_chosen = [this] { return workbench_.document.is_open() && !workbench_.selection.many().empty(); };
   const auto chosen = [this] {
-    const auto& many = bench_.selection.many();
+    const auto& many = workbench_.selection.many();
     return std::vector<std::int64_t>(many.begin(), many.end());
   };
   actions_.add({.id = "exclude",
                 .group = inspect,
                 .text = tr("Exclude the chosen observations"),
                 .gesture = tr("Delete"),
-                .run = [this, chosen] { bench_.exclude(chosen()); },
+                .run = [this, chosen] { workbench_.exclude(chosen()); },
                 .is_possible = has_chosen,
                 .in_sheet = false});
   actions_.add({.id = "include",
                 .group = inspect,
                 .text = tr("Include the chosen observations"),
                 .gesture = tr("Insert"),
-                .run = [this, chosen] { bench_.include(chosen()); },
+                .run = [this, chosen] { workbench_.include(chosen()); },
                 .is_possible = has_chosen,
                 .in_sheet = false});
 }

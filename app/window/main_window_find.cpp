@@ -22,7 +22,7 @@ void MainWindow::find() {
   }
   for (const Actions::Row& row : actions_.sheet())
     if (!row.is_heading()) entries.push_back({tr("key"), row.what, row.keys, [this] { show_keys(); }});
-  for (FindEntry& e : session_entries(bench_)) entries.push_back(std::move(e));
+  for (FindEntry& e : session_entries(workbench_)) entries.push_back(std::move(e));
   FindBox::show_over(this, std::move(entries));
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "bench/session_parts.h"
 #include "collection/share_dialog.h"
 #include "session/session_xml.h"
 #include "start/session_places.h"
@@ -20,6 +19,7 @@
 #include "wizard/files_wizard.h"
 #include "wizard/session_wizard.h"
 #include "words/core_words.h"
+#include "workbench/session_parts.h"
 
 namespace handsight::app {
 
@@ -63,13 +63,13 @@ Place first_place(const Session& s) {
 /// Another session than the one that is open, which is not one of touches.
 bool MainWindow::is_another(const std::filesystem::path& path) const {
   std::error_code error;
-  const auto open = session_folder(bench_.document.file());
-  return !bench_.document.session().is_touch() && session_folder(path) != open;
+  const auto open = session_folder(workbench_.document.file());
+  return !workbench_.document.session().is_touch() && session_folder(path) != open;
 }
 
 bool MainWindow::open(const QString& path) {
   try {
-    bench_.document.open(std::filesystem::path(path.toStdString()));
+    workbench_.document.open(std::filesystem::path(path.toStdString()));
     return true;
   } catch (const std::exception& error) {
     const QString sentence = translated_error(error);
@@ -101,9 +101,9 @@ void MainWindow::choose_session() {
 }
 
 void MainWindow::choose_added() {
-  auto* dialog = new QFileDialog(this, tr("Add a session of this robot"),
-                                 QString::fromStdString(bench_.document.file().parent_path().parent_path().string()),
-                                 tr("Sessions (*.xml)"));
+  auto* dialog = new QFileDialog(
+      this, tr("Add a session of this robot"),
+      QString::fromStdString(workbench_.document.file().parent_path().parent_path().string()), tr("Sessions (*.xml)"));
   dialog->setObjectName("add_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -112,7 +112,7 @@ void MainWindow::choose_added() {
 }
 
 void MainWindow::add_session(const QString& path) {
-  auto* dialog = new ShareDialog(bench_, path.toStdString(), this);
+  auto* dialog = new ShareDialog(workbench_, path.toStdString(), this);
   connect(dialog, &ShareDialog::written, this, &MainWindow::open);
   connect(dialog, &ShareDialog::open_wanted, this, &MainWindow::open);
   dialog->open();
@@ -124,16 +124,17 @@ void MainWindow::open_new(const QString& path) {
 }
 
 bool MainWindow::is_same_robot(const std::filesystem::path& path) const {
-  if (!bench_.document.is_open() || !is_another(path) || bench_.document.session().robot.is_of_poses) return false;
+  if (!workbench_.document.is_open() || !is_another(path) || workbench_.document.session().robot.is_of_poses)
+    return false;
   try {
-    require_same_robot(bench_.document.session(), read_session(path));
+    require_same_robot(workbench_.document.session(), read_session(path));
     return true;
   } catch (const InputError&) {
     return false;  // opening it says what is the matter
   }
 }
 
-void MainWindow::show_shared() { (new ShareDialog(bench_, this))->open(); }
+void MainWindow::show_shared() { (new ShareDialog(workbench_, this))->open(); }
 
 void MainWindow::run_wizard() {
   SessionWizard::run(
@@ -141,7 +142,7 @@ void MainWindow::run_wizard() {
 }
 
 FilesWizard* MainWindow::bring_files(const std::vector<std::filesystem::path>& files) {
-  return FilesWizard::run(*this, bench_.background, files, [this](const QString& path) { open_new(path); });
+  return FilesWizard::run(*this, workbench_.background, files, [this](const QString& path) { open_new(path); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -159,7 +160,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const std::filesystem::path& first = files.front();
   const bool is_session =
       files.size() == 1 && (first.filename() == "session.xml" || std::filesystem::exists(first / "session.xml", error));
-  if (is_session && bench_.document.is_open() && is_another(first)) {
+  if (is_session && workbench_.document.is_open() && is_another(first)) {
     add_session(QString::fromStdString(first.string()));
   } else if (is_session || (files.size() == 1 && is_collection(first))) {
     open(QString::fromStdString(first.string()));
@@ -169,38 +170,38 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::save() {
-  if (!bench_.document.is_open()) return;
+  if (!workbench_.document.is_open()) return;
   try {
-    bench_.document.save();
+    workbench_.document.save();
   } catch (const InputError& error) {
     read_out_->show_message(translated_error(error));
   }
 }
 
 void MainWindow::session_opened() {
-  const Session& s = bench_.document.session();
-  setWindowTitle(tr("%1 - Handsight").arg(name_of(s)));
-  if (bench_.document.is_rejoining()) {  // the same work goes on
+  const Session& s = workbench_.document.session();
+  setWindowTitle(tr("%1 - Handsight").arg(display_name(s)));
+  if (workbench_.document.is_rejoining()) {  // the same work goes on
     refresh_strip();
     show_workspace(place_);
     return refresh_rail();
   }
-  remember_session(bench_.document.file(), name_of(s));
+  remember_session(workbench_.document.file(), display_name(s));
   start_->set_refusal({});
   pages_->setCurrentIndex(1);
-  strip_->set_selected(widgets::kNoObservation);
+  strip_->set_selected(widgets::no_observation);
   refresh_strip();
   panel_->set_effects({});
   panel_->set_empty_text(tr("Not yet fitted."));
-  bench_.selection.select_observation(s.observations.front().id);
+  workbench_.selection.select_observation(s.observations.front().id);
   show_workspace(first_place(s));
   refresh_rail();
 }
 
 /// What the start page says of it next time; also what a killed window leaves.
 void MainWindow::remember_state() {
-  const ModelVersionPointer model = bench_.document.model();
-  if (!bench_.document.is_open() || !model || !model->fit) return;
+  const ModelVersionPointer model = workbench_.document.model();
+  if (!workbench_.document.is_open() || !model || !model->fit) return;
   constexpr std::size_t most = 60;
   std::vector<double> all;
   for (const InspectionRow& row : model->inspection->rows)
@@ -208,12 +209,13 @@ void MainWindow::remember_state() {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < std::min(all.size(), most); ++i)
     ratios.push_back(all[i * all.size() / std::min(all.size(), most)]);
-  const VersionSizes sizes = sizes_of(*model, model->fit->noise);
-  const auto unit = bench_.document.session().is_tracker() ? widgets::SizeUnit::millimetre : widgets::SizeUnit::pixel;
+  const VersionSizes sizes = list_sizes(*model, model->fit->noise);
+  const auto unit =
+      workbench_.document.session().is_tracker() ? widgets::SizeUnit::millimetre : widgets::SizeUnit::pixel;
   QString state = tr("Error %1, noise %2").arg(text_in(unit, sizes.error()), text_in(unit, sizes.noise));
   const QString explained = page_of(Place::explain).status().line;
   if (!explained.isEmpty()) state += tr(": %1").arg(explained);
-  handsight::app::remember_state(bench_.document.file(), state, ratios);
+  handsight::app::remember_state(workbench_.document.file(), state, ratios);
 }
 
 void MainWindow::session_closed() {

@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 namespace handsight::app {
 
@@ -12,7 +12,7 @@ class ModelEditor : public QObject {
   Q_OBJECT
 
  public:
-  explicit ModelEditor(Workbench& bench, QObject* parent = nullptr) : QObject(parent), bench_(bench) {}
+  explicit ModelEditor(Workbench& workbench, QObject* parent = nullptr) : QObject(parent), workbench_(workbench) {}
 
   /// Adds an effect, estimated, where it explains most, or takes it out everywhere.
   void tick(const QString& id, bool in_model);
@@ -23,7 +23,7 @@ class ModelEditor : public QObject {
   void type(const QString& id, int number, double value);
 
  private:
-  Workbench& bench_;
+  Workbench& workbench_;
 };
 
 }  // namespace handsight::app

@@ -6,8 +6,8 @@
 #include <map>
 #include <span>
 
-#include "bench/workspace.h"
 #include "window/workspaces.h"
+#include "workbench/workspace.h"
 
 namespace handsight::app {
 

@@ -3,7 +3,7 @@
 
 #include <QAbstractButton>
 
-#include "bench/workspace.h"
+#include "workbench/workspace.h"
 
 namespace handsight::app {
 

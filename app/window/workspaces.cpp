@@ -15,8 +15,8 @@ namespace handsight::app {
 namespace {
 
 template <class Page>
-Workspace* made(Workbench& bench, QWidget* parent) {
-  return new Page(bench, parent);
+Workspace* made(Workbench& workbench, QWidget* parent) {
+  return new Page(workbench, parent);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <Qt>
 #include <span>
 
-#include "bench/workbench.h"
+#include "workbench/workbench.h"
 
 class QWidget;
 
@@ -21,7 +21,7 @@ struct WorkspaceKind {
   QString icon;      // of resources/icons
   Qt::Key key;       // with Ctrl
   const char* text;  // its name in English
-  Workspace* (*make)(Workbench& bench, QWidget* parent);
+  Workspace* (*make)(Workbench& workbench, QWidget* parent);
 
   /// The name in the language of the window.
   QString name() const;

@@ -144,12 +144,12 @@ void FilesWizard::read_robot() {
       const FileKind kind = file_kind(n.path, nullptr);
       if (kind == FileKind::robot && !robot_) robot_ = robot_of_file(n.path);
     } catch (const std::exception& error) {
-      n.refusal = translated_error(error);  // of a table it may be told otherwise once the robot is known
+      n.refusal = translated_error(error);  // of a table it may be learned otherwise once the robot is known
     }
   if (!robot_)
     for (const Named& n : files_) try {
         if (!is_bag(n.path)) continue;
-        const std::string text = robot_description_of(open_bag(n.path));
+        const std::string text = find_robot_description(open_bag(n.path));
         if (!text.empty()) robot_ = field_urdf(text, "robot_description");
       } catch (const std::exception&) {
         // A bag that cannot be read says so itself, below.
@@ -226,7 +226,7 @@ void FilesWizard::show_questions() {
   refresh();
 }
 
-/// What can be told before it is tried; empty: nothing is missing.
+/// What can be said before it is tried; empty: nothing is missing.
 QString FilesWizard::what_is_missing() const {
   if (files_.empty()) return tr("Nothing is there yet.");
   for (const Named& n : files_)

@@ -59,7 +59,7 @@ void FilesWizard::make_layout() {
     auto* b = new QPushButton(text, content);
     b->setObjectName(name);
     b->setAutoDefault(false);
-    b->setMinimumHeight(widgets::kControlHeight);
+    b->setMinimumHeight(widgets::control_height);
     row->addWidget(b);
     return b;
   };
@@ -104,7 +104,7 @@ void FilesWizard::make_layout() {
   stop_->setObjectName("files_stop");
   stop_->setToolTip(tr("Stops what is being made; nothing of it stays (Esc)"));
   stop_->setAutoDefault(false);
-  stop_->setMinimumHeight(widgets::kControlHeight);
+  stop_->setMinimumHeight(widgets::control_height);
   auto* working = new QHBoxLayout(working_);
   working->setContentsMargins(0, 0, 0, 0);
   working->addWidget(progress, 1);
@@ -131,7 +131,7 @@ void FilesWizard::add_questions() {
   questions_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   const auto add = [&](const char* name, auto* field, const QString& text) {
     field->setObjectName(name);
-    field->setMinimumHeight(widgets::kControlHeight);
+    field->setMinimumHeight(widgets::control_height);
     if (qobject_cast<QComboBox*>(field)) field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     questions_->addRow(text, field);
     return field;

@@ -49,7 +49,7 @@ std::vector<std::filesystem::path> SessionWizard::image_folders() const {
   for (const Part* part : {&left_, &right_})
     if (!part->path->text().trimmed().isEmpty()) folders.push_back(path_of(part->path));
   if (known() != markers)
-    for (const auto& folder : paths_of(more_.path)) folders.push_back(folder);
+    for (const auto& folder : list_paths(more_.path)) folders.push_back(folder);
   return folders;
 }
 
@@ -99,7 +99,7 @@ std::optional<NewSession> SessionWizard::parts() const {
 QString SessionWizard::what_does_not_fit() const {
   const std::size_t measured = known() == poses ? target_poses_.size() : images_.size();
   if (mount_is_known_->isChecked() && !mount()) return tr("The camera's place is three numbers in m and three in rad.");
-  if (read_robot_ && joints_between(*read_robot_, link_of(mount_link_), link_of(tcp_)) == 0)
+  if (read_robot_ && joints_between(*read_robot_, look_up_link(mount_link_), look_up_link(tcp_)) == 0)
     return tr("No joint moves between camera and target: choose other links.");
   if (measured > 0 && !positions_.empty() && measured != positions_.size())
     return (is_flange_only()

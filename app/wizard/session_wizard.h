@@ -64,7 +64,7 @@ class SessionWizard : public QDialog {
 
   Known known() const;
   bool is_flange_only() const;
-  int link_of(const QComboBox* box) const;
+  int look_up_link(const QComboBox* box) const;
   void ask_camera_place();
   void ask_target_place();
   void ask_known();

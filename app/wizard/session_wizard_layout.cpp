@@ -13,11 +13,11 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
 #include "widgets/base/theme.h"
 #include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
 #include "wizard/target_form.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 
@@ -65,7 +65,7 @@ SessionWizard::SessionWizard(QWidget& window, std::function<void(const QString& 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(make_, &QPushButton::clicked, this, &SessionWizard::make);
   auto* halves = new QHBoxLayout;
-  halves->setSpacing(widgets::kWideGap);
+  halves->setSpacing(widgets::wide_gap);
   halves->addWidget(scroll, 3);
   halves->addWidget(make_scene(), 2);
   auto* layout = new QVBoxLayout(this);
@@ -119,7 +119,7 @@ SessionWizard::Part SessionWizard::add_part(const char* name, const QString& lab
   part.path = new QLineEdit;
   part.path->setObjectName(name);
   part.path->setPlaceholderText(hint);
-  part.path->setMinimumHeight(widgets::kControlHeight);
+  part.path->setMinimumHeight(widgets::control_height);
   part.sentence = new QLabel;
   part.sentence->setObjectName(QString(name) + "_sentence");
   part.sentence->setWordWrap(true);
@@ -223,7 +223,7 @@ void SessionWizard::add_session_rows() {
   title_ = new QLineEdit;
   title_->setObjectName("wizard_title");
   title_->setPlaceholderText(tr("Right hand, 12 March"));
-  title_->setMinimumHeight(widgets::kControlHeight);
+  title_->setMinimumHeight(widgets::control_height);
   grid_->addWidget(new QLabel(tr("Title")), row, 0);
   grid_->addWidget(title_, row, 1);
   target_ = add_part("wizard_target", tr("Session folder"), tr("made where it is not there"), Choice::folder);

@@ -8,13 +8,13 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "bench/heading.h"
 #include "widgets/base/picture_choice.h"
 #include "widgets/scene/robot_view.h"
 #include "wizard/session_wizard.h"
 #include "wizard/target_form.h"
 #include "wizard/wizard_scene.h"
 #include "words/counted.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 
@@ -83,7 +83,7 @@ SessionWizard::Known SessionWizard::known() const { return static_cast<Known>(kn
 
 bool SessionWizard::is_flange_only() const { return flange_only_->isChecked(); }
 
-int SessionWizard::link_of(const QComboBox* box) const {
+int SessionWizard::look_up_link(const QComboBox* box) const {
   return read_robot_ ? find_link(*read_robot_, box->currentText().toStdString()) : -1;
 }
 
@@ -162,7 +162,7 @@ void SessionWizard::ask_known() {
 QString SessionWizard::links_sentence() const {
   if (!read_robot_) return {};
   const QString camera = mount_link_->currentText(), target = tcp_->currentText();
-  const int moving = joints_between(*read_robot_, link_of(mount_link_), link_of(tcp_));
+  const int moving = joints_between(*read_robot_, look_up_link(mount_link_), look_up_link(tcp_));
   QString sentence = is_flange_only()
                          ? tr("Camera on %1, target on %2: the flange moves, its poses are known.").arg(camera, target)
                          : tr("Camera on %1, target on %2: %3 between them.")

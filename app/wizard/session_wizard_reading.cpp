@@ -153,7 +153,7 @@ void SessionWizard::read_calibration() {
   say(calibration_, {}, false);
   if (!calibration_.path->text().isEmpty()) try {
       std::vector<Message> notes;
-      rig_ = rig_of_files(paths_of(calibration_.path), notes);
+      rig_ = rig_of_files(list_paths(calibration_.path), notes);
       const QString sentence =
           rig_.count() == 1 ? tr("One camera of %1 px focal length.").arg(widgets::fixed_text(rig_.at(0).camera.fx, 0))
           : rig_.count() == 2 ? tr("Cameras %1 mm apart.")

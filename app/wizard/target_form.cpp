@@ -187,7 +187,7 @@ TargetForm::Words TargetForm::circle_words() const {
 }
 
 TargetForm::Words TargetForm::words() const {
-  Words words{{"kind", std::string(name_of(kind_))}};
+  Words words{{"kind", std::string(display_name(kind_))}};
   if (kind_ != TargetKind::tags) {
     words.emplace_back("columns", std::to_string(columns_->value()));
     words.emplace_back("rows", std::to_string(rows_count_->value()));
@@ -211,7 +211,7 @@ void TargetForm::read() {
   target_.reset();
   try {
     target_ = target_from_words(are_circles_ ? circle_words() : words(), "The target");
-    sentence = translated(description_of(*target_)) + ".";
+    sentence = translated(describe_target(*target_)) + ".";
     if (is_printed_) sentence += " " + tr("Print it at 100 %, check its ruler, and glue it to something flat.");
     if (looks_the_same_turned(*target_))
       sentence +=
@@ -240,7 +240,7 @@ void TargetForm::choose_sheet() {
 void TargetForm::save_sheet(const QString& file) {
   if (!target_) return;
   try {
-    const Sheet sheet = sheet_of(*target_);
+    const Sheet sheet = make_sheet(*target_);
     replace_file(file.toStdString(), pdf_text(sheet));
     said_->setText(tr("Saved as %1: %2, %3 × %4 mm. Print it at 100 % and check its ruler.")
                        .arg(file, QString::fromStdString(sheet.paper))

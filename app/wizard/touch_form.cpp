@@ -11,10 +11,10 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "bench/heading.h"
 #include "convert/touch_table.h"
 #include "widgets/base/picture_choice.h"
 #include "widgets/base/theme.h"
+#include "workbench/heading.h"
 
 namespace handsight::app {
 namespace {
@@ -77,11 +77,11 @@ TouchForm::TouchForm(QWidget* parent) : QWidget(parent) {
   sigma_->setDecimals(1);
   sigma_->setSuffix(QString::fromUtf8(" µm"));
   sigma_->setSpecialValueText(tr("not known: estimated"));
-  sigma_->setMinimumHeight(widgets::kControlHeight);
+  sigma_->setMinimumHeight(widgets::control_height);
   apart_ = new QLineEdit(this);
   apart_->setObjectName("touch_apart");
   apart_->setPlaceholderText(QStringLiteral("socket_1 socket_2 by=0.05 sigma=1e-5"));
-  apart_->setMinimumHeight(widgets::kControlHeight);
+  apart_->setMinimumHeight(widgets::control_height);
   rows->addRow(tr("How exactly a touch tells (sigma)"), sigma_);
   rows->addRow(tr("Known distances, m; a semicolon between them"), apart_);
   column_->addLayout(rows);
@@ -104,7 +104,7 @@ TouchForm::Row TouchForm::add_row(const QString& name) {
   row.known = new QLineEdit;
   row.known->setObjectName("known_of_" + name);
   row.known->setAccessibleName(tr("What is known of %1").arg(name));
-  row.known->setMinimumHeight(widgets::kControlHeight);
+  row.known->setMinimumHeight(widgets::control_height);
   const auto ask = [known = row.known](int kind) { known->setPlaceholderText(hint_of(kind)); };
   connect(row.kind, &widgets::PictureChoice::chosen, this, ask);
   row.kind->choose(likely_kind(name));

@@ -11,7 +11,7 @@ namespace handsight::app {
 inline std::filesystem::path path_of(const QLineEdit* edit) { return edit->text().trimmed().toStdString(); }
 
 /// Several, separated by semicolons.
-inline std::vector<std::filesystem::path> paths_of(const QLineEdit* edit) {
+inline std::vector<std::filesystem::path> list_paths(const QLineEdit* edit) {
   std::vector<std::filesystem::path> list;
   for (const QString& part : edit->text().split(';'))
     if (!part.trimmed().isEmpty()) list.emplace_back(part.trimmed().toStdString());

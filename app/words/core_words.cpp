@@ -58,8 +58,8 @@ QString translated(const Message& message) {
 QString translated(const std::string& text) { return translated(handsight::looked_up(text)); }
 
 QString translated_error(const std::exception& error) {
-  const auto* const told = dynamic_cast<const InputError*>(&error);
-  return told ? translated(told->sentence()) : translated(std::string(error.what()));
+  const auto* const reported = dynamic_cast<const InputError*>(&error);
+  return reported ? translated(reported->sentence()) : translated(std::string(error.what()));
 }
 
 QString short_number(double value, int digits) {

@@ -179,7 +179,7 @@ void replace(const fs::path& path, std::string_view content, const FileDigest* e
   bool complete = write_all(file.value(), content) && keep_permissions(file.value(), target) &&
                   ::fsync(file.value()) == 0 && file.close();
   int error = errno;
-  if (complete && expected && digest_of(target) != *expected) {
+  if (complete && expected && compute_digest(target) != *expected) {
     ::unlink(temporary.c_str());
     throw InputError(
         message("{}: another program has changed the file since it was read; it is as that program left "
@@ -216,7 +216,7 @@ FileDigest digest_of_content(std::string_view content) {
   return digest;
 }
 
-std::optional<FileDigest> digest_of(const fs::path& path) {
+std::optional<FileDigest> compute_digest(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error) && !error) return std::nullopt;
   return digest_of_content(read_file(path));

@@ -28,7 +28,7 @@ struct FileDigest {
 FileDigest digest_of_content(std::string_view content);
 
 /// Of the file as it is now; nothing where there is none. InputError where it cannot be read.
-std::optional<FileDigest> digest_of(const std::filesystem::path& path);
+std::optional<FileDigest> compute_digest(const std::filesystem::path& path);
 
 /// As replace_file, but only where the file still holds what it did; InputError where another program has changed or
 /// removed it since. Two programs that use this one after another, or at once, never lose what either has written.

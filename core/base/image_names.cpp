@@ -21,7 +21,7 @@ NamedMoment moment_of(const std::smatch& found, const std::string& digits) {
   return {std::stoll(digits), begin, begin + static_cast<std::size_t>(found.length(1))};
 }
 
-std::vector<std::string> parts_of(const fs::path& folder) {
+std::vector<std::string> list_parts(const fs::path& folder) {
   std::vector<std::string> parts;
   for (const fs::path& part : folder.lexically_normal())
     if (!part.empty()) parts.push_back(part.string());
@@ -51,7 +51,7 @@ std::vector<std::string> telling_names(const std::vector<fs::path>& folders) {
   std::vector<std::vector<std::string>> parts;
   std::size_t deepest = 0;
   for (const fs::path& folder : folders) {
-    parts.push_back(parts_of(folder));
+    parts.push_back(list_parts(folder));
     deepest = std::max(deepest, parts.back().size());
   }
   std::vector<std::string> names;

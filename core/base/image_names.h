@@ -19,8 +19,8 @@ struct NamedMoment {
 /// That of "shot_2024-07-23_16-02-40", "img_20240723_160240123" or "1305031102.175304"; nothing where a name has none.
 std::optional<NamedMoment> moment_in_name(const std::string& name);
 
-/// A name for each folder by which it can be told from the others: its own, or that of the nearest folder above in
-/// which they differ ("cam0" of cam0/data beside cam1/data).
+/// A name for each folder by which it can be distinguished from the others: its own, or that of the nearest folder
+/// above in which they differ ("cam0" of cam0/data beside cam1/data).
 std::vector<std::string> telling_names(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace handsight

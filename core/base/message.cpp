@@ -35,7 +35,7 @@ struct Place {
 };
 
 /// `inside`: what stands between the braces. A number of digits that is an argument too ("{:.{}f}") gets its index.
-Place place_of(std::string_view inside, std::size_t& next) {
+Place locate(std::string_view inside, std::size_t& next) {
   Place place{.index = take_index(inside, next), .format = {}};
   place.format = "{" + std::to_string(place.index);
   while (!inside.empty()) {
@@ -135,7 +135,7 @@ Message message(std::string_view form, const Kept* kept, fmt::format_args argume
       continue;
     }
     const std::size_t end = end_of_place(form);
-    text += '%' + std::to_string(put(place_of(form.substr(1, end - 1), next)) + 1);
+    text += '%' + std::to_string(put(locate(form.substr(1, end - 1), next)) + 1);
     form.remove_prefix(end + 1);
   }
   if (put_in.size() > 9) throw std::logic_error("the message \"" + text + "\" has more than nine places");

@@ -110,7 +110,7 @@ std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::str
   return document;
 }
 
-XmlNode root_of(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag) {
+XmlNode require_root(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag) {
   const tinyxml2::XMLElement* root = document.RootElement();
   if (!root) refuse(file, 0, message("there is no element in the file, expected <{}>.", tag));
   if (root->Name() != tag)

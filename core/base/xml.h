@@ -36,7 +36,7 @@ void check_xml_limits(std::string_view text, std::string_view file);
 std::unique_ptr<tinyxml2::XMLDocument> parse_xml(std::string_view text, std::string_view file);
 
 /// The one outermost element, which has this tag.
-XmlNode root_of(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag);
+XmlNode require_root(const tinyxml2::XMLDocument& document, std::string_view file, std::string_view tag);
 
 /// Refuses every version="" but "1".
 void require_version_1(const XmlNode& node);

@@ -25,9 +25,9 @@ struct Blunder {
 };
 
 /// "joint_sense:elbow"; the id alone where there is no place.
-inline std::string name_of(const std::string& id, const std::string& where) {
+inline std::string display_name(const std::string& id, const std::string& where) {
   return where.empty() ? id : id + ":" + where;
 }
-inline std::string name_of(const Blunder& blunder) { return name_of(blunder.id, blunder.where); }
+inline std::string display_name(const Blunder& blunder) { return display_name(blunder.id, blunder.where); }
 
 }  // namespace handsight

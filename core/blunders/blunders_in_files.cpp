@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_images = 6;  // of a camera that are looked at
 
-Blunder told(const std::string& id, const std::string& where, const Session& session) {
+Blunder reported(const std::string& id, const std::string& where, const Session& session) {
   const BlunderKind& kind = *find_blunder_kind(id);
   Blunder b{.id = id, .where = where, .text = kind.text(where, session), .fix = kind.fix(where, session)};
   b.is_by_fit = false;
@@ -87,9 +87,9 @@ std::vector<Blunder> exchanged_sizes(const Session& session) {
     if (are_images_exchanged(session, c).value_or(are_points_exchanged(session, c))) cameras.push_back(c);
   }
   if (cameras.empty()) return {};
-  if (static_cast<int>(cameras.size()) == session.rig->count()) return {told("size_swapped", "", session)};
+  if (static_cast<int>(cameras.size()) == session.rig->count()) return {reported("size_swapped", "", session)};
   std::vector<Blunder> all;
-  for (const int c : cameras) all.push_back(told("size_swapped", session.rig->at(c).name, session));
+  for (const int c : cameras) all.push_back(reported("size_swapped", session.rig->at(c).name, session));
   return all;
 }
 
@@ -101,7 +101,7 @@ std::pair<int, int> found_in(const Session& session, int camera, const PreparedT
       const Image image = read_image(file, session.rig->at(camera).camera, file.filename().string());
       as_they_are += detect_target(image, target).points.empty() ? 0 : 1;
       mirrored += detect_target(turned_back(image, PictureTurn::mirrored), target).points.empty() ? 0 : 1;
-    } catch (const InputError&) {  // it is told where images are read
+    } catch (const InputError&) {  // it is reported where images are read
     }
   }
   return {as_they_are, mirrored};
@@ -125,7 +125,7 @@ std::vector<Blunder> mirrored_tags(const Session& session) {
   }
   if (cameras.empty()) return {};
   const bool all = static_cast<int>(cameras.size()) == session.rig->count();
-  return {told("image_mirrored", all ? "" : cameras.front(), session)};
+  return {reported("image_mirrored", all ? "" : cameras.front(), session)};
 }
 
 /// What measured torques leave beside the moments of gravity (mean square, N m), each joint with the sign that suits
@@ -151,14 +151,14 @@ double torques_left(const Session& session, const Chain& chain, double* measured
   return rows > 0 ? held.cwiseMin(pulled).sum() / rows : 0;
 }
 
-/// The two senses of an axis leave the same, as a driver may count either way: the one is told that is usual.
+/// The two senses of an axis leave the same, as a driver may count either way: the one is reported that is usual.
 std::vector<Blunder> gravity_by_torques(const Session& session) {
   constexpr std::size_t fewest = 8;
   constexpr double most_left = 0.25, least_left = 0.3, least_torque = 1;  // shares, N m
   const auto with_torques = std::count_if(session.observations.begin(), session.observations.end(),
                                           [](const Observation& o) { return o.torque.size() > 0; });
   if (static_cast<std::size_t>(with_torques) < fewest || session.robot.is_of_poses) return {};
-  Chain chain = chain_of(session);
+  Chain chain = make_chain(session);
   double measured = 0;
   const double left = torques_left(session, chain, &measured);
   if (measured < least_torque * least_torque || left < least_left * measured) return {};
@@ -171,7 +171,7 @@ std::vector<Blunder> gravity_by_torques(const Session& session) {
     if (const double now = torques_left(session, chain); now < 0.999 * least) least = now, best = where;
   }
   if (best.empty()) return {};
-  return {told("gravity_turned", best, session)};
+  return {reported("gravity_turned", best, session)};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "blunders/seen_points.h"
 #include "blunders/trials.h"
 #include "estimation/problem/pose_residuals.h"
-#include "estimation/start/competition.h"
+#include "estimation/start/multi_start.h"
 #include "session/pose_points.h"
 
 namespace handsight {
@@ -45,7 +45,7 @@ Session put_right(const Session& session, const std::vector<Mend>& mends) {
 }
 
 /// One new unit of what is left in old ones: a session in millimetres leaves a thousand times as much.
-double unit_of(const std::vector<Mend>& mends) {
+double find_unit(const std::vector<Mend>& mends) {
   double unit = 1;
   for (const Mend& mend : mends) unit *= mend.kind->measured_unit;
   return unit;
@@ -66,7 +66,7 @@ class Judge {
     as_it_is_ = {better(left_by_plain(small, by_fit), left_by_plain(small, mount)),
                  better(left_by_offsets(small, by_fit), left_by_offsets(small, mount)),
                  better(left_by_geometry(small, by_fit), left_by_geometry(small, mount))};
-    for (const EffectTerm& term : terms_of(fit))
+    for (const EffectTerm& term : list_terms(fit))
       if (!term.id.empty()) as_it_is_.plain.rms = std::min(as_it_is_.plain.rms, fit.residual_rms);
   }
 
@@ -76,10 +76,10 @@ class Judge {
       if (is_small_zero(mend, thin_, smallest_zero, smallest_shift)) return std::nullopt;
     const Session small = with_few_markers(put_right(thin_, trial.mends));
     const std::optional<Rigid> mount = trial.found->mount_from_sensor;
-    const double unit = unit_of(trial.mends);
+    const double unit = find_unit(trial.mends);
     Left plain = left_by_plain(small, mount);
     plain.rms *= unit;
-    const double ln = likelier(as_it_is_.plain.rms, plain.rms, numbers_of(trial)) - price_of_trials(trial);
+    const double ln = likelier(as_it_is_.plain.rms, plain.rms, list_numbers(trial)) - price_of_trials(trial);
     if (!(plain.rms < as_it_is_.plain.rms) || ln < well_above) return std::nullopt;
     if (is_right_alone(trial, plain)) return ln;
     return is_right_with_geometry(small, mount, unit) ? std::optional(ln) : std::nullopt;
@@ -87,7 +87,7 @@ class Judge {
 
  private:
   static Left better(const Left& a, const Left& b) { return b.rms < a.rms ? b : a; }
-  static int numbers_of(const Trial& trial) {
+  static int list_numbers(const Trial& trial) {
     int numbers = 0;
     for (const Mend& mend : trial.mends) numbers += mend.kind->numbers;
     return numbers;
@@ -97,7 +97,7 @@ class Judge {
   }
   /// What the quick trials were charged for having been so many.
   double price_of_trials(const Trial& trial) const {
-    return ln_likelier(trials_.as_it_is().left(), trial.left(), trials_.sights(), trials_.rows(), numbers_of(trial)) -
+    return ln_likelier(trials_.as_it_is().left(), trial.left(), trials_.sights(), trials_.rows(), list_numbers(trial)) -
            trial.ln_bayes_factor;
   }
 
@@ -108,7 +108,7 @@ class Judge {
                                !is_small_zero(trial.mends[0], thin_, large_zero, 10 * smallest_shift);
     if (thin_.robot.is_of_poses || (trial.mends.size() == 1 && is_large_zero)) return true;
     const int joints = static_cast<int>(thin_.joints.size());
-    const int own = numbers_of(trial);
+    const int own = list_numbers(trial);
     return likelier(as_it_is_.offsets.rms, plain.rms, own - joints) > 3 &&
            likelier(as_it_is_.geometry.rms, plain.rms, own - 7 * joints) > 3;
   }
@@ -126,16 +126,16 @@ class Judge {
   Judgement as_it_is_;
 };
 
-std::vector<std::string> names_of(const std::vector<Mend>& mends) {
+std::vector<std::string> list_names(const std::vector<Mend>& mends) {
   std::vector<std::string> names;
-  for (const Mend& mend : mends) names.push_back(name_of(mend.kind->id, mend.where));
+  for (const Mend& mend : mends) names.push_back(display_name(mend.kind->id, mend.where));
   return names;
 }
 
 /// One entry a mend, of a pair both.
-std::vector<Blunder> told(const Session& session, const Trial& trial, double ln, double before, double after) {
+std::vector<Blunder> reported(const Session& session, const Trial& trial, double ln, double before, double after) {
   std::vector<Blunder> blunders;
-  const std::vector<std::string> names = names_of(trial.mends);
+  const std::vector<std::string> names = list_names(trial.mends);
   for (std::size_t i = 0; i < trial.mends.size(); ++i) {
     const Mend& mend = trial.mends[i];
     Blunder b{.id = mend.kind->id,
@@ -158,8 +158,8 @@ std::optional<double> confirmed(const Session& session, const Trial& trial, doub
   try {
     const Fit right = fit(put_right(session, trial.mends), {.smallest_step = 1e-9});
     const bool is_answer = !is_no_answer(right.problem, right.solution);
-    return is_answer && unit_of(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
-                                                                                 : std::nullopt;
+    return is_answer && find_unit(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
+                                                                                   : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -182,7 +182,7 @@ std::vector<const Trial*> most_promising(const std::vector<Trial>& tried) {
   std::vector<std::string> alone;
   for (const Trial& trial : tried) {
     if (best.size() == judged || !trial.found || trial.ln_bayes_factor < well_above) break;
-    const std::vector<std::string> names = names_of(trial.mends);
+    const std::vector<std::string> names = list_names(trial.mends);
     if (names.size() == 1) alone.push_back(names[0]);
     const bool has_one = names.size() > 1 && std::any_of(names.begin(), names.end(), [&](const std::string& name) {
                            return std::find(alone.begin(), alone.end(), name) != alone.end();
@@ -224,12 +224,13 @@ void bring_likeliest_first(const Session& thin, std::vector<Claim>& claims) {
       std::swap(claims[0], claims[i]);
 }
 
-void say_what_else(const std::vector<Claim>& claims, const Claim& told_one, std::vector<Blunder>& blunders) {
+void say_what_else(const std::vector<Claim>& claims, const Claim& reported_one, std::vector<Blunder>& blunders) {
   std::vector<Message> others;
   for (const Claim& other : claims)
-    if (other.trial != told_one.trial && (other.ln > told_one.ln - as_likely || are_twins(other, told_one)) &&
-        other.trial->mends.size() == told_one.trial->mends.size())
-      others.push_back(joined(verbatim(names_of(other.trial->mends)), " with "));
+    if (other.trial != reported_one.trial &&
+        (other.ln > reported_one.ln - as_likely || are_twins(other, reported_one)) &&
+        other.trial->mends.size() == reported_one.trial->mends.size())
+      others.push_back(joined(verbatim(list_names(other.trial->mends)), " with "));
   if (!others.empty())
     blunders.front().text += message(" (These measurements are explained as well by {}.)", joined(others));
 }
@@ -239,7 +240,7 @@ void say_what_else(const std::vector<Claim>& claims, const Claim& told_one, std:
 bool may_be_a_blunder(const Session& session, const Fit& fit) {
   if (fit.solution.stopped || fit.problem.observations.size() < 6) return false;
   if (is_no_answer(fit.problem, fit.solution) || looks_lost(fit.problem, fit.solution)) return true;
-  // Where the sigmas are not told, turns that fit badly count little, and what is left of the places looks well.
+  // Where the sigmas are not given, turns that fit badly count little, and what is left of the places looks well.
   if (has_unknown_lever(session) && fit.residual_rms > several_turns * fit.problem.shape->markers.front().norm())
     return true;
   const bool tracker = session.is_tracker();
@@ -268,7 +269,7 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   bring_likeliest_first(thin, claims);
   for (const Claim& claim : claims)
     if (const auto after = confirmed(whole, *claim.trial, before)) {
-      std::vector<Blunder> blunders = told(session, *claim.trial, claim.ln, before, *after);
+      std::vector<Blunder> blunders = reported(session, *claim.trial, claim.ln, before, *after);
       say_what_else(claims, claim, blunders);
       return blunders;
     }

@@ -16,8 +16,8 @@ bool may_be_a_blunder(const Session& session, const Fit& fit);
 
 /// The blunder that makes the session right, or the two that do together; empty where none does so clearly. Each single
 /// one is tried, then pairs. Named is only what leaves less than half, a sensible answer, and what neither the offsets
-/// of all joints nor the numbers of the whole geometry explain as well. `fit` is of the session. `on_progress` is told
-/// the share that is done (0 to 1); where it returns false the search ends with nothing.
+/// of all joints nor the numbers of the whole geometry explain as well. `fit` is of the session. `on_progress` is
+/// called with the share that is done (0 to 1); where it returns false the search ends with nothing.
 std::vector<Blunder> find_blunders(const Session& session, const Fit& fit,
                                    const std::function<bool(double)>& on_progress = {});
 

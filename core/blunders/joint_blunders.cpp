@@ -140,7 +140,7 @@ BlunderKind joint_zero() {
     const auto [joint, value] = name_and_value(where);
     joint_place(points, joint, "joint_zero");
     if (!value.empty()) return where;
-    return fmt::format("{}={:.6g}", joint, zero_of(points, joint));
+    return fmt::format("{}={:.6g}", joint, find_zero(points, joint));
   };
   k.mend = [](const std::string& where, Session& s) {
     const auto [joint, value] = name_and_value(where);

@@ -27,7 +27,7 @@ const BlunderKind& required_kind(const std::string& id, const Session& session) 
                            fmt::join(ids, " ")));
 }
 
-std::vector<std::string> places_of(const std::string& id, const Session& session) {
+std::vector<std::string> list_places(const std::string& id, const Session& session) {
   std::vector<std::string> places;
   for (const BlunderKind& kind : blunder_kinds())
     if (kind.id == id)
@@ -45,14 +45,14 @@ std::string best_of(const BlunderKind& kind, const std::vector<std::string>& pla
   for (const std::string& place : places) {
     Session one = points;
     kind.mend(place, one);
-    const auto found = hand_eye_of(one);
+    const auto found = solve_hand_eye(one);
     if (found && found->mean_square < least) least = found->mean_square, best = place;
   }
   return best;
 }
 
 std::string settled_place(const BlunderKind& kind, const std::string& where, const Session& session) {
-  const std::vector<std::string> places = places_of(kind.id, session);
+  const std::vector<std::string> places = list_places(kind.id, session);
   if (places.empty())
     throw InputError(message("{}: there is nothing in this session that it could be put right in.", kind.id));
   if (where.empty() && places.size() == 1 && !kind.settle) return places.front();

@@ -59,7 +59,7 @@ PictureTurn turn_named(const std::string& id, const std::string& how) {
   throw InputError(message("image_turned: {:?} is not known; expected 90, 180 or 270 (degrees to the right).", how));
 }
 
-int camera_of(const std::string& name, const Session& s) {
+int look_up_camera(const std::string& name, const Session& s) {
   for (int c = 0; s.rig && c < s.rig->count(); ++c)
     if (s.rig->at(c).name == name) return c;
   return -1;
@@ -96,7 +96,7 @@ Image turned_back(const Image& image, PictureTurn turn) {
 
 PicturesAt pictures_at(const std::string& id, const std::string& where, const Session& session) {
   const auto [first, second] = name_and_value(where);
-  if (const int camera = camera_of(first, session); camera >= 0) return {camera, turn_named(id, second)};
+  if (const int camera = look_up_camera(first, session); camera >= 0) return {camera, turn_named(id, second)};
   if (!second.empty()) throw InputError(message("{}: the session has no camera {:?}.", id, first));
   return {-1, turn_named(id, first)};
 }

@@ -43,7 +43,7 @@ const char* table_text(const std::string& name) {
 }
 
 Rigid flange_of(const Observation& o) { return base_from_flange(o.position); }
-void set_flange(Observation& o, const Rigid& pose) { o.position = position_of(pose); }
+void set_flange(Observation& o, const Rigid& pose) { o.position = make_position(pose); }
 
 /// The points that stand for poses follow them; those of observations that show nothing stay away.
 void show_again(Session& s) {
@@ -158,7 +158,7 @@ struct Readings {
   std::vector<Rigid> target;  // sensor_from_target; empty: none
 };
 
-std::vector<Rigid> readings_of(const Rigid& pose, bool is_read_again, const std::string& convention) {
+std::vector<Rigid> list_readings(const Rigid& pose, bool is_read_again, const std::string& convention) {
   if (!is_read_again) return {pose};
   std::vector<Rigid> all;
   for (const Matrix3& rotation : read_again(pose.rotation, convention)) all.push_back({rotation, pose.translation});
@@ -184,7 +184,7 @@ void choose_readings(Session& s, const std::vector<Readings>& readings, const Ta
         one.observations = {s.observations[i]};
         take(one.observations[0], readings[i], tables, f, t);
         show_again(one);
-        const std::vector<Sight> sights = sights_of(one);
+        const std::vector<Sight> sights = list_sights(one);
         const double left = sights.empty() ? 0 : left_in(sights[0], found);
         if (left < least) least = left, best_flange = f, best_target = t;
       }
@@ -198,7 +198,7 @@ double settle_readings(Session& s, const std::vector<Readings>& readings, const 
                        std::optional<HandEye> from) {
   for (int pass = 0; pass < 4 && from; ++pass) {
     choose_readings(s, readings, tables, *from);
-    from = hand_eye_of(s);
+    from = solve_hand_eye(s);
   }
   return from ? from->mean_square : 1e300;
 }
@@ -211,7 +211,7 @@ std::optional<HandEye> by_sure_ones(Session s, const std::vector<Readings>& read
     if (!is_open(readings[i])) sure.push_back(s.observations[i]);
   s.observations = std::move(sure);
   const auto seen = std::count_if(s.observations.begin(), s.observations.end(), is_used);
-  return seen < enough ? std::nullopt : hand_eye_of(s);
+  return seen < enough ? std::nullopt : solve_hand_eye(s);
 }
 
 /// Of several starts the one that leaves least.
@@ -227,7 +227,7 @@ void choose_from_several(Session& s, const std::vector<Readings>& readings, cons
     Session start = s;
     for (std::size_t i = 0; i < readings.size(); ++i) take(start.observations[i], readings[i], tables, number, number);
     show_again(start);
-    compete(start, hand_eye_of(start));
+    compete(start, solve_hand_eye(start));
   }
   if (least < 1e300) s = std::move(best);
 }
@@ -236,8 +236,8 @@ void read_rotations_again(Session& s, const Tables& tables, const std::string& c
   std::vector<Readings> readings;
   for (Observation& o : s.observations) {
     Readings& r = readings.emplace_back();
-    r.flange = tables.flange ? readings_of(flange_of(o), true, convention) : std::vector<Rigid>{Rigid{}};
-    if (o.target_pose) r.target = readings_of(*o.target_pose, tables.target, convention);
+    r.flange = tables.flange ? list_readings(flange_of(o), true, convention) : std::vector<Rigid>{Rigid{}};
+    if (o.target_pose) r.target = list_readings(*o.target_pose, tables.target, convention);
     take(o, r, tables, 0, 0);
   }
   show_again(s);

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "effects/effect.h"
 #include "estimation/fit/sure_fit.h"
-#include "estimation/start/competition.h"
+#include "estimation/start/multi_start.h"
 #include "estimation/start/shape_start.h"
 #include "estimation/start/start_markers.h"
 
@@ -30,7 +30,7 @@ bool is_no_deviation(const FittedEffect& e) {
 }
 
 Left left_by(const Session& session, const std::optional<Rigid>& mount, const std::vector<std::string>& effects) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   FitOptions options;
   options.start = start_at(session, chain, mount);
   options.most_iterations = 30;

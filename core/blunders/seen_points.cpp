@@ -97,7 +97,7 @@ Session thinned_session(const Session& session) {
   std::vector<int> near;
   for (int i = 0; i < count; ++i)
     if (is_near[static_cast<std::size_t>(i)]) near.push_back(i);
-  Session thin = part_of(session, near);
+  Session thin = take_part(session, near);
   for (std::size_t k = 0; k < near.size(); ++k)
     if (!is_chosen[static_cast<std::size_t>(near[k])]) show_nothing(thin.observations[k]);
   return thin;
@@ -138,8 +138,8 @@ Session as_point_session(const Session& session) {
   return points;
 }
 
-std::vector<Sight> sights_of(const Session& points) {
-  const Chain chain = chain_of(points);
+std::vector<Sight> list_sights(const Session& points) {
+  const Chain chain = make_chain(points);
   std::vector<Sight> sights;
   for (const Observation& o : points.observations) {
     if (!is_used(o)) continue;
@@ -153,9 +153,9 @@ std::vector<Sight> sights_of(const Session& points) {
   return sights;
 }
 
-std::optional<HandEye> hand_eye_of(const Session& points) {
+std::optional<HandEye> solve_hand_eye(const Session& points) {
   const bool is_given = !points.mount.estimate && points.mount.known;
-  return hand_eye(sights_of(points), points.marker_count,
+  return hand_eye(list_sights(points), points.marker_count,
                   is_given ? std::optional(points.mount.mount_from_sensor) : std::nullopt);
 }
 

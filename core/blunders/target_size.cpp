@@ -37,9 +37,9 @@ struct SizeFound {
 
 /// By the effect that says so.
 std::optional<SizeFound> by_effect(const Session& session, const FitOptions& options) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   FitOptions with = options;
-  for (EffectTerm& term : effect_terms(scale_effect, chain, own_effects_of(session, chain)))
+  for (EffectTerm& term : effect_terms(scale_effect, chain, list_own_effects(session, chain)))
     with.estimated.push_back(std::move(term));
   with.start.reset();
   // As a step of a diagnosis: what a wrong size leaves must not pass for the error of a robot that tells its poses.

@@ -17,7 +17,7 @@ constexpr std::size_t fewest_sights = 6;
 constexpr double still = 0.01;
 constexpr double fewest_kept = 0.8;  // of the sights: with images read otherwise some may show no body
 
-std::string name_of(const Mend& mend) { return handsight::name_of(mend.kind->id, mend.where); }
+std::string display_name(const Mend& mend) { return handsight::display_name(mend.kind->id, mend.where); }
 
 const Mend* image_mend(const std::vector<Mend>& mends) {
   const auto found = std::find_if(mends.begin(), mends.end(), [](const Mend& m) { return m.kind->of_images; });
@@ -83,17 +83,17 @@ double ln_likelier(double before, double after, std::size_t observations, int ro
 
 Trials::Trials(const Session& thin) : thin_(thin) {
   points_.emplace("", as_point_session(with_few_markers(thin)));
-  const std::vector<Sight> sights = sights_of(points_.at(""));
+  const std::vector<Sight> sights = list_sights(points_.at(""));
   sights_ = sights.size();
   std::size_t seen = 0;
   for (const Sight& s : sights) seen += s.points.size();
   rows_ = sights_ > 0 ? static_cast<int>(std::clamp<std::size_t>(3 * seen / sights_, 1, 6)) : 6;
   stand_still_ = spread_of(sights, points_.at("").marker_count) < still;
-  base_.found = hand_eye_of(points_.at(""));
+  base_.found = solve_hand_eye(points_.at(""));
 }
 
-const Session& Trials::points_of(const Mend& mend) {
-  const auto [place, is_new] = points_.try_emplace(name_of(mend));
+const Session& Trials::list_points(const Mend& mend) {
+  const auto [place, is_new] = points_.try_emplace(display_name(mend));
   if (is_new) {
     Session right = thin_;
     mend.kind->mend(mend.where, right);
@@ -107,10 +107,10 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
   const Mend* of_images = image_mend(trial.mends);
   Session right;
   try {
-    put_right_all(trial.mends, points_.at(of_images ? name_of(*of_images) : ""), right);
-    const std::vector<Sight> sights = sights_of(right);
+    put_right_all(trial.mends, points_.at(of_images ? display_name(*of_images) : ""), right);
+    const std::vector<Sight> sights = list_sights(right);
     if (static_cast<double>(sights.size()) < fewest_kept * static_cast<double>(sights_)) return trial;
-    trial.found = hand_eye_of(right);
+    trial.found = solve_hand_eye(right);
   } catch (const InputError&) {  // one makes the other impossible
     return trial;
   }
@@ -169,7 +169,7 @@ std::vector<Trial> Trials::run(const std::function<bool(double)>& goes_on) {
   if (sights_ < fewest_sights || !base_.found) return {};
   const std::vector<Mend> alone = singles();
   for (const Mend& mend : alone)
-    if (mend.kind->of_images) points_of(mend);
+    if (mend.kind->of_images) list_points(mend);
   std::vector<Trial> trials(alone.size());
   each_part(static_cast<int>(alone.size()), true, [&](int i) {
     const auto k = static_cast<std::size_t>(i);

@@ -42,7 +42,7 @@ class Trials {
 
  private:
   Trial tried(std::vector<Mend> mends, std::size_t of_so_many) const;
-  const Session& points_of(const Mend& mend);
+  const Session& list_points(const Mend& mend);
   std::vector<Mend> singles() const;
   std::vector<std::vector<Mend>> pairs(const std::vector<Trial>& singles) const;
 

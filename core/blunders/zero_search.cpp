@@ -21,7 +21,7 @@ class ShiftedJoint {
   double left_at(double shift) {
     for (Observation& o : session_.observations) o.position[joint_] += shift - shift_;
     shift_ = shift;
-    const auto found = hand_eye_of(session_);
+    const auto found = solve_hand_eye(session_);
     return found ? found->mean_square : 1e30;
   }
 
@@ -50,7 +50,7 @@ double lowest_between(ShiftedJoint& joint, double low, double high) {
 
 }  // namespace
 
-double zero_of(const Session& points, const std::string& name) {
+double find_zero(const Session& points, const std::string& name) {
   ShiftedJoint joint(points, name);
   const bool slides = joint_named(points, name).kind == JointKind::prismatic;
   const double step = slides ? 0.05 : pi / 12;

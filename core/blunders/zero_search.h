@@ -10,6 +10,6 @@ namespace handsight {
 
 /// What has to be added to the joint's readings (rad or m) for motions and points (seen_points.h) to go together best;
 /// a multiple of 90 degrees where it is one within what a robot's zeros are off anyway.
-double zero_of(const Session& points, const std::string& joint);
+double find_zero(const Session& points, const std::string& joint);
 
 }  // namespace handsight

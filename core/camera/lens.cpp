@@ -59,7 +59,7 @@ std::optional<Vector3> lift(const Lens& lens, const Vector2& pixel) {
   return ray;
 }
 
-std::optional<Camera> camera_of(const Lens& lens) {
+std::optional<Camera> look_up_camera(const Lens& lens) {
   const auto& n = lens.numbers;
   Camera c{.width = lens.width,
            .height = lens.height,
@@ -87,7 +87,7 @@ std::optional<Camera> camera_of(const Lens& lens) {
   return c;
 }
 
-Lens lens_of(const Camera& c) {
+Lens make_lens(const Camera& c) {
   if (c.is_fisheye) return {&fisheye_lens, c.width, c.height, {c.fx, c.fy, c.cx, c.cy, c.k1, c.k2, c.k3, c.k4}};
   if (!is_plain(c))
     return {

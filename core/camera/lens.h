@@ -16,7 +16,7 @@ namespace handsight {
 /// share of the focal length for the focal lengths, 1 for the others).
 struct LensNumber {
   std::string_view name, unit;
-  double plausible_sigma = 1;
+  double prior_sigma_of = 1;
 };
 
 /// An image point with its derivatives: by the point in the camera's frame (px/m) and by the model's numbers.
@@ -56,8 +56,8 @@ Vector2 project(const Lens& lens, const Vector3& x_in_camera);
 std::optional<Vector3> lift(const Lens& lens, const Vector2& pixel);
 
 /// The same camera as the struct that the rest of the program uses; nothing where the model has terms that it lacks.
-std::optional<Camera> camera_of(const Lens& lens);
-Lens lens_of(const Camera& camera);  // skew is not among a lens's numbers and is left out
+std::optional<Camera> look_up_camera(const Lens& lens);
+Lens make_lens(const Camera& camera);  // skew is not among a lens's numbers and is left out
 
 extern const LensModel brown_lens;     // fx fy cx cy k1 k2 p1 p2 k3
 extern const LensModel rational_lens;  // the same, k4 k5 k6

@@ -85,14 +85,14 @@ std::optional<SeenPoint> triangulate(std::span<const View> views) {
   return result;
 }
 
-Rig rig_of(const StereoRig& stereo) {
+Rig make_rig(const StereoRig& stereo) {
   Rig rig;
   rig.cameras.push_back(RigCamera{"left", stereo.left, Rigid()});
   rig.cameras.push_back(RigCamera{"right", stereo.right, stereo.right_from_left});
   return rig;
 }
 
-StereoRig stereo_of(const Rig& rig) {
+StereoRig make_stereo(const Rig& rig) {
   check(rig.count() >= 2, "a pair of cameras from a rig of {}", rig.count());
   return {rig.at(0).camera, rig.at(1).camera, rig.at(1).camera_from_first};
 }

@@ -32,10 +32,10 @@ struct RigT {
 using Rig = RigT<double>;
 
 /// Two cameras as a rig of the names `left` and `right`.
-Rig rig_of(const StereoRig& stereo);
+Rig make_rig(const StereoRig& stereo);
 
 /// The first two cameras of a rig; it must have two.
-StereoRig stereo_of(const Rig& rig);
+StereoRig make_stereo(const Rig& rig);
 
 /// Exactly two cameras: what the search for corners and their pairs works with.
 inline bool is_pair(const Rig& rig) { return rig.count() == 2; }
@@ -90,7 +90,7 @@ struct SeenPoint {
 std::optional<SeenPoint> triangulate(std::span<const View> views);
 
 /// The numbers of a camera that effects and estimates may move, in the order in which sites and derivatives hold them.
-/// Everything else that needs their names, units and plausible sizes reads this table.
+/// Everything else that needs their names, units and prior sigmas reads this table.
 struct CameraNumber {
   const char* name;
   const char* unit;

@@ -5,7 +5,7 @@
 
 namespace handsight {
 
-Vector3 middle_of(const std::vector<Vector3>& points) {
+Vector3 find_middle(const std::vector<Vector3>& points) {
   Vector3 middle = Vector3::Zero();
   for (const Vector3& point : points) middle += point / static_cast<double>(points.size());
   return middle;

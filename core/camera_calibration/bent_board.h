@@ -9,7 +9,7 @@
 namespace handsight {
 
 /// The middle of a board's points, m.
-Vector3 middle_of(const std::vector<Vector3>& points);
+Vector3 find_middle(const std::vector<Vector3>& points);
 
 /// Where a bend carries a point of the board, m: z moves by half of (u, v) K (u, v), and the place along the board
 /// draws in by what the bow takes; u, v from the middle, K the curvatures (bend 0 along x, 1 along y, 2 askew; 1/m).

@@ -30,10 +30,10 @@ void require_same_cameras(const DetectedImages& images, const Rig& rig) {
   }
 }
 
-BundleResult start_of(const BoardImages& images, const Rig& rig) {
+BundleResult make_start(const BoardImages& images, const Rig& rig) {
   BundleResult start;
   for (const RigCamera& c : rig.cameras) {
-    start.rig.lenses.push_back(lens_of(c.camera));
+    start.rig.lenses.push_back(make_lens(c.camera));
     start.rig.from_first.push_back(c.camera_from_first);
   }
   start.rig.from_first[0] = Rigid{};
@@ -47,7 +47,7 @@ BundleResult with_the_boards_shape(const BoardImages& images, const BundleResult
   if (!flat.covariance) return flat;
   std::vector<Candidate> candidates;
   const Candidate described{flat, held_out(images, flat)};
-  for (const BoardShape shape : shapes_of(images)) candidates.push_back(reshaped(images, described, shape));
+  for (const BoardShape shape : list_shapes(images)) candidates.push_back(reshaped(images, described, shape));
   const Candidate* best = preferred(candidates);
   return best && best->bundle.covariance ? best->bundle : flat;
 }
@@ -57,8 +57,8 @@ Rig rig_with(const Rig& session, const CameraRig& found) {
   Rig rig = session;
   for (int c = 0; c < rig.count(); ++c) {
     const auto i = static_cast<std::size_t>(c);
-    const Camera told = camera_of(found.lenses[i]).value();
-    for (const CameraNumber& number : camera_numbers(told)) rig.at(c).camera.*number.value = told.*number.value;
+    const Camera reported = look_up_camera(found.lenses[i]).value();
+    for (const CameraNumber& number : camera_numbers(reported)) rig.at(c).camera.*number.value = reported.*number.value;
     if (c > 0) rig.at(c).camera_from_first = found.from_first[i];
   }
   return rig;
@@ -69,7 +69,7 @@ Rig rig_with(const Rig& session, const CameraRig& found) {
 void place_numbers(const Rig& session, const CameraRig& found, std::vector<int>& places, std::vector<double>& off) {
   for (int c = 0; c < session.count(); ++c) {
     const Lens& lens = found.lenses[static_cast<std::size_t>(c)];
-    const Lens kept = lens_of(session.at(c).camera);
+    const Lens kept = make_lens(session.at(c).camera);
     const auto numbers = camera_numbers(session.at(c).camera);
     for (std::size_t k = 0; k < lens.numbers.size(); ++k) {
       const auto there = std::find_if(numbers.begin(), numbers.end(),
@@ -95,7 +95,7 @@ Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& covariance) {
 
 }  // namespace
 
-GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig) {
+GroupedImages group_by_cameras(const GroupedImages& grouped, const Rig& rig) {
   if (static_cast<int>(grouped.cameras.size()) != rig.count()) {
     std::vector<std::string> names;
     for (const CameraImages& camera : grouped.cameras) names.push_back(camera.name);
@@ -123,7 +123,7 @@ GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig) {
 
 CameraKnowledge board_knowledge(const DetectedImages& detected, const Rig& session) {
   require_same_cameras(detected, session);
-  const BundleResult start = start_of(detected.board, session);
+  const BundleResult start = make_start(detected.board, session);
   const BundleResult flat = adjust_robustly(detected.board, adjust_robustly(detected.board, start, false), true);
   if (flat.points == 0)
     throw InputError("The target is found in none of the board images; look at one and at what --target says of it.");

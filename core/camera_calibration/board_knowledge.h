@@ -9,7 +9,7 @@ namespace handsight {
 
 /// The images grouped by the cameras of a rig: by their names where all of them are found, else in their order. A
 /// sentence in the notes where it was the order. InputError where there are more or fewer.
-GroupedImages by_cameras_of(const GroupedImages& grouped, const Rig& rig);
+GroupedImages group_by_cameras(const GroupedImages& grouped, const Rig& rig);
 
 /// Adjusts all cameras, their placement and the poses of the target to the images from what the rig has, robustly, and
 /// takes the poses out. InputError where the images have another size than the camera's, where nothing was found, where

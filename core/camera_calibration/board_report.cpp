@@ -92,7 +92,7 @@ std::optional<Target> with_other_spacing(const Target& target, const std::vector
     centres.push_back(centre);
     nominal.emplace_back(tags[tag].top_left.x(), tags[tag].top_left.y(), 0);
   }
-  const Vector3 middle = middle_of(centres), expected = middle_of(nominal);
+  const Vector3 middle = find_middle(centres), expected = find_middle(nominal);
   double found = 0, described = 0;
   for (std::size_t i = 0; i < centres.size(); ++i)
     found += (centres[i] - middle).squaredNorm(), described += (nominal[i] - expected).squaredNorm();
@@ -102,7 +102,7 @@ std::optional<Target> with_other_spacing(const Target& target, const std::vector
   return other.spacing > 0.01 ? std::optional(other) : std::nullopt;
 }
 
-std::vector<Vector3> places_of(const Target& target) {
+std::vector<Vector3> list_places(const Target& target) {
   std::vector<Vector3> places;
   for (const TargetPoint& point : target_points(target)) places.push_back(point.position);
   return places;
@@ -120,7 +120,7 @@ void say_what_fits(const Target& target, const BoardImages& images, const Pairs&
   constexpr double much = 0.5, hardly_noticed = 5e-4;
   if (const auto other = with_other_spacing(target, report.points)) {
     BoardImages as_other = images;
-    as_other.points = places_of(*other);
+    as_other.points = list_places(*other);
     const Pairs to_other = pairs_of(as_other, report.points);
     const double left = rms(distances(to_other.found, to_other.described));
     if (left < much * report.off_rms && std::abs(other->spacing - target.spacing) > 0.01 * target.spacing) {

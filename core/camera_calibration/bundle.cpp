@@ -62,8 +62,8 @@ void add_image(BundleProblem& problem, const BoardImages& images, const BoardIma
 
 void build(BundleProblem& problem, const BoardImages& images, const BundleResult& now, const BundleOptions& options) {
   for (const Lens& lens : now.rig.lenses) problem.lenses.push_back(lens.numbers);
-  for (const Rigid& motion : now.rig.from_first) problem.placements.push_back(six_of(motion));
-  for (const auto& pose : now.first_from_target) problem.poses.push_back(six_of(pose.value_or(Rigid{})));
+  for (const Rigid& motion : now.rig.from_first) problem.placements.push_back(make_six(motion));
+  for (const auto& pose : now.first_from_target) problem.poses.push_back(make_six(pose.value_or(Rigid{})));
   problem.bend = {now.bend.x(), now.bend.y(), now.bend.z()};
   if (has_free_points(options)) {
     for (const Vector3& x : now.target_points) problem.points.push_back({x.x(), x.y(), x.z()});
@@ -91,16 +91,16 @@ void build(BundleProblem& problem, const BoardImages& images, const BundleResult
 void take(const BundleProblem& problem, const BoardImages& images, const BundleOptions& options, BundleResult& result) {
   for (std::size_t c = 0; c < result.rig.lenses.size(); ++c) {
     result.rig.lenses[c].numbers = problem.lenses[c];
-    if (c > 0) result.rig.from_first[c] = rigid_of(problem.placements[c].data());
+    if (c > 0) result.rig.from_first[c] = make_rigid(problem.placements[c].data());
   }
   for (const int frame : problem.frames)
     result.first_from_target[static_cast<std::size_t>(frame)] =
-        rigid_of(problem.poses[static_cast<std::size_t>(frame)].data());
+        make_rigid(problem.poses[static_cast<std::size_t>(frame)].data());
   for (std::size_t i = 0; i < problem.points.size(); ++i)
     result.target_points[i] = Eigen::Map<const Vector3>(problem.points[i].data());
   if (options.shape != BoardShape::bent) return;
   result.bend = Eigen::Map<const Vector3>(problem.bend.data());
-  const Vector3 middle = middle_of(images.points);
+  const Vector3 middle = find_middle(images.points);
   for (std::size_t i = 0; i < images.points.size(); ++i)
     result.target_points[i] = bent_point(images.points[i], middle, result.bend);
 }
@@ -132,8 +132,8 @@ ceres::Solver::Options settings_of(const BundleOptions& options, BundleProblem& 
   return settings;
 }
 
-BundleResult start_of(const BoardImages& images, const CameraRig& rig, const std::vector<std::optional<Rigid>>& poses,
-                      const BundleOptions& options) {
+BundleResult make_start(const BoardImages& images, const CameraRig& rig, const std::vector<std::optional<Rigid>>& poses,
+                        const BundleOptions& options) {
   BundleResult start;
   start.rig = rig;
   start.first_from_target = poses;
@@ -142,7 +142,7 @@ BundleResult start_of(const BoardImages& images, const CameraRig& rig, const std
       options.target_points.empty() || !has_free_points(options) ? images.points : options.target_points;
   if (options.shape != BoardShape::bent) return start;
   start.bend = options.bend;
-  const Vector3 middle = middle_of(images.points);
+  const Vector3 middle = find_middle(images.points);
   for (Vector3& point : start.target_points) point = bent_point(point, middle, start.bend);
   return start;
 }
@@ -174,7 +174,7 @@ std::vector<BundleResidual> bundle_residuals(const BoardImages& images, const Ca
 BundleResult adjust_bundle(const BoardImages& images, const CameraRig& start,
                            const std::vector<std::optional<Rigid>>& first_from_target, const BundleOptions& options,
                            bool with_covariances) {
-  BundleResult result = start_of(images, start, first_from_target, options);
+  BundleResult result = make_start(images, start, first_from_target, options);
   FLAGS_minloglevel = google::GLOG_FATAL;             // core never prints
   const int rounds = options.loss_pixel > 0 ? 3 : 1;  // weights, then a solution, and again
   std::unique_ptr<BundleProblem> problem;

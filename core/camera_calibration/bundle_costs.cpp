@@ -22,7 +22,7 @@ class ImageCost : public ceres::CostFunction {
   ImageCost(const BoardImages& images, int camera, const LensModel& model, std::vector<TargetPixel> points,
             std::vector<double> weights, ShapeBlock shape)
       : images_(images),
-        middle_(shape == ShapeBlock::bend ? middle_of(images.points) : Vector3::Zero()),
+        middle_(shape == ShapeBlock::bend ? find_middle(images.points) : Vector3::Zero()),
         is_first_(camera == 0),
         model_(model),
         points_(std::move(points)),
@@ -39,7 +39,7 @@ class ImageCost : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const auto count = model_.numbers.size();
     const std::span<const double> numbers(parameters[0], count);
-    const Rigid pose = rigid_of(parameters[1]), placement = is_first_ ? Rigid{} : rigid_of(parameters[2]);
+    const Rigid pose = make_rigid(parameters[1]), placement = is_first_ ? Rigid{} : make_rigid(parameters[2]);
     const std::size_t last = parameter_block_sizes().size() - 1;
     LensProjection p;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -54,20 +54,20 @@ class ImageCost : public ceres::CostFunction {
       const auto row = static_cast<Eigen::Index>(2 * i);
       Eigen::Map<Vector2>(residuals + row) = weight * (p.pixel - points_[i].pixel);
       if (!jacobians) continue;
-      if (jacobians[0]) rows_of(jacobians[0], static_cast<Eigen::Index>(count), row) = weight * p.by_numbers;
+      if (jacobians[0]) take_rows(jacobians[0], static_cast<Eigen::Index>(count), row) = weight * p.by_numbers;
       if (jacobians[1])
-        rows_of(jacobians[1], 6, row) = weight * p.by_point * placement.rotation * moved_by(parameters[1], turned);
+        take_rows(jacobians[1], 6, row) = weight * p.by_point * placement.rotation * moved_by(parameters[1], turned);
       if (!is_first_ && jacobians[2])
-        rows_of(jacobians[2], 6, row) = weight * p.by_point * moved_by(parameters[2], turned_again);
+        take_rows(jacobians[2], 6, row) = weight * p.by_point * moved_by(parameters[2], turned_again);
       if (shape_ != ShapeBlock::none && jacobians[last])
-        rows_of(jacobians[last], 3, row) = weight * p.by_point * placement.rotation * pose.rotation * by_shape;
+        take_rows(jacobians[last], 3, row) = weight * p.by_point * placement.rotation * pose.rotation * by_shape;
     }
     return true;
   }
 
  private:
   using Block = Eigen::Map<Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor>>;
-  static Block rows_of(double* jacobian, Eigen::Index columns, Eigen::Index row) {
+  static Block take_rows(double* jacobian, Eigen::Index columns, Eigen::Index row) {
     return {jacobian + row * columns, 2, columns};
   }
 
@@ -108,12 +108,12 @@ class PlaceCost : public ceres::SizedCostFunction<3, 3> {
 
 }  // namespace
 
-Six six_of(const Rigid& motion) {
+Six make_six(const Rigid& motion) {
   const Vector3 w = vector_from_rotation(motion.rotation);
   return {motion.translation.x(), motion.translation.y(), motion.translation.z(), w.x(), w.y(), w.z()};
 }
 
-Rigid rigid_of(const double* six) { return small_motion<double>(Vector6(Eigen::Map<const Vector6>(six))); }
+Rigid make_rigid(const double* six) { return small_motion<double>(Vector6(Eigen::Map<const Vector6>(six))); }
 
 std::unique_ptr<ceres::CostFunction> image_cost(const BoardImages& images, int camera, const LensModel& model,
                                                 std::vector<TargetPixel> points, std::vector<double> weights,

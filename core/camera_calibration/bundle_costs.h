@@ -13,8 +13,8 @@ namespace handsight {
 
 /// A motion as Ceres sees it: translation, rotation vector.
 using Six = std::array<double, 6>;
-Six six_of(const Rigid& motion);
-Rigid rigid_of(const double* six);
+Six make_six(const Rigid& motion);
+Rigid make_rigid(const double* six);
 
 /// What the last block of an image's cost is: nothing, the bend of the board, or the place of its one point.
 enum class ShapeBlock { none, bend, point };

@@ -194,7 +194,7 @@ double apart(const Rigid& a, const Rigid& b) {
 }
 
 /// The one of several estimates that is nearest to all others.
-Rigid middle_of(const std::vector<Rigid>& estimates) {
+Rigid find_middle(const std::vector<Rigid>& estimates) {
   std::size_t best = 0;
   double least = 1e300;
   for (std::size_t i = 0; i < estimates.size(); ++i) {
@@ -220,7 +220,7 @@ std::vector<Rigid> placements(const std::vector<Poses>& poses, const std::vector
           if (poses[c][frame] && poses[other][frame])
             estimates.push_back(*poses[c][frame] * inverse(*poses[other][frame]));
         if (estimates.empty()) continue;
-        from_first[c] = middle_of(estimates) * from_first[other];
+        from_first[c] = find_middle(estimates) * from_first[other];
         is_placed[c] = true;
       }
   for (std::size_t c = 0; c < poses.size(); ++c)

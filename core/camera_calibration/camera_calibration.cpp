@@ -111,7 +111,7 @@ class ModelSearch {
  public:
   ModelSearch(const BoardImages& images, const std::vector<std::pair<int, int>>& sizes,
               const std::vector<std::string>& names)
-      : images_(images), sizes_(sizes), names_(names), shapes_(shapes_of(images)) {}
+      : images_(images), sizes_(sizes), names_(names), shapes_(list_shapes(images)) {}
 
   /// Why a lens does not serve; empty: it does.
   Message add_lens(const LensModel& model) {

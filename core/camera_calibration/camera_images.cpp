@@ -58,7 +58,7 @@ struct Parts {
   std::vector<std::string> texts, numbers;
 };
 
-Parts parts_of(const std::string& stem) {
+Parts list_parts(const std::string& stem) {
   Parts parts{{""}, {}};
   bool in_number = false;
   for (const char c : stem) {
@@ -83,7 +83,7 @@ std::string trimmed(std::string text) {
 int moment_of(const std::vector<fs::path>& files) {
   std::map<std::size_t, std::set<std::string>> values;
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(stem_of(file));
+    const Parts parts = list_parts(stem_of(file));
     for (std::size_t i = 0; i < parts.numbers.size(); ++i) values[i].insert(parts.numbers[i]);
   }
   int best = -1;
@@ -99,8 +99,8 @@ std::string without_zeros(const std::string& digits) {
 }
 
 /// Camera and moment of one file.
-std::pair<std::string, std::string> place_of(const fs::path& file, int moment) {
-  const Parts parts = parts_of(stem_of(file));
+std::pair<std::string, std::string> locate(const fs::path& file, int moment) {
+  const Parts parts = list_parts(stem_of(file));
   if (moment < 0 || static_cast<std::size_t>(moment) >= parts.numbers.size()) return {"camera", file.stem().string()};
   std::string rest;
   for (std::size_t i = 0; i < parts.texts.size(); ++i) {
@@ -125,7 +125,7 @@ void add(ByCamera& cameras, const std::string& camera, const std::string& moment
 void add_folder(ByCamera& cameras, const std::string& name, const std::vector<fs::path>& files) {
   const int moment = moment_of(files);
   for (const fs::path& file : files) {
-    const Parts parts = parts_of(stem_of(file));
+    const Parts parts = list_parts(stem_of(file));
     const bool has = moment >= 0 && static_cast<std::size_t>(moment) < parts.numbers.size();
     add(cameras, name, has ? without_zeros(parts.numbers[static_cast<std::size_t>(moment)]) : file.stem().string(),
         file);
@@ -155,7 +155,7 @@ std::optional<std::int64_t> time_of(const std::string& key) {
 }
 
 /// The times that name a camera's images; empty where not all are times.
-std::vector<std::int64_t> times_of(const std::map<std::string, fs::path>& images) {
+std::vector<std::int64_t> list_times(const std::map<std::string, fs::path>& images) {
   std::vector<std::int64_t> times;
   for (const auto& [key, file] : images) {
     const auto time = time_of(key);
@@ -178,10 +178,10 @@ std::int64_t usual_step(const std::vector<std::int64_t>& times) {
 /// than a fifth of a step. Said, as a board that moves is seen at two places then.
 void bring_times_together(ByCamera& cameras, std::vector<Message>& notes) {
   const std::vector<std::int64_t> first =
-      cameras.empty() ? std::vector<std::int64_t>() : times_of(cameras.begin()->second);
+      cameras.empty() ? std::vector<std::int64_t>() : list_times(cameras.begin()->second);
   if (first.size() < 2) return;
   for (auto camera = std::next(cameras.begin()); camera != cameras.end(); ++camera) {
-    const std::vector<std::int64_t> own = times_of(camera->second);
+    const std::vector<std::int64_t> own = list_times(camera->second);
     if (own.empty() || std::any_of(own.begin(), own.end(),
                                    [&](std::int64_t t) { return std::binary_search(first.begin(), first.end(), t); }))
       continue;
@@ -288,7 +288,7 @@ GroupedImages group_images(const std::vector<fs::path>& paths) {
   if (loose.empty() && cameras.empty()) add_inner_folders(cameras, inner, listed);
   const int moment = moment_of(loose);
   for (const fs::path& file : loose) {
-    const auto [camera, key] = place_of(file, moment);
+    const auto [camera, key] = locate(file, moment);
     add(cameras, camera, key, file);
   }
   if (cameras.empty())

@@ -52,7 +52,7 @@ void hold_piece(const BoardImages& images, const std::vector<std::size_t>& firm,
   weights[c].z() = weight;
 }
 
-double extent_of(const std::vector<Vector3>& points) {
+double find_extent(const std::vector<Vector3>& points) {
   Eigen::AlignedBox3d box;
   for (const Vector3& point : points) box.extend(point);
   return std::max(box.diagonal().norm(), 1e-6);
@@ -65,7 +65,7 @@ std::vector<Vector3> place_weights(const BoardImages& images, const BundleOption
   const double pixel = std::max(options.pixel_sigma, 1e-3);
   if (options.shape == BoardShape::within)
     return std::vector<Vector3>(images.points.size(), Vector3::Constant(pixel / std::max(*images.sigma, 1e-9)));
-  const double extent = extent_of(images.points);
+  const double extent = find_extent(images.points);
   std::vector<Vector3> weights(images.points.size(), Vector3::Constant(pixel / (far * extent)));
   const std::vector<int> seen = times_seen(images);
   for (int piece = 0; piece < piece_count(images); ++piece)

@@ -17,7 +17,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-int points_of(const BoardImages& images, int frame) {
+int list_points(const BoardImages& images, int frame) {
   int count = 0;
   for (const BoardImage& image : images.images)
     if (image.frame == frame && image.points.size() >= 4) count += static_cast<int>(image.points.size());
@@ -106,7 +106,7 @@ HeldOut held_out(const BoardImages& images, const BundleResult& whole) {
       if (!is_left_out[static_cast<std::size_t>(frame)]) continue;
       const auto rms = frame_rms(shown, rest.rig, frame);
       result.frames[static_cast<std::size_t>(frame)] = rms;
-      if (rms) squares += *rms * *rms * points_of(images, frame), count += points_of(images, frame);
+      if (rms) squares += *rms * *rms * list_points(images, frame), count += list_points(images, frame);
     }
   }
   result.rms_pixel = count > 0 ? std::sqrt(squares / count) : 0;
@@ -138,7 +138,7 @@ const Candidate* preferred(const std::vector<Candidate>& candidates) {
   return chosen;
 }
 
-std::vector<BoardShape> shapes_of(const BoardImages& images) {
+std::vector<BoardShape> list_shapes(const BoardImages& images) {
   constexpr std::size_t most_points = 1000;  // that are freed unasked
   if (!images.sigma) return {BoardShape::free};
   const bool is_one =

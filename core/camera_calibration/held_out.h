@@ -45,7 +45,7 @@ bool is_beyond_doubt(const Candidate& simple, const Candidate& other);
 const Candidate* preferred(const std::vector<Candidate>& candidates);
 
 /// What the target's shape may be, the usual first: as described, bent, or of free points; within its sigma, or free.
-std::vector<BoardShape> shapes_of(const BoardImages& images);
+std::vector<BoardShape> list_shapes(const BoardImages& images);
 
 /// The candidate with another shape of the target; itself where its least squares do not come to an end.
 Candidate reshaped(const BoardImages& images, const Candidate& from, BoardShape shape);

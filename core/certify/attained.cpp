@@ -18,7 +18,7 @@ bool is_of_measurement(const EffectTerm& term) {
   static const std::set<std::string> ids{"camera_mount", "stereo_rig",  "rig",           "camera_intrinsics",
                                          "mount_drift",  "mount_slip",  "body_slip",     "lens_distortion",
                                          "marker_slip",  "target_bend", "tag_placement", "target_scale"};
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   if (!effect.definition) return ids.contains(term.id);
   return std::all_of(effect.definition->moves.begin(), effect.definition->moves.end(), [&](const DefinedMove& m) {
     return effect.scope == EffectScope::marker || m.site.starts_with("body_") || m.site.starts_with("mount_");
@@ -50,7 +50,7 @@ struct MeasuredHand {
 };
 
 Rigid root_from_sensor(const ProblemObservation& o, const Unknowns& u) {
-  return o.root_from_mount * mount_of(o, u) * o.sensor_motion;
+  return o.root_from_mount * find_mount(o, u) * o.sensor_motion;
 }
 
 /// By its markers' points alone, where they do not show a pose: shifted, not turned.
@@ -99,8 +99,8 @@ std::optional<MeasuredHand> measured_hand(const Fit& fit, const Problem& images,
 
 /// What a fit says of observations that it has not seen, by their index.
 std::vector<std::optional<MeasuredHand>> hands_of(const Session& held, const Fit& fit, bool of_mount) {
-  Problem images = make_problem(held, chain_of(held), fit.problem.terms);
-  images.set_slip_frames_of(fit.problem);
+  Problem images = make_problem(held, make_chain(held), fit.problem.terms);
+  images.copy_slip_frames(fit.problem);
   if (!images.terms.empty()) place_observations(images);
   std::vector<std::optional<MeasuredHand>> all(held.observations.size());
   for (const ProblemObservation& o : images.observations)
@@ -111,9 +111,9 @@ std::vector<std::optional<MeasuredHand>> hands_of(const Session& held, const Fit
 class Folds {
  public:
   Folds(const Session& session, const CertifiedModel& model)
-      : session_(session), model_(model), chain_(chain_of(session)), of_mount_(hand_carries_sensor(chain_)) {
+      : session_(session), model_(model), chain_(make_chain(session)), of_mount_(hand_carries_sensor(chain_)) {
     hand_chain_ = of_mount_ ? chain_of_hand(chain_) : chain_;
-    circumstances_ = circumstances_of(session, hand_chain_);
+    states_ = observation_states(session, hand_chain_);
     const Problem images = make_problem(session, chain_);
     const std::vector<int> first = first_of_same_pose(images);
     same_pose_.assign(session.observations.size(), -1);
@@ -150,8 +150,8 @@ class Folds {
   PredictionModel prediction(const Fit& fit) const {
     if (model_.of_file) return *model_.of_file;
     if (of_mount_)
-      if (auto of_hand = model_of_hand(fit, model_.doubt)) return *of_hand;
-    return prediction_model(fit, model_.doubt);
+      if (auto of_hand = model_of_hand(fit, model_.model_uncertainty)) return *of_hand;
+    return prediction_model(fit, model_.model_uncertainty);
   }
 
   void take_fold(int fold, AttainedPoses& result) const {
@@ -167,20 +167,20 @@ class Folds {
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (!held[i]) continue;
       if (before[i] && after[i])
-        result.all.push_back(pose_of(i, *before[i], *after[i], promised));
+        result.all.push_back(find_instant_pose(i, *before[i], *after[i], promised));
       else
         ++result.shown_nothing;
     }
   }
 
-  AttainedPose pose_of(std::size_t i, const MeasuredHand& before, const MeasuredHand& after,
-                       const PredictionModel& promised) const {
+  AttainedPose find_instant_pose(std::size_t i, const MeasuredHand& before, const MeasuredHand& after,
+                                 const PredictionModel& promised) const {
     AttainedPose p;
     p.id = session_.observations[i].id;
     p.index = static_cast<int>(i);
     p.same_pose = same_pose_[i];
     p.shows_turn = before.shows_turn && after.shows_turn;
-    const SeenHand hand = seen_hand(circumstances_[i], promised);
+    const SeenHand hand = seen_hand(states_[i], promised);
     p.commanded = hand.nominal;
     p.before = moved(p.commanded, before);
     p.after = moved(p.commanded, after);
@@ -198,7 +198,7 @@ class Folds {
   const CertifiedModel& model_;
   Chain chain_, hand_chain_;
   bool of_mount_;
-  std::vector<Circumstances> circumstances_;
+  std::vector<ObservationState> states_;
   std::vector<int> same_pose_;  // by observation; -1: not used
   std::set<int> folds_;
   int used_ = 0;

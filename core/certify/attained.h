@@ -32,7 +32,7 @@ struct AttainedPoses {
 /// are and how sure of them the calibration of another session is.
 struct CertifiedModel {
   FitOptions options;
-  Doubt doubt;
+  ModelUncertainty model_uncertainty;
   std::optional<PredictionModel> of_file;  // of the hand that the robot moves
 };
 

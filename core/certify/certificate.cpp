@@ -75,7 +75,7 @@ void add_images(const Session& session, Certificate& c) {
   if (count > 0) c.files.push_back({"images", fmt::format("{} files, by their digests", count), bytes, sha256(lines)});
 }
 
-std::string title_of(const Session& session) {
+std::string make_title(const Session& session) {
   if (!session.title.empty()) return session.title;
   return std::filesystem::absolute(session.file).parent_path().filename().string();
 }
@@ -93,12 +93,12 @@ std::string sensor_text(const Session& session) {
                      first.width, first.height, session.mount.link);
 }
 
-Certificate certificate_of(const Session& session, const CertificateRequest& request,
-                           const std::function<bool(double done)>& goes_on) {
+Certificate make_certificate(const Session& session, const CertificateRequest& request,
+                             const std::function<bool(double done)>& goes_on) {
   Certificate c;
   c.date = utc_now();
   c.software = request.software;
-  c.title = title_of(session);
+  c.title = make_title(session);
   c.robot = session.robot.name;
   c.hand = request.chain.robot.links[static_cast<std::size_t>(request.chain.tcp_link)].name;
   c.sensor = sensor_text(session);

@@ -48,7 +48,7 @@ struct Certificate {
 /// What the certificate is made from.
 struct CertificateRequest {
   CertifiedModel model;
-  std::vector<CalibrationEffect> effects;  // of the model, to be told
+  std::vector<CalibrationEffect> effects;  // of the model, to be reported
   std::string software;                    // name and version
   std::string model_from;                  // a phrase: where the model comes from
   std::filesystem::path calibration;       // empty: none
@@ -58,8 +58,8 @@ struct CertificateRequest {
 
 /// `goes_on` is asked with the share that is done; where it says no, the certificate is `is_stopped` and not whole.
 /// InputError as attained_poses.
-Certificate certificate_of(const Session& session, const CertificateRequest& request,
-                           const std::function<bool(double done)>& goes_on = {});
+Certificate make_certificate(const Session& session, const CertificateRequest& request,
+                             const std::function<bool(double done)>& goes_on = {});
 
 /// "2 cameras of 1920 x 1080 pixels on head": what measured.
 std::string sensor_text(const Session& session);

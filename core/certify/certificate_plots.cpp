@@ -29,7 +29,7 @@ double round_up(double value, std::initializer_list<double> digits) {
   return 10 * power;
 }
 
-/// The end of a scale, whose quarters are told.
+/// The end of a scale, whose quarters are reported.
 double scale_end(double value) { return round_up(value, {1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8}); }
 
 struct Axes {

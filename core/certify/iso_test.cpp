@@ -38,7 +38,7 @@ std::vector<Rigid> attained_of(const Group& group, Rigid AttainedPose::*which) {
   return all;
 }
 
-IsoPose pose_of(const Group& group) {
+IsoPose find_instant_pose(const Group& group) {
   const Rigid& commanded = group.front()->commanded;
   return {group.front()->id, pose_figures(commanded, attained_of(group, &AttainedPose::before)),
           pose_figures(commanded, attained_of(group, &AttainedPose::after)), group.front()->shows_turn};
@@ -147,7 +147,7 @@ IsoTest iso_test(const Session& session, const AttainedPoses& attained) {
     hand_of_index[p.index] = p.commanded.translation;
   }
   for (std::size_t g = 0; g < std::min(groups.size(), most_poses); ++g) {
-    test.poses.push_back(pose_of(groups[g]));
+    test.poses.push_back(find_instant_pose(groups[g]));
     if (g > 0) test.distances.push_back(distance_of(groups[g - 1], groups[g]));
   }
   for (const Group& g : groups)

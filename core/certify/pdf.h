@@ -20,7 +20,7 @@ class PdfDocument {
  public:
   static constexpr double width = 210, height = 297;  // mm
 
-  /// `title` and `creator` are told by the file's properties.
+  /// `title` and `creator` stand in the file's properties.
   PdfDocument(std::string title, std::string creator);
 
   void add_page();

@@ -31,7 +31,7 @@ void add_terms(const PredictionModel& model, FitOptions& options) {
     for (std::size_t p = 0; p < term.values.size(); ++p) {
       const Eigen::Index number = first[t] + static_cast<Eigen::Index>(p);
       term.held[p] = !(model.covariance(number, number) > 0);
-      is_free_at_all = is_free_at_all || is_free(effect_of(term), term, p);
+      is_free_at_all = is_free_at_all || is_free(term_effect(term), term, p);
     }
     (is_free_at_all ? options.estimated : options.effects).push_back(std::move(term));
   }
@@ -45,12 +45,13 @@ bool was_of_its_session(const EffectTerm& term) {
 }  // namespace
 
 CertificateRequest certificate_request(const Session& session, const Fit& fit, const FitOptions& options,
-                                       const Doubt& doubt, const std::string& software, const std::string& model_from) {
+                                       const ModelUncertainty& model_uncertainty, const std::string& software,
+                                       const std::string& model_from) {
   CertificateRequest request =
-      request_of(calibrated_robot(session, fit, {}, options, software, doubt), software, model_from);
+      request_of(calibrated_robot(session, fit, {}, options, software, model_uncertainty), software, model_from);
   request.model.options = options;
   request.model.options.on_iteration = nullptr;
-  request.model.doubt = doubt;
+  request.model.model_uncertainty = model_uncertainty;
   return request;
 }
 
@@ -85,8 +86,8 @@ CertificateRequest certificate_request(const Session& session, const Calibration
   request.calibration = file;
   if (is_own) {
     add_terms(robot.model, request.model.options);
-    // What is doubted is told in the order of the model's terms, which held ones among them would change.
-    if (request.model.options.effects.empty()) request.model.doubt = robot.model.doubt;
+    // What is doubted is reported in the order of the model's terms, which held ones among them would change.
+    if (request.model.options.effects.empty()) request.model.model_uncertainty = robot.model.model_uncertainty;
     return request;
   }
   request.model.options.effects = robot.model.effects;

@@ -10,7 +10,8 @@ namespace handsight {
 
 /// `options` are those of the fit, `model_from` a phrase that says where its model comes from.
 CertificateRequest certificate_request(const Session& session, const Fit& fit, const FitOptions& options,
-                                       const Doubt& doubt, const std::string& software, const std::string& model_from);
+                                       const ModelUncertainty& model_uncertainty, const std::string& software,
+                                       const std::string& model_from);
 
 /// Was the calibration made from this session's own observations? Then it has seen them: its numbers are estimated
 /// again in every fold.

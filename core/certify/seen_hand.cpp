@@ -9,27 +9,27 @@ namespace {
 
 /// Of xi, the model's numbers and those of what else may be there; both covariances together.
 Eigen::MatrixXd whole_covariance(const PredictionModel& model) {
-  if (!model.doubt.is_any()) return model.covariance;
-  Eigen::MatrixXd whole = model.doubt.covariance;
+  if (!model.model_uncertainty.is_any()) return model.covariance;
+  Eigen::MatrixXd whole = model.model_uncertainty.covariance;
   whole.topLeftCorner(model.covariance.rows(), model.covariance.cols()) += model.covariance;
   return whole;
 }
 
-Rigid mount_from_hand(const Circumstances& c, const std::vector<EffectTerm>& terms) {
+Rigid mount_from_hand(const ObservationState& c, const std::vector<EffectTerm>& terms) {
   const ChainEnds ends = observed_ends(c, moved_sites(c, terms)).ends;
   return inverse(ends.root_from_mount) * ends.root_from_tcp;
 }
 
 }  // namespace
 
-SeenHand seen_hand(const Circumstances& c, const PredictionModel& model) {
+SeenHand seen_hand(const ObservationState& c, const PredictionModel& model) {
   const Rigid root_from_mount = observed_ends(c, {}).ends.root_from_mount;
   SeenHand hand;
   hand.nominal = root_from_mount * mount_from_hand(c, {});
   hand.predicted = root_from_mount * mount_from_hand(c, model.effects);
   const Eigen::MatrixXd whole = whole_covariance(model);
   std::vector<EffectTerm> terms = model.effects;
-  terms.insert(terms.end(), model.doubt.others.begin(), model.doubt.others.end());
+  terms.insert(terms.end(), model.model_uncertainty.others.begin(), model.model_uncertainty.others.end());
   Eigen::MatrixXd by_number = Eigen::MatrixXd::Zero(3, whole.cols());
   by_number.leftCols<3>() = hand.predicted.rotation;  // xi moves the hand as its own motion would
   Eigen::Index number = 5;
@@ -46,8 +46,8 @@ SeenHand seen_hand(const Circumstances& c, const PredictionModel& model) {
       by_number.col(number) = (above - below) / (2 * sigma);
     }
   const Matrix3& r = hand.predicted.rotation;
-  hand.covariance =
-      r * model.scatter.covariance.topLeftCorner<3, 3>() * r.transpose() + by_number * whole * by_number.transpose();
+  hand.covariance = r * model.repeatability.covariance.topLeftCorner<3, 3>() * r.transpose() +
+                    by_number * whole * by_number.transpose();
   return hand;
 }
 

@@ -14,6 +14,6 @@ struct SeenHand {
 
 /// Where the sensor's link stands, the numbers of predict_tcp. Each number of the model is taken by the secant over its
 /// sigma, as there.
-SeenHand seen_hand(const Circumstances& circumstances, const PredictionModel& model);
+SeenHand seen_hand(const ObservationState& states, const PredictionModel& model);
 
 }  // namespace handsight

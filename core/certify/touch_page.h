@@ -7,7 +7,7 @@
 
 namespace handsight {
 
-/// The PDF's bytes. `software` is told by its footer.
+/// The PDF's bytes. `software` stands in its footer.
 std::string touch_page_pdf(const std::string& software);
 
 }  // namespace handsight

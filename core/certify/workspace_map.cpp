@@ -26,7 +26,7 @@ std::vector<ExpectedError> expected_errors(const Chain& chain, const PredictionM
   for (int i = 0; i < count; ++i) {
     Eigen::VectorXd position = lowest;
     for (Eigen::Index j = 0; j < position.size(); ++j) position[j] += uniform(random) * (highest[j] - lowest[j]);
-    const SeenHand hand = seen_hand(circumstances_at(chain, position), model);
+    const SeenHand hand = seen_hand(states_at(chain, position), model);
     errors.push_back({hand.nominal.translation, (hand.predicted.translation - hand.nominal.translation).norm(),
                       length_limit(hand.covariance, 0.95)});
   }

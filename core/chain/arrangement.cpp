@@ -43,7 +43,7 @@ const char* target_of(const Session& session) {
 
 }  // namespace
 
-Arrangement arrangement_of(const Chain& chain) {
+Arrangement find_arrangement(const Chain& chain) {
   const std::vector<int> target = moving_joints(chain, chain.tcp_link), sensor = moving_joints(chain, chain.mount_link);
   const bool target_moves = has_own(target, sensor), sensor_moves = has_own(sensor, target);
   if (target_moves && sensor_moves) return Arrangement::both_move;
@@ -53,7 +53,7 @@ Arrangement arrangement_of(const Chain& chain) {
 
 Message arrangement_sentence(const Session& session, const Chain& chain) {
   const Message sensor = sensor_of(session), target = target_of(session);
-  switch (arrangement_of(chain)) {
+  switch (find_arrangement(chain)) {
     case Arrangement::sensor_stands:
       return message("The {} on {} {} {} that the robot moves on {}.", sensor, session.mount.link,
                      sensor == "cameras" ? "see" : "sees", target, session.tcp);

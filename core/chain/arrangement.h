@@ -16,7 +16,7 @@ enum class Arrangement {
   nothing_moves,   // no measured joint moves one against the other
 };
 
-Arrangement arrangement_of(const Chain& chain);
+Arrangement find_arrangement(const Chain& chain);
 
 /// One plain sentence about the session: "The camera on base sees a board that the robot moves on tool0."
 Message arrangement_sentence(const Session& session, const Chain& chain);

@@ -15,18 +15,18 @@ BodySides choose_sides(const std::vector<std::optional<Vector3>>& markers) {
   std::vector<BodySide> all;
   for (int gap = 1; gap < count; ++gap)
     for (int i = 0; i + gap < count; ++i) all.push_back({sides.markers[i], sides.markers[i + gap]});
-  auto vector_of = [&](const BodySide& s) { return Vector3(*markers[s.to] - *markers[s.from]); };
+  auto make_vector = [&](const BodySide& s) { return Vector3(*markers[s.to] - *markers[s.from]); };
   auto longest_of = [&](auto&& allowed) {
     std::optional<BodySide> best;
     for (const BodySide& side : all)
-      if (allowed(side) && (!best || vector_of(side).norm() > vector_of(*best).norm())) best = side;
+      if (allowed(side) && (!best || make_vector(side).norm() > make_vector(*best).norm())) best = side;
     return best;
   };
-  sides.longest = longest_of([&](const BodySide& s) { return vector_of(s).norm() > 0; });
+  sides.longest = longest_of([&](const BodySide& s) { return make_vector(s).norm() > 0; });
   if (!sides.longest) return sides;
-  const Vector3 x = vector_of(*sides.longest);
+  const Vector3 x = make_vector(*sides.longest);
   sides.second = longest_of(
-      [&](const BodySide& s) { return x.cross(vector_of(s)).norm() > 1e-6 * x.norm() * vector_of(s).norm(); });
+      [&](const BodySide& s) { return x.cross(make_vector(s)).norm() > 1e-6 * x.norm() * make_vector(s).norm(); });
   return sides;
 }
 

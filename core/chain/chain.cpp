@@ -40,7 +40,7 @@ void add_parts(const Session& session, Chain& chain) {
 
 }  // namespace
 
-Chain chain_of(const Session& session) {
+Chain make_chain(const Session& session) {
   Chain chain;
   chain.robot = session.robot;
   chain.gravity = session.gravity;

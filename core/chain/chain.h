@@ -32,7 +32,7 @@ struct Chain {
 
 /// Of a joined session that of its first part, with those of all parts in it. Throws InputError where a name of the
 /// session is not in its robot.
-Chain chain_of(const Session& session);
+Chain make_chain(const Session& session);
 
 /// The two ends of the chain in one posture.
 struct ChainEnds {

@@ -194,7 +194,7 @@ std::optional<SeenPoint> triangulated(const Rig& rig, const Sighting& s, bool is
     View& view = views[count++];
     view = {&rig.at(seen.camera).camera, &rig.at(seen.camera).camera_from_first, seen.pixel};
     if (is_weighed && seen.sigma && s.usual_sigma > 0)
-      view.covariance = covariance_of(*seen.sigma) / (s.usual_sigma * s.usual_sigma);
+      view.covariance = make_covariance(*seen.sigma) / (s.usual_sigma * s.usual_sigma);
   }
   return triangulate(std::span<const View>(views.data(), count));
 }

@@ -18,13 +18,13 @@ Eigen::MatrixXd precision_of(const Eigen::MatrixXd& covariance) {
   return sizes.cwiseInverse().asDiagonal() * inverse * sizes.cwiseInverse().asDiagonal();
 }
 
-/// What the calibration says of xi, mount and effects, in plausible sizes; choices have none.
+/// What the calibration says of xi, mount and effects, in prior sigmas; choices have none.
 Eigen::MatrixXd known_covariance(const CalibratedRobot& before, const Problem& p) {
   std::vector<Eigen::Index> kept{0, 1, 2, 3, 4, 5};
   Eigen::Index number = 6;
   for (const EffectTerm& t : before.model.effects)
     for (std::size_t i = 0; i < t.values.size(); ++i, ++number)
-      if (!effect_of(t).parameters[i].is_choice) kept.push_back(number);
+      if (!term_effect(t).parameters[i].is_choice) kept.push_back(number);
   Eigen::MatrixXd covariance = before.model.covariance(kept, kept);
   for (Eigen::Index e = 0; e < p.effect_count(); ++e) {
     const double size = p.columns_of_effects[static_cast<std::size_t>(e)].sigma;
@@ -61,7 +61,7 @@ Session as_calibrated(const CalibratedRobot& before, const Session& after) {
   return session;
 }
 
-ComparedSides sides_of(const CalibratedRobot& before, const Session& session, const Chain& chain) {
+ComparedSides make_sides(const CalibratedRobot& before, const Session& session, const Chain& chain) {
   ComparedSides sides;
   sides.after.problem = make_problem(session, chain, {}, before.model.effects);
   const Problem& p = sides.after.problem;
@@ -75,10 +75,10 @@ ComparedSides sides_of(const CalibratedRobot& before, const Session& session, co
   sides.start.mount_from_sensor = session.mount.mount_from_sensor;
   sides.start.effects = effect_values(p);
   sides.known = precision_of(known_covariance(before, p));
-  // The scatter is told in the TCP's axes, at its origin; here it is that of the body against the sensor.
-  if (!before.model.scatter.covariance.isZero(0)) {
+  // The scatter is reported in the TCP's axes, at its origin; here it is that of the body against the sensor.
+  if (!before.model.repeatability.covariance.isZero(0)) {
     const Matrix6 there = adjoint(sensor_from_tcp_at(p.observations.front(), sides.start.mount_from_sensor));
-    sides.scatter = there * before.model.scatter.covariance * there.transpose();
+    sides.repeatability = there * before.model.repeatability.covariance * there.transpose();
   }
   return sides;
 }

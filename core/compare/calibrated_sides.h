@@ -11,6 +11,6 @@ namespace handsight {
 Session as_calibrated(const CalibratedRobot& before, const Session& after);
 
 /// `session`: as_calibrated. InputError where no observation of it can be used.
-ComparedSides sides_of(const CalibratedRobot& before, const Session& session, const Chain& chain);
+ComparedSides make_sides(const CalibratedRobot& before, const Session& session, const Chain& chain);
 
 }  // namespace handsight

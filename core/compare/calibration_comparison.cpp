@@ -30,7 +30,7 @@ std::vector<Eigen::VectorXd> poses_within_limits(const Chain& chain, int count) 
   return poses;
 }
 
-std::vector<NumberChange> numbers_of(const CalibratedRobot& before, const CalibratedRobot& after) {
+std::vector<NumberChange> list_numbers(const CalibratedRobot& before, const CalibratedRobot& after) {
   std::vector<NumberChange> numbers;
   add_motion(numbers, "tcp_from_body", before.model.tcp_from_body, after.model.tcp_from_body,
              before.calibration.tcp_from_body.covariance + after.calibration.tcp_from_body.covariance);
@@ -48,9 +48,9 @@ std::vector<NumberChange> numbers_of(const CalibratedRobot& before, const Calibr
 
 }  // namespace
 
-std::vector<CalibrationResidual> residuals_of(const CalibratedRobot& before, const Session& after) {
+std::vector<CalibrationResidual> compute_residuals(const CalibratedRobot& before, const Session& after) {
   const Session session = as_calibrated(before, after);
-  const ComparedSides sides = sides_of(before, session, chain_of(session));
+  const ComparedSides sides = make_sides(before, session, make_chain(session));
   const Problem& problem = sides.after.problem;
   std::vector<CalibrationResidual> all;
   for (const CornerResidual& c : corner_residuals(problem, sides.start))
@@ -60,9 +60,9 @@ std::vector<CalibrationResidual> residuals_of(const CalibratedRobot& before, con
 
 Comparison compare(const CalibratedRobot& before, const Session& after, const ComparisonProgress& progress) {
   const Session session = as_calibrated(before, after);
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Comparison c;
-  ComparedSides sides = sides_of(before, session, chain);
+  ComparedSides sides = make_sides(before, session, chain);
   sides.progress = progress;
   keep_going(progress, 0.2);
   judge(sides, c);
@@ -74,7 +74,7 @@ Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after) 
   if (before.tcp != after.tcp || before.joint_names != after.joint_names)
     throw InputError("The calibrations are of other links or joints; name two of one robot.");
   Comparison c;
-  c.numbers = numbers_of(before, after);
+  c.numbers = list_numbers(before, after);
   constexpr int poses = 200;
   double sum = 0, largest = 0;
   for (const Eigen::VectorXd& q : poses_within_limits(before.chain, poses)) {

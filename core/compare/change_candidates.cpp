@@ -57,11 +57,11 @@ std::vector<ChangeUnit> change_units(const Problem& problem) {
   return units;
 }
 
-std::vector<std::string> units_of(const std::vector<EffectTerm>& terms, const Robot& robot) {
+std::vector<std::string> list_number_units(const std::vector<EffectTerm>& terms, const Robot& robot) {
   std::vector<std::string> units;
   for (const EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!effect_of(t).parameters[p].is_choice) units.push_back(unit_at(effect_of(t), p, t.joint, robot));
+      if (!term_effect(t).parameters[p].is_choice) units.push_back(unit_at(term_effect(t), p, t.joint, robot));
   return units;
 }
 
@@ -83,7 +83,7 @@ Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms
                    size_text(v, sigma, 3, degrees, "degrees"));
   if (id == "marker_slip")
     return message("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
-  const std::string own_unit = unit_at(effect_of(terms.front()), 0, terms.front().joint, chain.robot);
+  const std::string own_unit = unit_at(term_effect(terms.front()), 0, terms.front().joint, chain.robot);
   if (id == "joint_offset") {
     const bool slides = own_unit == "m";
     const double scale = slides ? 1e3 : degrees;

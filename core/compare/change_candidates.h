@@ -25,7 +25,7 @@ std::vector<ChangeUnit> change_units(const Problem& problem);
 double ln_prior_odds(const std::string& group);
 
 /// The units of the terms' numbers in their order, choices left out.
-std::vector<std::string> units_of(const std::vector<EffectTerm>& terms, const Robot& robot);
+std::vector<std::string> list_number_units(const std::vector<EffectTerm>& terms, const Robot& robot);
 
 /// "The camera mount turned by 0.12 +- 0.01 degrees and moved by 1.3 mm".
 Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& values, const Eigen::VectorXd& sigma,

@@ -39,7 +39,7 @@ double best_of_groups(const Eigen::MatrixXd& information, const Eigen::VectorXd&
 }
 
 /// R with R R^T the matrix. Of a large one by Cholesky's, which takes a fraction of the time.
-Eigen::MatrixXd root_of(Eigen::MatrixXd symmetric) {
+Eigen::MatrixXd require_root(Eigen::MatrixXd symmetric) {
   constexpr Eigen::Index large = 300;
   if (symmetric.rows() > large) {
     symmetric.diagonal() *= 1 + 1e-9;
@@ -55,7 +55,7 @@ Eigen::MatrixXd root_of(Eigen::MatrixXd symmetric) {
 
 double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
   std::vector<double> factors;
-  for (const double s : plausible_scales) {
+  for (const double s : prior_scales) {
     Eigen::MatrixXd m = s * s * information;
     m.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> llt(m);
@@ -66,7 +66,7 @@ double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd
 
 double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::VectorXd& values, double gained) {
   std::vector<double> factors;
-  for (const double s : plausible_scales) {
+  for (const double s : prior_scales) {
     Eigen::MatrixXd m = s * s * information;
     m.diagonal().array() += 1;
     factors.push_back(0.5 * (gained - values.squaredNorm() / (s * s)) -
@@ -76,7 +76,7 @@ double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::Vecto
 }
 
 double change_threshold(const Eigen::MatrixXd& information, const std::vector<ChangePlace>& places) {
-  const Eigen::MatrixXd root = root_of(0.5 * (information + information.transpose()));
+  const Eigen::MatrixXd root = require_root(0.5 * (information + information.transpose()));
   std::mt19937_64 random(20261122);
   std::normal_distribution<double> normal;
   std::vector<double> largest;

@@ -13,11 +13,11 @@
 namespace handsight {
 namespace {
 
-constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a change cannot be seen at all
+constexpr double least_visible = 1e-2;  // chi-squared of a prior sigma below which a change cannot be seen at all
 constexpr std::size_t most_refitted = 8, most_groups_wide = 5;
 constexpr int most_iterations = 8, most_iterations_wide = 3;
 constexpr double least_gain = 1e-4, least_gain_wide = 1e-1;  // of chi-squared, of one more iteration
-constexpr double change_scale = 3;  // plausible sizes that a change is held at while it is fitted
+constexpr double change_scale = 3;                           // prior sigmas that a change is held at while it is fitted
 constexpr double free_scale = 1e6;
 constexpr int learning_rounds = 3, learning_steps = 4;
 
@@ -25,7 +25,7 @@ constexpr int learning_rounds = 3, learning_steps = 4;
 class Comparer {
  public:
   Comparer(const ComparedSides& sides, const std::vector<EffectTerm>& held)
-      : sides_(sides), after_(sides_.after), held_(held), state_(start_of(sides)) {
+      : sides_(sides), after_(sides_.after), held_(held), state_(make_start(sides)) {
     units_ = change_units(after_.problem);
     base_effects_ = after_.problem.effect_count();
   }
@@ -46,12 +46,12 @@ class Comparer {
     double ln_bayes_factor = 0, explained = 0, visible = 0;
   };
 
-  bool is_wide() const { return sides_.told_effects >= 0; }  // hundreds of columns
+  bool is_wide() const { return sides_.reported_effects >= 0; }  // hundreds of columns
 
   struct Refitted {
     SharedState state;
     std::vector<EffectTerm> terms;
-    Eigen::VectorXd change;  // in plausible sizes
+    Eigen::VectorXd change;  // in prior sigmas
     Eigen::MatrixXd information;
     double squares = 0;
   };
@@ -60,13 +60,13 @@ class Comparer {
   Problem changed(const std::vector<EffectTerm>& terms, const Unknowns& u) const {
     Problem with_held = after_.problem;
     for (const EffectTerm& t : held_) with_held.terms.push_back(t);
-    Candidates c = candidates_of(with_held, terms);
+    Candidates c = list_candidates(with_held, terms);
     Eigen::VectorXd values(c.problem.effect_count());
     values.head(base_effects_) = u.effects.head(base_effects_);
     Eigen::Index next = base_effects_;
     for (const EffectTerm& t : terms)
       for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!effect_of(t).parameters[p].is_choice) values[next++] = t.values[p];
+        if (!term_effect(t).parameters[p].is_choice) values[next++] = t.values[p];
     set_effects(c.problem, values);
     return std::move(c.problem);
   }
@@ -97,8 +97,8 @@ class Comparer {
     for (int i = 0; i < (is_wide() ? most_iterations_wide : most_iterations); ++i) {
       keep_going(sides_.progress);
       const ChangeRows rows = rows_with(r.terms, r.state);
-      if (r.change.size() != sizes_.size()) r.change = change_of(r.terms);
-      ScatteredNormal n = scattered(rows, sides_.scatter);
+      if (r.change.size() != sizes_.size()) r.change = find_change(r.terms);
+      ScatteredNormal n = scattered(rows, sides_.repeatability);
       add_priors(sides_, r.state, r.change, change_scale, n);
       const Eigen::VectorXd step = n.information.ldlt().solve(n.gradient);
       r.information = n.information;
@@ -112,12 +112,12 @@ class Comparer {
     return r;
   }
 
-  Eigen::VectorXd change_of(const std::vector<EffectTerm>& terms) const {
+  Eigen::VectorXd find_change(const std::vector<EffectTerm>& terms) const {
     Eigen::VectorXd change(sizes_.size());
     Eigen::Index c = 0;
     for (const EffectTerm& t : terms)
       for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!effect_of(t).parameters[p].is_choice) change[c] = t.values[p] / sizes_[c], ++c;
+        if (!term_effect(t).parameters[p].is_choice) change[c] = t.values[p] / sizes_[c], ++c;
     return change;
   }
 
@@ -125,13 +125,13 @@ class Comparer {
     Eigen::Index c = 0;
     for (EffectTerm& t : terms)
       for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!effect_of(t).parameters[p].is_choice) t.values[p] = change[c] * sizes_[c], ++c;
+        if (!term_effect(t).parameters[p].is_choice) t.values[p] = change[c] * sizes_[c], ++c;
     return terms;
   }
 
   /// Normal equations of the linearised model with all changes, and priors.
   ScatteredNormal with_priors(double scale_of_changes) const {
-    ScatteredNormal n = scattered(linear_, sides_.scatter);
+    ScatteredNormal n = scattered(linear_, sides_.repeatability);
     add_priors(sides_, state_, Eigen::VectorXd::Zero(n.gradient.size() - shared_columns(sides_)), scale_of_changes, n);
     return n;
   }
@@ -155,12 +155,12 @@ class Comparer {
   void learn() {
     if (is_wide())
       for (int i = 0; i < learning_steps; ++i) learn_sizes(sides_, state_, with_priors(change_scale));
-    sides_.scatter.setZero();
+    sides_.repeatability.setZero();
     const ScatteredNormal n = with_priors(change_scale);
     const Eigen::VectorXd step = n.information.ldlt().solve(n.gradient);
     left_ = left_over(linear_, step, settled_parameters(n, linear_.information),
                       (sides_.before ? sides_.before->noise_degrees : 0) + after_.noise_degrees);
-    sides_.scatter = left_.scatter;
+    sides_.repeatability = left_.repeatability;
   }
 
   /// The first unit of each of the best groups.
@@ -190,7 +190,7 @@ class Comparer {
     for (std::size_t u = 0; u < units_.size(); ++u) {
       Eigen::Index count = 0;
       for (const EffectTerm& t : units_[u].terms)
-        for (const EffectParameter& p : effect_of(t).parameters) count += !p.is_choice;
+        for (const EffectParameter& p : term_effect(t).parameters) count += !p.is_choice;
       const Eigen::MatrixXd a = information.block(at, at, count, count);
       Found& f = found_[u];
       f.visible = a.trace();
@@ -248,7 +248,7 @@ class Comparer {
                {},
                found_[u].terms,
                found_[u].sigma,
-               units_of(found_[u].terms, after_.problem.source->chain.robot),
+               list_number_units(found_[u].terms, after_.problem.source->chain.robot),
                ln_mean_exp(factors[group]),
                found_[u].explained};
       if (!units_[u].where.empty()) c.where = {units_[u].where};

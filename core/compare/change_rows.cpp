@@ -11,8 +11,8 @@ namespace handsight {
 namespace {
 
 /// The noise-like part of M = (S^-1 + B^T B)^-1, of a singular S too.
-Matrix6 posterior(const Matrix6& scatter, const Matrix6& body_squares) {
-  const Matrix6 m = (Matrix6::Identity() + scatter * body_squares).partialPivLu().solve(scatter);
+Matrix6 posterior(const Matrix6& repeatability, const Matrix6& body_squares) {
+  const Matrix6 m = (Matrix6::Identity() + repeatability * body_squares).partialPivLu().solve(repeatability);
   return 0.5 * (m + m.transpose());
 }
 
@@ -51,7 +51,7 @@ void add_sighting(const Problem& p, const ProblemObservation& o, const Unknowns&
 }
 
 /// Per column: what one unit of it is.
-Eigen::VectorXd sizes_of(const Problem& p, const ChangeColumns& columns) {
+Eigen::VectorXd list_sizes(const Problem& p, const ChangeColumns& columns) {
   Eigen::VectorXd sizes = Eigen::VectorXd::Ones(columns.shared(p) + columns.changes);
   for (Eigen::Index c = 0; c < p.effect_count(); ++c)
     sizes[c < columns.effects ? p.effect_column() + c : columns.shared(p) + c - columns.effects] =
@@ -59,8 +59,8 @@ Eigen::VectorXd sizes_of(const Problem& p, const ChangeColumns& columns) {
   return sizes;
 }
 
-ObservationParts parts_of(const Problem& p, const ProblemObservation& o, const SharedState& state,
-                          const ChangeColumns& columns, const Eigen::VectorXd& sizes, double weight) {
+ObservationParts list_parts(const Problem& p, const ProblemObservation& o, const SharedState& state,
+                            const ChangeColumns& columns, const Eigen::VectorXd& sizes, double weight) {
   Eigen::Index count = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);
   ObservationParts parts{
@@ -101,13 +101,13 @@ void ChangeRows::add(const ChangeRows& other) {
 }
 
 ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeColumns& columns, double weight) {
-  const Eigen::VectorXd sizes = sizes_of(p, columns);
+  const Eigen::VectorXd sizes = list_sizes(p, columns);
   ChangeRows all;
   all.information = Eigen::MatrixXd::Zero(sizes.size(), sizes.size());
   all.gradient = Eigen::VectorXd::Zero(sizes.size());
   GatheredRows gathered(all.information);
   for (const ProblemObservation& o : p.observations) {
-    const ObservationParts parts = parts_of(p, o, state, columns, sizes, weight);
+    const ObservationParts parts = list_parts(p, o, state, columns, sizes, weight);
     ChangeObservation& summed = all.observations.emplace_back();
     summed.body_by_columns = parts.by_body.transpose() * parts.by_columns;
     summed.body_by_error = parts.by_body.transpose() * parts.error;
@@ -124,7 +124,7 @@ ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeC
 
 SingleRows single_rows(const Problem& p, const ProblemObservation& o, const SharedState& state,
                        const ChangeColumns& columns, double weight) {
-  SingleRows rows = parts_of(p, o, state, columns, sizes_of(p, columns), weight);
+  SingleRows rows = list_parts(p, o, state, columns, list_sizes(p, columns), weight);
   rows.by_columns *= by_rigid_markers(rows.by_columns.cols(), state.unknowns.markers_in_tcp);
   return rows;
 }
@@ -138,11 +138,11 @@ ChangeRows with_rigid_markers(const ChangeRows& rows, const std::vector<Vector3>
   return rigid;
 }
 
-ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter) {
+ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& repeatability) {
   ScatteredNormal n{rows.information, rows.gradient, rows.squares};
-  if (scatter.isZero(0)) return n;
+  if (repeatability.isZero(0)) return n;
   for (const ChangeObservation& o : rows.observations) {
-    const Matrix6 m = posterior(scatter, o.body_squares);
+    const Matrix6 m = posterior(repeatability, o.body_squares);
     n.information -= o.body_by_columns.transpose() * m * o.body_by_columns;
     n.gradient -= o.body_by_columns.transpose() * (m * o.body_by_error);
     n.squares -= o.body_by_error.dot(m * o.body_by_error);
@@ -150,23 +150,23 @@ ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter) {
   return n;
 }
 
-Matrix6 scatter_of(const BodyErrors& left) {
+Matrix6 repeatability_of(const BodyErrors& left) {
   const auto count = static_cast<double>(left.errors.size());
-  Matrix6 scatter = Matrix6::Zero();
+  Matrix6 repeatability = Matrix6::Zero();
   for (std::size_t i = 0; i < left.errors.size(); ++i) {
     const Vector6 motion = left.body_squares[i].completeOrthogonalDecomposition().solve(left.errors[i]);
-    scatter.diagonal() += motion.cwiseAbs2() / count;
+    repeatability.diagonal() += motion.cwiseAbs2() / count;
   }
   for (int round = 0; round < 60; ++round) {
     Matrix6 next = Matrix6::Zero();
     for (std::size_t i = 0; i < left.errors.size(); ++i) {
-      const Matrix6 m = posterior(scatter, left.body_squares[i]);
+      const Matrix6 m = posterior(repeatability, left.body_squares[i]);
       const Vector6 motion = m * left.errors[i];
       next += motion * motion.transpose() + m;
     }
-    scatter = next / count;
+    repeatability = next / count;
   }
-  return 0.5 * (scatter + scatter.transpose());
+  return 0.5 * (repeatability + repeatability.transpose());
 }
 
 LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double parameters, double noise_degrees) {
@@ -178,7 +178,7 @@ LeftOver left_over(const ChangeRows& rows, const Eigen::VectorXd& step, double p
   const double left = rows.squares - 2 * rows.gradient.dot(step) + step.dot(rows.information * step);
   LeftOver over;
   if (const auto test = noise_test(left, rows.rows - parameters, noise_degrees)) over.p = test->p;
-  if (over.p <= more_than_noise) over.scatter = scatter_of(errors);
+  if (over.p <= more_than_noise) over.repeatability = repeatability_of(errors);
   return over;
 }
 

@@ -7,7 +7,7 @@
 
 namespace handsight {
 
-/// One observation in units of the noise. Columns: shared unknowns, then changes in units of their plausible size.
+/// One observation in units of the noise. Columns: shared unknowns, then changes in units of their prior sigma.
 struct ChangeObservation {
   Eigen::Matrix<double, 6, Eigen::Dynamic>
       body_by_columns;                      // B^T J, B: rows by the body's motion in the sensor's frame
@@ -28,7 +28,7 @@ struct ChangeRows {
 /// The unknowns of a comparison: those of the first side's model, which both share.
 struct SharedState {
   Unknowns unknowns;
-  Eigen::VectorXd curves;  // numbers of the shared curves, in their plausible sizes
+  Eigen::VectorXd curves;  // numbers of the shared curves, in their prior sigmas
   Eigen::VectorXd moved;   // how far all shared columns went from their start; read where they have a prior there
 };
 
@@ -64,13 +64,13 @@ struct ScatteredNormal {
   Eigen::VectorXd gradient;
   double squares = 0;
 };
-ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& scatter);
+ScatteredNormal scattered(const ChangeRows& rows, const Matrix6& repeatability);
 
 /// What a step of the columns leaves beside the noise.
 struct LeftOver {
-  double p = 1;                       // probability of so much or more by noise alone
-  Matrix6 scatter = Matrix6::Zero();  // covariance of the body's motions that it is, by expectation and maximisation;
-                                      // zero where it is no more than noise (p > 1e-3)
+  double p = 1;                             // probability of so much or more by noise alone
+  Matrix6 repeatability = Matrix6::Zero();  // covariance of the body's motions that it is, by expectation and
+                                            // maximisation; zero where it is no more than noise (p > 1e-3)
 };
 
 /// Of what is left that is more than noise.
@@ -83,7 +83,7 @@ struct BodyErrors {
 };
 
 /// LeftOver::scatter of these.
-Matrix6 scatter_of(const BodyErrors& left);
+Matrix6 repeatability_of(const BodyErrors& left);
 
 /// `parameters`: how many the step was fitted with; `noise_degrees`: of freedom that the noise was estimated from, 0
 /// where it is declared.

@@ -10,8 +10,8 @@ namespace handsight {
 namespace {
 
 constexpr double ln_20 = 2.995732273553991;
-constexpr double in_doubt = 0.05;  // probability of what is left below which the model is made wider
-constexpr double misses = 1e-3;    // ... below which it is said to miss
+constexpr double in_model_uncertainty = 0.05;  // probability of what is left below which the model is made wider
+constexpr double misses = 1e-3;                // ... below which it is said to miss
 
 const char* rest_text(const std::string& id) {
   if (id == "camera_mount" || id == "stereo_rig" || id == "lens") return "arm and hand are as they were";
@@ -20,7 +20,7 @@ const char* rest_text(const std::string& id) {
 }
 
 /// What the change's own size is: the first of a unit with the same name.
-ChangeUnit unit_of(const Change& c) { return {c.id, c.terms, c.where.empty() ? "" : c.where.front()}; }
+ChangeUnit find_unit(const Change& c) { return {c.id, c.terms, c.where.empty() ? "" : c.where.front()}; }
 
 /// Against nothing having changed, what is rare counted as such.
 double ln_odds(const Change& c) { return c.ln_bayes_factor + ln_prior_odds(c.id); }
@@ -28,10 +28,10 @@ double ln_odds(const Change& c) { return c.ln_bayes_factor + ln_prior_odds(c.id)
 /// The ranking by the narrowest model that leaves no more than noise, else by the widest.
 RankedChanges ranked(const ComparedSides& sides, Comparison& c) {
   RankedChanges found = ranked_changes(sides, {});
-  c.model_fits = sides.known ? sides.scatter.isZero(0) : found.left.p > misses;
+  c.model_fits = sides.known ? sides.repeatability.isZero(0) : found.left.p > misses;
   if (sides.known) return found;
   for (const Width width : {Width::catalogue, Width::catalogue_and_curves}) {
-    if (found.left.p > in_doubt) break;
+    if (found.left.p > in_model_uncertainty) break;
     keep_going(sides.progress, width == Width::catalogue ? 0.78 : 0.86);
     found = ranked_changes(widened(sides, width), {});
   }
@@ -51,18 +51,19 @@ void judge(const ComparedSides& sides, Comparison& c) {
   }
   const Change& best = c.changes.front();
   for (std::size_t i = 1; i < c.changes.size(); ++i)
-    if (c.changes[i].ln_bayes_factor > best.ln_bayes_factor - ln_20) c.cannot_be_told_from.push_back(c.changes[i].id);
+    if (c.changes[i].ln_bayes_factor > best.ln_bayes_factor - ln_20)
+      c.indistinguishable_from.push_back(c.changes[i].id);
   keep_going(sides.progress, 0.94);
   const RankedChanges second = ranked_changes(first.sides, best.terms);
   const bool several = !second.changes.empty() && ln_odds(second.changes.front()) >= c.threshold + ln_20;
   c.verdict = several ? ComparisonVerdict::several : ComparisonVerdict::changed;
-  c.sentence = change_text(unit_of(best), best.terms, best.sigma, sides.after.problem.source->chain);
+  c.sentence = change_text(find_unit(best), best.terms, best.sigma, sides.after.problem.source->chain);
   if (several)
     c.sentence += message("; and more than one thing has changed: {} too, or something that is not in the list.",
                           second.changes.front().id);
-  else if (!c.cannot_be_told_from.empty())
+  else if (!c.indistinguishable_from.empty())
     c.sentence +=
-        message("; or it is {}, which these poses do not tell apart.", fmt::join(c.cannot_be_told_from, " or "));
+        message("; or it is {}, which these poses do not tell apart.", fmt::join(c.indistinguishable_from, " or "));
   else
     c.sentence += message("; {}.", rest_text(best.id));
 }
@@ -81,7 +82,7 @@ HandWay hand_way(const Chain& chain, const std::vector<Eigen::VectorXd>& poses, 
   HandWay all;
   double sum = 0;
   for (const Eigen::VectorXd& pose : poses) {
-    const Circumstances here = circumstances_at(chain, pose);
+    const ObservationState here = states_at(chain, pose);
     const auto body = [&](const std::vector<EffectTerm>& terms) -> Vector3 {
       const Sites sites = moved_sites(here, terms);
       return (observed_ends(here, sites).ends.root_from_tcp * tcp_from_body * small_motion<double>(sites.body))

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double same_pose = 5e-3;         // rad (m)
 constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
-constexpr double change_scale = 3;         // plausible sizes that a change is held at while its size is told
+constexpr double change_scale = 3;         // prior sigmas that a change is held at while its size is reported
 
 /// What observations of one pose say. Columns: the shared unknowns, the changes, six of the pose's own motion.
 struct PoseSums {
@@ -64,16 +64,16 @@ struct Normal {
 
 /// What is the same at every visit of the pose taken out: an offset of each coordinate of this variance, and the pose's
 /// own motion of this covariance.
-Normal without_pose(const PoseSums& sums, double coordinate, const Matrix6& scatter) {
+Normal without_pose(const PoseSums& sums, double coordinate, const Matrix6& repeatability) {
   const Eigen::VectorXd share = coordinate / (1 + coordinate * sums.count.array());
   const Eigen::MatrixXd weighed = share.asDiagonal() * sums.rows;
   const Eigen::MatrixXd information = sums.information - sums.rows.transpose() * weighed;
   const Eigen::VectorXd gradient = sums.gradient - weighed.transpose() * sums.error;
   const Eigen::Index kept = gradient.size() - 6;
   Normal n{information.topLeftCorner(kept, kept), gradient.head(kept)};
-  if (scatter.isZero(0)) return n;
+  if (repeatability.isZero(0)) return n;
   const Matrix6 squares = information.bottomRightCorner<6, 6>();
-  const Matrix6 m = (Matrix6::Identity() + scatter * squares).partialPivLu().solve(scatter);
+  const Matrix6 m = (Matrix6::Identity() + repeatability * squares).partialPivLu().solve(repeatability);
   const Eigen::MatrixXd body = information.bottomLeftCorner(6, kept);
   n.information -= body.transpose() * m * body;
   n.gradient -= body.transpose() * (m * gradient.tail(6));
@@ -105,7 +105,7 @@ PoseSums sums_of_rows(const ProblemObservation& o, const SingleRows& single, int
 
 struct WatchedPose {
   Eigen::VectorXd position;
-  Matrix6 scatter = Matrix6::Zero();
+  Matrix6 repeatability = Matrix6::Zero();
   PoseSums unchanged;  // all its observations as if nothing had changed
   PoseSums changed;    // ... as if all were made after the change
 };
@@ -142,23 +142,23 @@ struct ChangeWatch::Parts {
     double ln_e_value = 0;
   };
 
-  PoseSums sums_of(const Session& session, const Observation& observation, Matrix6& scatter);
-  std::size_t place_of(const Eigen::VectorXd& position, const Matrix6& scatter);
+  PoseSums sums_of(const Session& session, const Observation& observation, Matrix6& repeatability);
+  std::size_t locate(const Eigen::VectorXd& position, const Matrix6& repeatability);
   Start start_at(std::size_t number, const Normal& normal) const;
   std::vector<Start> starts() const;
   double mixture(const std::vector<double>& evidence, std::string* group = nullptr) const;
-  WatchedChange size_of(std::size_t unit, const Start& start) const;
-  WatchStep told(const std::vector<Start>& starts) const;
+  WatchedChange measure_size(std::size_t unit, const Start& start) const;
+  WatchStep reported(const std::vector<Start>& starts) const;
 };
 
-PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& observation, Matrix6& scatter) {
+PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
   Session one = session;
   one.observations = {observation};
   one.observations[0].decision = Decision::none;
   one = as_calibrated(before, one);
-  if (!chain) chain = chain_of(one);
-  ComparedSides sides = sides_of(before, one, *chain);
-  scatter = sides.scatter;
+  if (!chain) chain = make_chain(one);
+  ComparedSides sides = make_sides(before, one, *chain);
+  repeatability = sides.repeatability;
   const Eigen::Index effects = sides.after.problem.effect_count();
   if (units.empty()) {
     for (std::size_t m = 0; m < sides.after.problem.marker_is_seen.size(); ++m)
@@ -168,13 +168,13 @@ PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& 
   std::vector<EffectTerm> terms;
   for (const ChangeUnit& unit : units) terms.insert(terms.end(), unit.terms.begin(), unit.terms.end());
   sides.after.problem.tcp_from_slip = before.model.tcp_from_body;
-  Candidates candidates = candidates_of(sides.after.problem, terms);
+  Candidates candidates = list_candidates(sides.after.problem, terms);
   Problem& problem = candidates.problem;
   Eigen::VectorXd values = Eigen::VectorXd::Zero(problem.effect_count());
   values.head(effects) = sides.start.effects;
   set_effects(problem, values);
   const ChangeColumns columns{effects, nullptr, 0, problem.effect_count() - effects};
-  SharedState state = start_of(sides);
+  SharedState state = make_start(sides);
   state.unknowns.effects = values;
   const ProblemObservation& o = problem.observations.front();
   const SingleRows single = single_rows(problem, o, state, columns, sides.after.weight);
@@ -188,7 +188,7 @@ PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& 
     for (const ChangeUnit& unit : units) {
       first_of_unit.push_back(next);
       for (const EffectTerm& t : unit.terms)
-        for (const EffectParameter& p : effect_of(t).parameters) next += p.is_choice ? 0 : 1;
+        for (const EffectParameter& p : term_effect(t).parameters) next += p.is_choice ? 0 : 1;
     }
     first_of_unit.push_back(next);
     check(next == single.by_columns.cols(), "{} columns of changes, {} of their numbers", columns.changes, next - base);
@@ -198,10 +198,10 @@ PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& 
   return sums_of_rows(o, single, problem.rig ? 2 * problem.rig->count() : 3, problem.marker_count);
 }
 
-std::size_t ChangeWatch::Parts::place_of(const Eigen::VectorXd& position, const Matrix6& scatter) {
+std::size_t ChangeWatch::Parts::locate(const Eigen::VectorXd& position, const Matrix6& repeatability) {
   for (std::size_t p = 0; p < poses.size(); ++p)
     if ((poses[p].position - position).cwiseAbs().maxCoeff() < same_pose) return p;
-  poses.push_back({position, scatter, {}, {}});
+  poses.push_back({position, repeatability, {}, {}});
   return poses.size() - 1;
 }
 
@@ -253,9 +253,9 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
   };
   for (const WatchedPose& p : poses) {
     sums.push_back(p.unchanged);
-    normals.push_back(without_pose(p.unchanged, coordinate, p.scatter));
+    normals.push_back(without_pose(p.unchanged, coordinate, p.repeatability));
     add_to(total, normals.back());
-    add_to(from_first, without_pose(p.changed, coordinate, p.scatter));
+    add_to(from_first, without_pose(p.changed, coordinate, p.repeatability));
   }
   std::vector<Start> all;
   for (std::size_t i = recent.size(); i-- > 0;) {
@@ -263,7 +263,7 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
     total.add(normals[r.pose], -1);
     sums[r.pose].add(r.sums.unchanged(base), -1);
     sums[r.pose].add(r.sums);
-    normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].scatter);
+    normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].repeatability);
     total.add(normals[r.pose], 1);
     all.push_back(start_at(r.number, total));
   }
@@ -271,8 +271,8 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
   return all;
 }
 
-/// Its numbers and their sigmas, each held at three plausible sizes.
-WatchedChange ChangeWatch::Parts::size_of(std::size_t unit, const Start& start) const {
+/// Its numbers and their sigmas, each held at three prior sigmas.
+WatchedChange ChangeWatch::Parts::measure_size(std::size_t unit, const Start& start) const {
   const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
   Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
   information.diagonal().array() += 1 / (change_scale * change_scale);
@@ -284,11 +284,11 @@ WatchedChange ChangeWatch::Parts::size_of(std::size_t unit, const Start& start) 
   Eigen::Index next = 0;
   for (EffectTerm& term : change.terms)
     for (std::size_t p = 0; p < term.values.size(); ++p)
-      if (!effect_of(term).parameters[p].is_choice) term.values[p] = values[next++];
+      if (!term_effect(term).parameters[p].is_choice) term.values[p] = values[next++];
   return change;
 }
 
-WatchStep ChangeWatch::Parts::told(const std::vector<Start>& all) const {
+WatchStep ChangeWatch::Parts::reported(const std::vector<Start>& all) const {
   WatchStep step;
   std::vector<double> weighed;
   std::size_t best = 0;
@@ -302,7 +302,7 @@ WatchStep ChangeWatch::Parts::told(const std::vector<Start>& all) const {
   std::size_t unit = units.size();
   for (std::size_t u = 0; u < units.size(); ++u)
     if (units[u].group == step.what && (unit == units.size() || start.evidence[u] > start.evidence[unit])) unit = u;
-  for (std::size_t u = 0; u < units.size(); ++u) step.each.push_back(size_of(u, start));
+  for (std::size_t u = 0; u < units.size(); ++u) step.each.push_back(measure_size(u, start));
   step.terms = step.each[unit].terms;
   step.sigma = step.each[unit].sigma;
   step.where = units[unit].where;
@@ -321,16 +321,16 @@ ChangeWatch& ChangeWatch::operator=(ChangeWatch&&) noexcept = default;
 std::optional<WatchStep> ChangeWatch::add(const Session& session, const Observation& observation) {
   if (observation.sightings.empty() || observation.decision == Decision::excluded) return std::nullopt;
   Parts& p = *parts_;
-  Matrix6 scatter;
+  Matrix6 repeatability;
   Recent one;
-  one.sums = p.sums_of(session, observation, scatter);
-  one.pose = p.place_of(observation.position, scatter);
+  one.sums = p.sums_of(session, observation, repeatability);
+  one.pose = p.locate(observation.position, repeatability);
   one.number = p.count++;
   p.poses[one.pose].unchanged.add(one.sums.unchanged(p.base));
   p.poses[one.pose].changed.add(one.sums);
   p.recent.push_back(std::move(one));
   if (p.recent.size() > p.options.window) p.recent.pop_front();
-  WatchStep step = p.told(p.starts());
+  WatchStep step = p.reported(p.starts());
   p.has_changed = p.has_changed || step.ln_e_value >= -std::log(p.options.chance);
   step.changed = p.has_changed;
   return step;
@@ -365,9 +365,9 @@ std::vector<std::size_t> telling_poses(const CalibratedRobot& before, const Sess
   parts.before = before;
   std::vector<Normal> normals;
   for (const Eigen::VectorXd& q : positions) {
-    Matrix6 scatter;
-    const PoseSums sums = parts.sums_of(by_points, seen_at_pose(before, session, q), scatter);
-    normals.push_back(without_pose(sums, 0, scatter));
+    Matrix6 repeatability;
+    const PoseSums sums = parts.sums_of(by_points, seen_at_pose(before, session, q), repeatability);
+    normals.push_back(without_pose(sums, 0, repeatability));
   }
   std::vector<Eigen::Index> columns;
   for (std::size_t u = 0; u < parts.units.size(); ++u)

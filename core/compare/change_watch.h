@@ -35,7 +35,7 @@ struct WatchOptions {
 };
 
 /// A sequential test by an e-process: the ratio of the likelihoods of all that was measured, with a change (one of
-/// those that compare knows, of any plausible size, from any observation on) and without one, mean over the changes and
+/// those that compare knows, of any prior sigma, from any observation on) and without one, mean over the changes and
 /// the times at which they may have come, these weighted by 1 / (k (k + 1)). Where nothing has changed its expectation
 /// is never above 1, so that it ever reaches 1000 with a chance of 1e-3 at most (Ville 1939; Shafer, Shen, Vereshchagin
 /// and Vovk 2011). What the calibration is unsure of is unknown on both sides. What it leaves from pose to pose is a

@@ -5,8 +5,8 @@
 #include "base/text.h"
 #include "compare/change_verdict.h"
 #include "compare/number_changes.h"
-#include "diagnosis/evidence/weighing.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/evidence/noise_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 
 namespace handsight {
 namespace {
@@ -57,12 +57,12 @@ bool are_alike(const Rig& a, const Rig& b) {
 }
 
 ComparedSide side_of(const Fit& f) {
-  const Weighing w = weighing(f);
+  const NoiseModel w = noise_model(f);
   const bool is_estimated = f.noise_estimate && w.noise == f.noise_estimate->sigma;
   return {f.problem, 1 / w.noise, is_estimated ? f.noise_estimate->degrees : 0.0};
 }
 
-std::vector<NumberChange> numbers_of(const Session& session, const Fit& a, const Fit& b) {
+std::vector<NumberChange> list_numbers(const Session& session, const Fit& a, const Fit& b) {
   std::vector<NumberChange> all;
   add_motion(all, "tcp_from_body", a.tcp_from_body, b.tcp_from_body, a.covariance + b.covariance);
   if (session.mount.estimate) {
@@ -75,7 +75,7 @@ std::vector<NumberChange> numbers_of(const Session& session, const Fit& a, const
   const auto variances = [](const Fit& f) -> Eigen::VectorXd {
     return f.model_covariance.diagonal().tail(f.model_covariance.cols() - 6);
   };
-  add_effects(all, session.robot, terms_of(a), variances(a), terms_of(b), variances(b));
+  add_effects(all, session.robot, list_terms(a), variances(a), list_terms(b), variances(b));
   return all;
 }
 
@@ -89,9 +89,9 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   FitOptions options;
   options.estimated = effects;
   if (progress) options.on_iteration = [&](int, double, const Unknowns&) { return progress(0); };
-  const CleanFit clean_a = clean_model(a, options);
+  const CleanFit clean_a = fit_without_outliers(a, options);
   keep_going(progress, 0.35);
-  const CleanFit clean_b = clean_model(b, options);
+  const CleanFit clean_b = fit_without_outliers(b, options);
   keep_going(progress, 0.7);
   require_answer(clean_a, "first");
   require_answer(clean_b, "second");
@@ -111,7 +111,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   sides.after = side_of(clean_b.fit);
   sides.start = estimate(clean_a.fit);
   sides.progress = progress;
-  c.numbers = numbers_of(a, clean_a.fit, clean_b.fit);
+  c.numbers = list_numbers(a, clean_a.fit, clean_b.fit);
   judge(sides, c);
   if (!c.model_fits)
     c.notes.emplace_back(
@@ -119,7 +119,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
         "the same in both, were fitted beside the change; a change that looks like them is not seen.");
   std::vector<Eigen::VectorXd> poses = used_positions(a);
   for (const Eigen::VectorXd& q : used_positions(b)) poses.push_back(q);
-  measure_hand(chain_of(a), poses, terms_of(clean_a.fit), clean_a.fit.tcp_from_body, c);
+  measure_hand(make_chain(a), poses, list_terms(clean_a.fit), clean_a.fit.tcp_from_body, c);
   return c;
 }
 

@@ -27,7 +27,7 @@ struct CalibrationResidual {
 
 /// Every corner of the session that is used, against the calibration as it stands: nothing is fitted. InputError as
 /// `compare`.
-std::vector<CalibrationResidual> residuals_of(const CalibratedRobot& before, const Session& after);
+std::vector<CalibrationResidual> compute_residuals(const CalibratedRobot& before, const Session& after);
 
 /// Two calibrations: their numbers, and the hand over poses drawn from the joints' limits.
 Comparison compare(const CalibratedRobot& before, const CalibratedRobot& after);

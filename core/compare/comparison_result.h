@@ -40,9 +40,9 @@ enum class ComparisonVerdict {
 
 struct Comparison {
   ComparisonVerdict verdict = ComparisonVerdict::unchanged;
-  Message sentence;                              // for people
-  std::vector<Change> changes;                   // best first
-  std::vector<std::string> cannot_be_told_from;  // ids within odds of 20 of the best, where one passes
+  Message sentence;                                 // for people
+  std::vector<Change> changes;                      // best first
+  std::vector<std::string> indistinguishable_from;  // ids within odds of 20 of the best, where one passes
   double threshold = 0;  // ln of a Bayes factor that is no chance: 1 in 200 where nothing changed
   std::vector<NumberChange> numbers;
   std::optional<double> hand_mean_m, hand_max_m;  // how far the hand is from where it was, over the poses of both

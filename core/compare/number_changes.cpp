@@ -36,7 +36,7 @@ void add_effects(std::vector<NumberChange>& all, const Robot& robot, const std::
     for (const EffectTerm& o : b) {
       if (o.id == t.id && o.joint == t.joint)
         for (std::size_t p = 0; p < t.values.size(); ++p) {
-          const Effect& e = effect_of(t);
+          const Effect& e = term_effect(t);
           const std::string where = place_name(e, t.joint, robot);
           const auto i = static_cast<Eigen::Index>(p);
           if (!e.parameters[p].is_choice)

@@ -23,7 +23,7 @@ SeveralComparer::SeveralComparer(SeveralSides sides) : sides_(std::move(sides)),
   list_alternatives();
 }
 
-/// What two sides and more have in common, told apart by effect, place and whose it is.
+/// What two sides and more have in common, distinguished by effect, place and whose it is.
 void SeveralComparer::list_units() {
   std::map<std::tuple<std::string, int, Owner, int>, std::size_t> known;
   for (std::size_t k = 0; k < of_sides_.size(); ++k)
@@ -31,12 +31,12 @@ void SeveralComparer::list_units() {
       const ChangeUnit& own = of_sides_[k][u];
       if (own.group == "marker_slip" && is_one_marker(of_sides_[k])) continue;  // that is a slip of the body
       const EffectTerm& term = own.terms.front();
-      const Owner owner = owner_of(effect_of(term));
+      const Owner owner = find_owner(term_effect(term));
       const auto [at, is_new] =
           known.emplace(std::tuple{term.id, term.joint, owner, sides_.sides[k].number(owner)}, units_.size());
       if (is_new) units_.push_back({own.group, own.where, std::vector<int>(of_sides_.size(), -1), {}});
       SeveralUnit& unit = units_[at->second];
-      if (!unit.who.empty() && numbers_of(unit_of(unit.who.front(), at->second)) != numbers_of(own)) continue;
+      if (!unit.who.empty() && list_numbers(find_unit(unit.who.front(), at->second)) != list_numbers(own)) continue;
       unit.at[k] = static_cast<int>(u);
       unit.who.push_back(k);
     }
@@ -56,47 +56,47 @@ void SeveralComparer::list_alternatives() {
   }
 }
 
-Eigen::Index SeveralComparer::count_of(std::size_t unit) const {
-  return numbers_of(unit_of(units_[unit].who.front(), unit));
+Eigen::Index SeveralComparer::count_numbers(std::size_t unit) const {
+  return list_numbers(find_unit(units_[unit].who.front(), unit));
 }
 
-const ChangeUnit& SeveralComparer::unit_of(std::size_t side, std::size_t unit) const {
+const ChangeUnit& SeveralComparer::find_unit(std::size_t side, std::size_t unit) const {
   return of_sides_[side][static_cast<std::size_t>(units_[unit].at[side])];
 }
 
-Eigen::VectorXd SeveralComparer::sizes_of(std::size_t unit) const {
+Eigen::VectorXd SeveralComparer::list_sizes(std::size_t unit) const {
   const std::size_t side = units_[unit].who.front();
   std::vector<double> sizes;
-  for (const EffectTerm& t : unit_of(side, unit).terms)
-    for (const EffectParameter& p : effect_of(t).parameters)
-      if (!p.is_choice) sizes.push_back(plausible_size(p, sides_.sides[side].problem.source->chain));
+  for (const EffectTerm& t : find_unit(side, unit).terms)
+    for (const EffectParameter& p : term_effect(t).parameters)
+      if (!p.is_choice) sizes.push_back(prior_sigma(p, sides_.sides[side].problem.source->chain));
   return Eigen::Map<Eigen::VectorXd>(sizes.data(), static_cast<Eigen::Index>(sizes.size()));
 }
 
-std::vector<EffectTerm> SeveralComparer::terms_of(std::size_t side, std::size_t unit,
-                                                  const Eigen::VectorXd& change) const {
-  std::vector<EffectTerm> terms = unit_of(side, unit).terms;
-  const Eigen::VectorXd values = change.cwiseProduct(sizes_of(unit));
+std::vector<EffectTerm> SeveralComparer::list_terms(std::size_t side, std::size_t unit,
+                                                    const Eigen::VectorXd& change) const {
+  std::vector<EffectTerm> terms = find_unit(side, unit).terms;
+  const Eigen::VectorXd values = change.cwiseProduct(list_sizes(unit));
   Eigen::Index next = 0;
   for (EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!effect_of(t).parameters[p].is_choice) t.values[p] = values[next++];
+      if (!term_effect(t).parameters[p].is_choice) t.values[p] = values[next++];
   return terms;
 }
 
 /// Rows of one side with these terms as its changes, standing at their values.
-ChangeRows SeveralComparer::rows_of(std::size_t k, const SeveralState& state,
-                                    const std::vector<EffectTerm>& terms) const {
+ChangeRows SeveralComparer::take_rows(std::size_t k, const SeveralState& state,
+                                      const std::vector<EffectTerm>& terms) const {
   const SeveralSide& side = sides_.sides[k];
-  SharedState own = state_of(side, state);
+  SharedState own = read_state(side, state);
   const Eigen::Index base = side.problem.effect_count();
-  Candidates c = candidates_of(side.problem, terms);
+  Candidates c = list_candidates(side.problem, terms);
   Eigen::VectorXd values(c.problem.effect_count());
   values.head(base) = own.unknowns.effects;
   Eigen::Index next = base;
   for (const EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!effect_of(t).parameters[p].is_choice) values[next++] = t.values[p];
+      if (!term_effect(t).parameters[p].is_choice) values[next++] = t.values[p];
   if (values.size() > 0) set_effects(c.problem, values);
   own.unknowns.effects = values;
   const ChangeColumns columns{base, &side.curves, column_count(side.curves), c.problem.effect_count() - base};

@@ -24,7 +24,7 @@ struct Alternative {
   std::vector<char> in;  // by side
 };
 
-/// An alternative with its numbers, in units of their plausible sizes.
+/// An alternative with its numbers, in units of their prior sigmas.
 struct ActiveChange {
   std::size_t alternative = 0;
   Eigen::VectorXd change;
@@ -32,7 +32,7 @@ struct ActiveChange {
 
 /// What was found of one alternative beside those that are taken.
 struct FoundChange {
-  Eigen::VectorXd change, sigma;  // plausible sizes; empty: it was not fitted in full
+  Eigen::VectorXd change, sigma;  // prior sigmas; empty: it was not fitted in full
   double ln_bayes_factor = 0, explained = 0;
   bool is_visible = false;
 };
@@ -66,7 +66,7 @@ class SeveralComparer {
   /// The changes fitted together: their numbers and sigmas.
   struct Together {
     std::vector<ActiveChange> changes;
-    std::vector<Eigen::VectorXd> sigmas;  // of each, in plausible sizes
+    std::vector<Eigen::VectorXd> sigmas;  // of each, in prior sigmas
     double squares = 0;
   };
   Together fitted_together(const std::vector<ActiveChange>& changes) const;
@@ -74,11 +74,11 @@ class SeveralComparer {
   const SeveralSides& sides() const { return sides_; }
   const std::vector<SeveralUnit>& units() const { return units_; }
   const std::vector<Alternative>& alternatives() const { return alternatives_; }
-  /// The unit's terms in that side, with numbers from plausible sizes.
-  std::vector<EffectTerm> terms_of(std::size_t side, std::size_t unit, const Eigen::VectorXd& change) const;
-  /// One plausible size of each of its numbers.
-  Eigen::VectorXd sizes_of(std::size_t unit) const;
-  const ChangeUnit& unit_of(std::size_t side, std::size_t unit) const;
+  /// The unit's terms in that side, with numbers from prior sigmas.
+  std::vector<EffectTerm> list_terms(std::size_t side, std::size_t unit, const Eigen::VectorXd& change) const;
+  /// One prior sigma of each of its numbers.
+  Eigen::VectorXd list_sizes(std::size_t unit) const;
+  const ChangeUnit& find_unit(std::size_t side, std::size_t unit) const;
 
  private:
   struct Fitted {
@@ -91,17 +91,17 @@ class SeveralComparer {
 
   void list_units();
   void list_alternatives();
-  Eigen::Index count_of(std::size_t unit) const;
-  ChangeRows rows_of(std::size_t side, const SeveralState& state, const std::vector<EffectTerm>& terms) const;
-  ScatteredNormal normal_of(const SeveralState& state, const std::vector<ActiveChange>& active) const;
+  Eigen::Index count_numbers(std::size_t unit) const;
+  ChangeRows take_rows(std::size_t side, const SeveralState& state, const std::vector<EffectTerm>& terms) const;
+  ScatteredNormal make_normal(const SeveralState& state, const std::vector<ActiveChange>& active) const;
   Fitted fitted(std::vector<ActiveChange> active) const;
   void linearise(const std::vector<ActiveChange>& taken);
-  Linear linear_of(const std::vector<ActiveChange>& columns, bool with_scatter) const;
+  Linear make_linear(const std::vector<ActiveChange>& columns, bool with_repeatability) const;
   ScatteredNormal with_priors(ScatteredNormal normal, const std::vector<ActiveChange>& columns, std::size_t taken,
                               double scale_of_free) const;
   std::vector<ActiveChange> all_changes() const;
   void learn(SeveralRanking& ranking);
-  void set_scatter(const Linear& linear, const Eigen::VectorXd& step, double settled, SeveralRanking& ranking);
+  void set_repeatability(const Linear& linear, const Eigen::VectorXd& step, double settled, SeveralRanking& ranking);
   std::vector<std::size_t> rank_linearly(const std::vector<ActiveChange>& taken, SeveralRanking& ranking);
   std::vector<std::size_t> worth_a_fit(const std::vector<std::size_t>& order, const SeveralRanking& ranking) const;
   void refit(std::size_t alternative, const std::vector<ActiveChange>& taken, double squares_without,

@@ -10,14 +10,14 @@
 #include "compare/change_verdict.h"
 #include "compare/several_changes.h"
 #include "diagnosis/evidence/evidence.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
 namespace {
 
-constexpr double in_doubt = 0.05;  // probability of what is left below which the model is made wider
-constexpr double misses = 1e-3;    // ... below which it is said to miss
+constexpr double in_model_uncertainty = 0.05;  // probability of what is left below which the model is made wider
+constexpr double misses = 1e-3;                // ... below which it is said to miss
 constexpr double ln_20 = 2.995732273553991;
 constexpr std::size_t most_changes = 8, most_alternatives = 6;
 constexpr double least_likely = 0.01;
@@ -61,8 +61,8 @@ void share_mounts(std::vector<JoinedMember>& members) {
 
 FitOptions options_for(const Session& session, const std::vector<std::string>& effects) {
   FitOptions options;
-  const Chain chain = chain_of(session);
-  const OwnEffects own = own_effects_of(session, chain);
+  const Chain chain = make_chain(session);
+  const OwnEffects own = list_own_effects(session, chain);
   for (const std::string& text : effects)
     for (EffectTerm& t : effect_terms(text, chain, own)) options.estimated.push_back(std::move(t));
   return options;
@@ -76,7 +76,7 @@ std::vector<Fit> fits_alone(std::vector<JoinedMember>& members, const std::vecto
     keep_going(progress, 0.5 * static_cast<double>(fits.size()) / static_cast<double>(members.size()));
     FitOptions options = options_for(m.session, effects);
     if (progress) options.on_iteration = [&](int, double, const Unknowns&) { return progress(0); };
-    CleanFit clean = clean_model(m.session, options);
+    CleanFit clean = fit_without_outliers(m.session, options);
     if (!clean.fit.converged())
       throw InputError(
           message("{} cannot be compared: its fit finds no answer; run `handsight-cli fit` on it, exclude the "
@@ -167,7 +167,7 @@ class Odds {
 struct Taken {
   ActiveChange active;
   double ln_bayes_factor = 0, explained = 0;
-  ChangeCandidate told;
+  ChangeCandidate reported;
   std::vector<ChangeCandidate> alternatives;
 };
 
@@ -191,12 +191,12 @@ class Judge {
  private:
   /// The narrowest model that leaves no more than noise, else the widest.
   void choose_width(const SeveralSides& sides) {
-    for (const Width width : {Width::told, Width::catalogue, Width::catalogue_and_curves}) {
-      keep_going(sides.progress, width == Width::told ? 0.5 : width == Width::catalogue ? 0.55 : 0.6);
+    for (const Width width : {Width::reported, Width::catalogue, Width::catalogue_and_curves}) {
+      keep_going(sides.progress, width == Width::reported ? 0.5 : width == Width::catalogue ? 0.55 : 0.6);
       comparer_.emplace(widened(sides, width));
       ranking_ = comparer_->rank({}, true);
-      if (width == Width::told) c_.model_fits = ranking_.left.p > misses;
-      if (ranking_.left.p > in_doubt) break;
+      if (width == Width::reported) c_.model_fits = ranking_.left.p > misses;
+      if (ranking_.left.p > in_model_uncertainty) break;
     }
     c_.threshold = ranking_.threshold;
   }
@@ -210,9 +210,10 @@ class Judge {
   ChangeCandidate candidate(std::size_t a, double probability) const {
     const Alternative& alternative = comparer_->alternatives()[a];
     const SeveralUnit& unit = comparer_->units()[alternative.unit];
-    ChangeCandidate told{unit.group, unit.where, {}, {}, probability};
-    for (const std::size_t k : unit.who) (alternative.in[k] ? told.after : told.before).push_back(members_[k].title);
-    return told;
+    ChangeCandidate reported{unit.group, unit.where, {}, {}, probability};
+    for (const std::size_t k : unit.who)
+      (alternative.in[k] ? reported.after : reported.before).push_back(members_[k].title);
+    return reported;
   }
 
   /// Of all whose kind is no chance either.
@@ -231,11 +232,11 @@ class Judge {
     const Odds odds(*comparer_, ranking_);
     const FoundChange& found = ranking_.found[a];
     Taken t;
-    const Eigen::Index count = comparer_->sizes_of(comparer_->alternatives()[a].unit).size();
+    const Eigen::Index count = comparer_->list_sizes(comparer_->alternatives()[a].unit).size();
     t.active = {a, found.change.size() > 0 ? found.change : Eigen::VectorXd(Eigen::VectorXd::Zero(count))};
     t.ln_bayes_factor = found.ln_bayes_factor;
     t.explained = found.explained;
-    t.told = candidate(a, odds.probability(a));
+    t.reported = candidate(a, odds.probability(a));
     for (std::size_t other = 0; other < ranking_.found.size(); ++other)
       if (other != a && odds.probability(other) > least_likely)
         t.alternatives.push_back(candidate(other, odds.probability(other)));
@@ -275,32 +276,33 @@ class Judge {
     const SeveralUnit& unit = comparer_->units()[alternative.unit];
     const std::size_t side = unit.who.front();
     const Chain& chain = comparer_->sides().sides[side].problem.source->chain;
-    ChangeBetween& told = c_.changes.emplace_back();
-    told.told = t.told;
-    told.alternatives = t.alternatives;
-    told.change.id = unit.group;
-    if (!unit.where.empty()) told.change.where = {unit.where};
-    told.change.terms = comparer_->terms_of(side, alternative.unit, change);
-    told.change.sigma = sigma.cwiseProduct(comparer_->sizes_of(alternative.unit));
-    told.change.units = units_of(told.change.terms, chain.robot);
-    told.change.ln_bayes_factor = t.ln_bayes_factor;
-    told.change.explained = t.explained;
-    told.text = fmt::format(
-        "{}: between {} and {}",
-        change_text({unit.group, told.change.terms, unit.where}, told.change.terms, told.change.sigma, chain),
-        fmt::join(told.told.before, ", "), fmt::join(told.told.after, ", "));
-    set_hand(unit, side, told);
+    ChangeBetween& reported = c_.changes.emplace_back();
+    reported.reported = t.reported;
+    reported.alternatives = t.alternatives;
+    reported.change.id = unit.group;
+    if (!unit.where.empty()) reported.change.where = {unit.where};
+    reported.change.terms = comparer_->list_terms(side, alternative.unit, change);
+    reported.change.sigma = sigma.cwiseProduct(comparer_->list_sizes(alternative.unit));
+    reported.change.units = list_number_units(reported.change.terms, chain.robot);
+    reported.change.ln_bayes_factor = t.ln_bayes_factor;
+    reported.change.explained = t.explained;
+    reported.text = fmt::format("{}: between {} and {}",
+                                change_text({unit.group, reported.change.terms, unit.where}, reported.change.terms,
+                                            reported.change.sigma, chain),
+                                fmt::join(reported.reported.before, ", "), fmt::join(reported.reported.after, ", "));
+    set_hand(unit, side, reported);
   }
 
-  void set_hand(const SeveralUnit& unit, std::size_t first, ChangeBetween& told) const {
+  void set_hand(const SeveralUnit& unit, std::size_t first, ChangeBetween& reported) const {
     const SeveralSide& side = comparer_->sides().sides[first];
     std::vector<Eigen::VectorXd> poses;
     for (const std::size_t k : unit.who)
       if (comparer_->sides().sides[k].hand == side.hand)
         for (const Eigen::VectorXd& q : used_positions(members_[k].session)) poses.push_back(q);
-    const HandWay way = hand_way(side.problem.source->chain, poses, {}, told.change.terms, side.problem.tcp_from_slip);
-    told.hand_mean_m = way.mean;
-    told.hand_max_m = way.largest;
+    const HandWay way =
+        hand_way(side.problem.source->chain, poses, {}, reported.change.terms, side.problem.tcp_from_slip);
+    reported.hand_mean_m = way.mean;
+    reported.hand_max_m = way.largest;
   }
 
   std::vector<JoinedMember> members_;

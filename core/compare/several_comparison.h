@@ -19,7 +19,7 @@ struct ChangeCandidate {
 /// A change with its numbers: what sessions `after` have more than those before.
 struct ChangeBetween {
   Change change;
-  ChangeCandidate told;
+  ChangeCandidate reported;
   std::vector<ChangeCandidate> alternatives;  // what it may be as well, more than 1 % likely, likeliest first
   std::string text;                           // for people
   double hand_mean_m = 0, hand_max_m = 0;     // how far it moves the hand over the poses of the sessions concerned

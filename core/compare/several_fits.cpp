@@ -13,7 +13,7 @@ constexpr double least_gain = 1e-4, least_gain_wide = 1e-1;  // of chi-squared, 
 }  // namespace
 
 /// Normal equations of all sides, the active changes' columns behind the shared ones; with priors.
-ScatteredNormal SeveralComparer::normal_of(const SeveralState& state, const std::vector<ActiveChange>& active) const {
+ScatteredNormal SeveralComparer::make_normal(const SeveralState& state, const std::vector<ActiveChange>& active) const {
   Eigen::Index total = sides_.columns();
   for (const ActiveChange& a : active) total += a.change.size();
   ScatteredNormal n = nothing(total);
@@ -26,15 +26,15 @@ ScatteredNormal SeveralComparer::normal_of(const SeveralState& state, const std:
     for (const ActiveChange& a : active) {
       const Alternative& alternative = alternatives_[a.alternative];
       if (alternative.in[k]) {
-        const ChangeUnit& unit = unit_of(k, alternative.unit);
-        place_unit(places, unit, sides_.sides[k].problem.source->chain, sizes_of(alternative.unit), own, all);
+        const ChangeUnit& unit = find_unit(k, alternative.unit);
+        place_unit(places, unit, sides_.sides[k].problem.source->chain, list_sizes(alternative.unit), own, all);
         own += a.change.size();
-        for (EffectTerm& t : terms_of(k, alternative.unit, a.change)) terms.push_back(std::move(t));
+        for (EffectTerm& t : list_terms(k, alternative.unit, a.change)) terms.push_back(std::move(t));
       }
       all += a.change.size();
     }
-    const Matrix6& scatter = sides_.scatter[static_cast<std::size_t>(sides_.sides[k].rig)];
-    add(scattered(rows_of(k, state, terms), scatter), map_of(places, own, total), n);
+    const Matrix6& repeatability = sides_.repeatability[static_cast<std::size_t>(sides_.sides[k].rig)];
+    add(scattered(take_rows(k, state, terms), repeatability), make_column_map(places, own, total), n);
   }
   add_priors(sides_, state, n);
   Eigen::Index column = sides_.columns();
@@ -48,7 +48,7 @@ ScatteredNormal SeveralComparer::normal_of(const SeveralState& state, const std:
 SeveralComparer::Fitted SeveralComparer::fitted(std::vector<ActiveChange> active) const {
   Fitted r{state_, std::move(active), {}, 0};
   for (int i = 0; i < (sides_.is_wide ? most_iterations_wide : most_iterations); ++i) {
-    const ScatteredNormal n = normal_of(r.state, r.active);
+    const ScatteredNormal n = make_normal(r.state, r.active);
     const Eigen::VectorXd step = n.information.ldlt().solve(n.gradient);
     r.information = n.information;
     r.squares = n.squares - n.gradient.dot(step);

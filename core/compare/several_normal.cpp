@@ -8,10 +8,10 @@
 
 namespace handsight {
 
-Eigen::Index numbers_of(const ChangeUnit& unit) {
+Eigen::Index list_numbers(const ChangeUnit& unit) {
   Eigen::Index count = 0;
   for (const EffectTerm& t : unit.terms)
-    for (const EffectParameter& p : effect_of(t).parameters) count += !p.is_choice;
+    for (const EffectParameter& p : term_effect(t).parameters) count += !p.is_choice;
   return count;
 }
 
@@ -19,7 +19,7 @@ ScatteredNormal nothing(Eigen::Index columns) {
   return {Eigen::MatrixXd::Zero(columns, columns), Eigen::VectorXd::Zero(columns), 0};
 }
 
-ColumnMap map_of(const std::vector<Eigen::Triplet<double>>& places, Eigen::Index own, Eigen::Index all) {
+ColumnMap make_column_map(const std::vector<Eigen::Triplet<double>>& places, Eigen::Index own, Eigen::Index all) {
   ColumnMap map(own, all);
   map.setFromTriplets(places.begin(), places.end());
   return map;
@@ -53,16 +53,16 @@ void place_unit(std::vector<Eigen::Triplet<double>>& places, const ChangeUnit& u
                 const Eigen::VectorXd& sizes, Eigen::Index own, Eigen::Index all) {
   Eigen::Index i = 0;
   for (const EffectTerm& t : unit.terms)
-    for (const EffectParameter& p : effect_of(t).parameters) {
+    for (const EffectParameter& p : term_effect(t).parameters) {
       if (p.is_choice) continue;
-      places.emplace_back(own + i, all + i, sizes[i] / plausible_size(p, chain));
+      places.emplace_back(own + i, all + i, sizes[i] / prior_sigma(p, chain));
       ++i;
     }
 }
 
 std::vector<Eigen::Triplet<double>> shared_places(const SeveralSides& sides, const SeveralSide& side) {
   std::vector<Eigen::Triplet<double>> places;
-  for (const ColumnPlace& c : columns_of(sides, side))
+  for (const ColumnPlace& c : list_columns(sides, side))
     places.emplace_back(static_cast<Eigen::Index>(places.size()), c.column, c.times);
   return places;
 }

@@ -15,20 +15,20 @@ inline constexpr double change_scale = 3;
 inline constexpr double held = 1 / (change_scale * change_scale);  // how much of a change's square that costs
 
 /// Numbers of a unit that are no choices.
-Eigen::Index numbers_of(const ChangeUnit& unit);
+Eigen::Index list_numbers(const ChangeUnit& unit);
 
 ScatteredNormal nothing(Eigen::Index columns);
 
 /// A side's columns by those of all.
 using ColumnMap = Eigen::SparseMatrix<double>;
-ColumnMap map_of(const std::vector<Eigen::Triplet<double>>& places, Eigen::Index own, Eigen::Index all);
+ColumnMap make_column_map(const std::vector<Eigen::Triplet<double>>& places, Eigen::Index own, Eigen::Index all);
 
 void add(const ScatteredNormal& own, const ColumnMap& map, ScatteredNormal& all);
 
 /// So that what nothing tells has an answer.
 void stiffen(ScatteredNormal& n);
 
-/// A change at `value` that is held at `scale` plausible sizes.
+/// A change at `value` that is held at `scale` prior sigmas.
 void add_prior(ScatteredNormal& n, Eigen::Index column, double value, double scale);
 
 /// Where a unit's numbers of one side go: as large there as in the unit's own sizes.

@@ -13,7 +13,7 @@
 namespace handsight {
 namespace {
 
-constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a change cannot be seen at all
+constexpr double least_visible = 1e-2;  // chi-squared of a prior sigma below which a change cannot be seen at all
 constexpr std::size_t most_groups = 5, most_beside = 3;  // that are fitted in full: the best of each, the best of all
 constexpr double free_scale = 1e6;
 constexpr int learning_rounds = 3, learning_steps = 4;
@@ -34,13 +34,13 @@ void SeveralComparer::linearise(const std::vector<ActiveChange>& taken) {
       for (const ActiveChange& a : taken) {
         const Alternative& alternative = alternatives_[a.alternative];
         if (!alternative.in[k] || units_[alternative.unit].at[k] != static_cast<int>(own)) continue;
-        const std::vector<EffectTerm> here = terms_of(k, alternative.unit, a.change);
+        const std::vector<EffectTerm> here = list_terms(k, alternative.unit, a.change);
         for (std::size_t t = 0; t < here.size(); ++t)
           for (std::size_t p = 0; p < here[t].values.size(); ++p)
-            if (!effect_of(here[t]).parameters[p].is_choice) terms[first + t].values[p] += here[t].values[p];
+            if (!term_effect(here[t]).parameters[p].is_choice) terms[first + t].values[p] += here[t].values[p];
       }
     }
-    linear_.push_back(rows_of(k, state_, terms));
+    linear_.push_back(take_rows(k, state_, terms));
   }
 }
 
@@ -50,7 +50,8 @@ struct SeveralComparer::Linear {
 };
 
 /// The linearised model with these changes' columns behind the shared ones.
-SeveralComparer::Linear SeveralComparer::linear_of(const std::vector<ActiveChange>& columns, bool with_scatter) const {
+SeveralComparer::Linear SeveralComparer::make_linear(const std::vector<ActiveChange>& columns,
+                                                     bool with_repeatability) const {
   Eigen::Index total = sides_.columns();
   for (const ActiveChange& a : columns) total += a.change.size();
   Linear linear{{}, nothing(total)};
@@ -58,18 +59,19 @@ SeveralComparer::Linear SeveralComparer::linear_of(const std::vector<ActiveChang
     const SeveralSide& side = sides_.sides[k];
     std::vector<Eigen::Triplet<double>> places = shared_places(sides_, side);
     std::vector<Eigen::Index> first{static_cast<Eigen::Index>(places.size())};  // column of each of its units
-    for (const ChangeUnit& unit : of_sides_[k]) first.push_back(first.back() + numbers_of(unit));
+    for (const ChangeUnit& unit : of_sides_[k]) first.push_back(first.back() + list_numbers(unit));
     Eigen::Index all = sides_.columns();
     for (const ActiveChange& a : columns) {
       const Alternative& alternative = alternatives_[a.alternative];
       if (alternative.in[k])
-        place_unit(places, unit_of(k, alternative.unit), side.problem.source->chain, sizes_of(alternative.unit),
+        place_unit(places, find_unit(k, alternative.unit), side.problem.source->chain, list_sizes(alternative.unit),
                    first[static_cast<std::size_t>(units_[alternative.unit].at[k])], all);
       all += a.change.size();
     }
-    linear.maps.push_back(map_of(places, linear_[k].gradient.size(), total));
-    const Matrix6 scatter = with_scatter ? sides_.scatter[static_cast<std::size_t>(side.rig)] : Matrix6::Zero();
-    add(scattered(linear_[k], scatter), linear.maps.back(), linear.normal);
+    linear.maps.push_back(make_column_map(places, linear_[k].gradient.size(), total));
+    const Matrix6 repeatability =
+        with_repeatability ? sides_.repeatability[static_cast<std::size_t>(side.rig)] : Matrix6::Zero();
+    add(scattered(linear_[k], repeatability), linear.maps.back(), linear.normal);
   }
   return linear;
 }
@@ -90,7 +92,8 @@ ScatteredNormal SeveralComparer::with_priors(ScatteredNormal n, const std::vecto
 std::vector<ActiveChange> SeveralComparer::all_changes() const {
   std::vector<ActiveChange> all;
   for (std::size_t a = 0; a < alternatives_.size(); ++a)
-    if (sides_in(alternatives_[a]) == 1) all.push_back({a, Eigen::VectorXd::Zero(count_of(alternatives_[a].unit))});
+    if (sides_in(alternatives_[a]) == 1)
+      all.push_back({a, Eigen::VectorXd::Zero(count_numbers(alternatives_[a].unit))});
   return all;
 }
 
@@ -99,19 +102,19 @@ void SeveralComparer::learn(SeveralRanking& ranking) {
   const std::vector<ActiveChange> all = all_changes();
   for (int i = 0; sides_.is_wide && i < learning_steps; ++i) {
     keep_going(sides_.progress);
-    learn_sizes(sides_, state_, with_priors(linear_of(all, true).normal, all, 0, change_scale));
+    learn_sizes(sides_, state_, with_priors(make_linear(all, true).normal, all, 0, change_scale));
   }
-  const Linear linear = linear_of(all, false);
+  const Linear linear = make_linear(all, false);
   const ScatteredNormal n = with_priors(linear.normal, all, 0, change_scale);
   const Eigen::VectorXd step = n.information.ldlt().solve(n.gradient);
-  set_scatter(linear, step, settled_parameters(n, linear.normal.information), ranking);
+  set_repeatability(linear, step, settled_parameters(n, linear.normal.information), ranking);
 }
 
 /// What a step leaves beside the noise; where that is more than noise, it is motions of the body, of each rig's own
 /// covariance.
-void SeveralComparer::set_scatter(const Linear& linear, const Eigen::VectorXd& step, double settled,
-                                  SeveralRanking& ranking) {
-  std::vector<BodyErrors> left(sides_.scatter.size());
+void SeveralComparer::set_repeatability(const Linear& linear, const Eigen::VectorXd& step, double settled,
+                                        SeveralRanking& ranking) {
+  std::vector<BodyErrors> left(sides_.repeatability.size());
   double rows = 0, noise_degrees = 0;
   for (std::size_t k = 0; k < sides_.sides.size(); ++k) {
     const Eigen::VectorXd own = linear.maps[k] * step;
@@ -128,7 +131,7 @@ void SeveralComparer::set_scatter(const Linear& linear, const Eigen::VectorXd& s
   ranking.left = {};
   if (const auto test = noise_test(squares, rows - settled, noise_degrees)) ranking.left.p = test->p;
   for (std::size_t r = 0; r < left.size(); ++r)
-    sides_.scatter[r] = ranking.left.p > more_than_noise ? Matrix6(Matrix6::Zero()) : scatter_of(left[r]);
+    sides_.repeatability[r] = ranking.left.p > more_than_noise ? Matrix6(Matrix6::Zero()) : repeatability_of(left[r]);
 }
 
 /// Of every alternative by the linearised model; those worth a fit of their own, best first.
@@ -141,8 +144,8 @@ std::vector<std::size_t> SeveralComparer::rank_linearly(const std::vector<Active
   Eigen::Index base = sides_.columns();
   for (const ActiveChange& a : taken) base += a.change.size();
   for (std::size_t a = 0; a < alternatives_.size(); ++a)
-    if (!is_taken(a)) columns.push_back({a, Eigen::VectorXd::Zero(count_of(alternatives_[a].unit))});
-  const ScatteredNormal n = with_priors(linear_of(columns, true).normal, columns, taken.size(), free_scale);
+    if (!is_taken(a)) columns.push_back({a, Eigen::VectorXd::Zero(count_numbers(alternatives_[a].unit))});
+  const ScatteredNormal n = with_priors(make_linear(columns, true).normal, columns, taken.size(), free_scale);
   const Eigen::Index changes = n.gradient.size() - base;
   const Eigen::LDLT<Eigen::MatrixXd> shared(n.information.topLeftCorner(base, base));
   const Eigen::MatrixXd cross = n.information.topRightCorner(base, changes);
@@ -192,7 +195,7 @@ std::vector<std::size_t> SeveralComparer::worth_a_fit(const std::vector<std::siz
 void SeveralComparer::refit(std::size_t alternative, const std::vector<ActiveChange>& taken, double squares_without,
                             SeveralRanking& ranking) const {
   std::vector<ActiveChange> active = taken;
-  active.push_back({alternative, Eigen::VectorXd::Zero(count_of(alternatives_[alternative].unit))});
+  active.push_back({alternative, Eigen::VectorXd::Zero(count_numbers(alternatives_[alternative].unit))});
   const Fitted r = fitted(std::move(active));
   const Eigen::VectorXd& change = r.active.back().change;
   const Eigen::Index count = change.size();

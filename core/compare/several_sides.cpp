@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 
 namespace handsight {
 namespace {
@@ -41,15 +41,16 @@ void number_effects(SeveralSides& all) {
   std::map<NumberKey, Eigen::Index> known;
   for (std::size_t k = 0; k < all.sides.size(); ++k) {
     SeveralSide& side = all.sides[k];
-    const std::size_t told = side.effects.size();
+    const std::size_t reported = side.effects.size();
     side.effects.clear();
     for (const EffectColumn& c : side.problem.columns_of_effects) {
       const EffectTerm& term = side.problem.terms[c.term];
-      const Owner owner = owner_of(effect_of(term));
+      const Owner owner = find_owner(term_effect(term));
       const int whose = owner == Owner::session ? static_cast<int>(k) : side.number(owner);
       const auto [at, is_new] = known.emplace(NumberKey{term.id, term.joint, c.parameter, owner, whose},
                                               static_cast<Eigen::Index>(all.effects.size()));
-      if (is_new) all.effects.push_back({term.id, c.parameter, c.sigma, all.is_wide && side.effects.size() >= told});
+      if (is_new)
+        all.effects.push_back({term.id, c.parameter, c.sigma, all.is_wide && side.effects.size() >= reported});
       side.effects.push_back(at->second);
     }
   }
@@ -91,7 +92,7 @@ void add_curves(SeveralSides& all) {
 }
 
 SeveralSide side_of(const Fit& f) {
-  const Weighing w = weighing(f);
+  const NoiseModel w = noise_model(f);
   SeveralSide side;
   side.problem = f.problem;
   side.weight = 1 / w.noise;
@@ -132,7 +133,7 @@ Eigen::VectorXd in_sizes(const SeveralSides& all, const Eigen::VectorXd& effects
 
 }  // namespace
 
-Owner owner_of(const Effect& e) {
+Owner find_owner(const Effect& e) {
   return is_of_rig(e) ? Owner::rig : is_of_body(e) ? Owner::body : is_of_session(e) ? Owner::session : Owner::robot;
 }
 
@@ -177,13 +178,13 @@ SeveralSides several_sides(const std::vector<JoinedMember>& members, const std::
   for (std::size_t k = members.size(); k-- > 0;)  // of the first that has it
     all.start.effects(all.sides[k].effects) = effect_values(all.sides[k].problem);
   all.effect_scales = Eigen::VectorXd::Ones(all.start.effects.size());
-  all.scatter.assign(rigs.size(), Matrix6::Zero());
+  all.repeatability.assign(rigs.size(), Matrix6::Zero());
   return all;
 }
 
 SeveralSides widened(const SeveralSides& sides, Width width) {
   SeveralSides wide = sides;
-  if (width == Width::told) return wide;
+  if (width == Width::reported) return wide;
   wide.is_wide = true;
   for (SeveralSide& s : wide.sides) s.problem = with_lacking(s.problem, lacking_effects(s.problem));
   number_effects(wide);
@@ -196,7 +197,7 @@ SeveralSides widened(const SeveralSides& sides, Width width) {
   return wide;
 }
 
-std::vector<ColumnPlace> columns_of(const SeveralSides& all, const SeveralSide& side) {
+std::vector<ColumnPlace> list_columns(const SeveralSides& all, const SeveralSide& side) {
   std::vector<ColumnPlace> columns;
   const auto add = [&](Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index c = 0; c < count; ++c) columns.push_back({first + c, 1});
@@ -213,7 +214,7 @@ std::vector<ColumnPlace> columns_of(const SeveralSides& all, const SeveralSide& 
   return columns;
 }
 
-SharedState state_of(const SeveralSide& side, const SeveralState& state) {
+SharedState read_state(const SeveralSide& side, const SeveralState& state) {
   SharedState own;
   own.unknowns.markers_in_tcp = state.markers[static_cast<std::size_t>(side.body)];
   own.unknowns.mount_from_sensor = state.mounts[static_cast<std::size_t>(side.rig)];

@@ -11,14 +11,14 @@ namespace handsight {
 
 /// To what a number belongs, and so which sessions have it in common.
 enum class Owner { robot, rig, body, session };
-Owner owner_of(const Effect& effect);
+Owner find_owner(const Effect& effect);
 
 struct SeveralSide {
-  Problem problem;           // of this session by itself
-  double weight = 1;         // of its rows: the noise's inverse
-  double noise_degrees = 0;  // of freedom that the noise was estimated from; 0: declared
-  int rig = 0, body = 0;     // sessions with the same number have the same
-  int hand = 0;              // ... the same joints, TCP and mount: curves of the joints' angles are told of these
+  Problem problem;                    // of this session by itself
+  double weight = 1;                  // of its rows: the noise's inverse
+  double noise_degrees = 0;           // of freedom that the noise was estimated from; 0: declared
+  int rig = 0, body = 0;              // sessions with the same number have the same
+  int hand = 0;                       // ... the same joints, TCP and mount: curves of the joints' angles describe these
   std::vector<Eigen::Index> effects;  // of its effect columns: which of SeveralSides::effects each is
   std::vector<SharedCurve> curves;
   Eigen::Index first_curve = 0;  // of theirs among all curves' columns
@@ -31,7 +31,7 @@ struct CommonEffect {
   std::string id;
   std::size_t parameter = 0;
   double size = 0;          // plausible
-  bool is_lacking = false;  // not of the model as it was told
+  bool is_lacking = false;  // not of the model as it was given
 };
 
 /// Where all unknowns stand.
@@ -39,7 +39,7 @@ struct SeveralState {
   std::vector<std::vector<Vector3>> markers;  // by body, m, TCP frame
   std::vector<Rigid> mounts;                  // by rig
   Eigen::VectorXd effects;                    // in their units
-  Eigen::VectorXd curves;                     // in their plausible sizes
+  Eigen::VectorXd curves;                     // in their prior sigmas
 };
 
 /// Columns of all: the markers of each body, the mounts that are estimated, effects, curves.
@@ -49,7 +49,7 @@ struct SeveralSides {
   std::vector<char> mount_is_estimated;  // by rig
   std::vector<CommonEffect> effects;
   Eigen::VectorXd effect_scales, curve_scales;  // sizes by the plausible ones
-  std::vector<Matrix6> scatter;                 // by rig: of the body in the sensor's frame
+  std::vector<Matrix6> repeatability;           // by rig: of the body in the sensor's frame
   bool is_wide = false;                         // what the model may lack is among its effects and curves
   std::function<bool(double share)> progress;   // ComparisonProgress
 
@@ -72,10 +72,10 @@ struct ColumnPlace {
   double times = 1;
 };
 /// Of the shared columns of one side, in the order of change_rows.
-std::vector<ColumnPlace> columns_of(const SeveralSides& sides, const SeveralSide& side);
+std::vector<ColumnPlace> list_columns(const SeveralSides& sides, const SeveralSide& side);
 
 /// The unknowns of one side.
-SharedState state_of(const SeveralSide& side, const SeveralState& state);
+SharedState read_state(const SeveralSide& side, const SeveralState& state);
 
 /// Where the unknowns go by a step of the columns of all.
 SeveralState moved_by(const SeveralSides& sides, const SeveralState& from, const Eigen::VectorXd& step);

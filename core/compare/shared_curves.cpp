@@ -17,7 +17,7 @@ constexpr double usual_turn = 5e-4;    // rad (m)
 
 double reading(const Problem& p, const ProblemObservation& o, std::size_t joint) {
   const ProblemSource& source = *p.source;
-  return source.circumstances[static_cast<std::size_t>(o.index)].sensor[source.chain.joints[joint]];
+  return source.states[static_cast<std::size_t>(o.index)].sensor[source.chain.joints[joint]];
 }
 
 /// Waves over one and a half times the range: what they add up to need not come back at its end.
@@ -66,7 +66,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_curves(const std::vector<Shar
                                                           const ProblemObservation& o, const Unknowns& u) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> motion(6, column_count(curves));
   if (curves.empty()) return motion;
-  const Matrix6 by_root_motion = adjoint(inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion));
+  const Matrix6 by_root_motion = adjoint(inverse(o.root_from_mount * find_mount(o, u) * o.sensor_motion));
   const Matrix3 sensor_from_tcp = sensor_from_tcp_at(o, u).rotation;
   Eigen::Index column = 0;
   for (const SharedCurve& c : curves) {

@@ -36,7 +36,7 @@ std::vector<EffectTerm> lacking_effects(const Problem& model) {
 
 Problem with_lacking(Problem problem, const std::vector<EffectTerm>& terms) {
   problem.with_motions = true;  // the curves read how joints move the hand
-  return std::move(candidates_of(problem, terms).problem);
+  return std::move(list_candidates(problem, terms).problem);
 }
 
 namespace {
@@ -51,7 +51,7 @@ double scale_at(const Eigen::VectorXd& scales, Eigen::Index i) { return scales.s
 std::vector<SizeGroup> effect_groups(const ComparedSides& sides) {
   const Problem& p = sides.after.problem;
   std::map<std::pair<std::string, std::size_t>, SizeGroup> groups;
-  for (Eigen::Index c = sides.told_effects; c < p.effect_count(); ++c) {
+  for (Eigen::Index c = sides.reported_effects; c < p.effect_count(); ++c) {
     const EffectColumn& column = p.columns_of_effects[static_cast<std::size_t>(c)];
     groups[{p.terms[column.term].id, column.parameter}].columns.push_back(c);
   }
@@ -75,7 +75,7 @@ std::vector<SizeGroup> curve_groups(const std::vector<SharedCurve>& curves) {
 void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
                   Eigen::VectorXd& scales) {
   for (const SizeGroup& group : groups) {
-    double squares = 1, settled = 1;  // as if one number of the plausible size had been seen
+    double squares = 1, settled = 1;  // as if one number of the prior sigma had been seen
     for (const Eigen::Index c : group.columns) {
       squares += values[c] * values[c];
       settled += std::clamp(1 - variances[c] / (scales[c] * scales[c]), 0.0, 1.0);
@@ -86,7 +86,7 @@ void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& v
 
 namespace {
 
-/// Effects' numbers in units of their plausible sizes.
+/// Effects' numbers in units of their prior sigmas.
 Eigen::VectorXd in_sizes(const Problem& p, const Eigen::VectorXd& effects, Eigen::Index count) {
   Eigen::VectorXd values(count);
   for (Eigen::Index c = 0; c < count; ++c)
@@ -98,14 +98,14 @@ Eigen::VectorXd in_sizes(const Problem& p, const Eigen::VectorXd& effects, Eigen
 
 ComparedSides widened(const ComparedSides& sides, Width width) {
   ComparedSides wide = sides;
-  if (width == Width::told || !sides.before) return wide;
+  if (width == Width::reported || !sides.before) return wide;
   const std::vector<EffectTerm> terms = lacking_effects(sides.after.problem);
-  wide.told_effects = sides.after.problem.effect_count();
+  wide.reported_effects = sides.after.problem.effect_count();
   wide.before->problem = with_lacking(sides.before->problem, terms);
   wide.after.problem = with_lacking(sides.after.problem, terms);
   const Eigen::Index count = wide.after.problem.effect_count();
   Eigen::VectorXd values = Eigen::VectorXd::Zero(count);
-  values.head(wide.told_effects) = sides.start.effects.head(wide.told_effects);
+  values.head(wide.reported_effects) = sides.start.effects.head(wide.reported_effects);
   wide.start.effects = values;
   wide.effect_scales = Eigen::VectorXd::Ones(count);
   if (width == Width::catalogue_and_curves) wide.curves = shared_curves({&sides.before->problem, &sides.after.problem});
@@ -121,7 +121,7 @@ Eigen::Index shared_columns(const ComparedSides& sides) {
   return effects_first(sides) + sides.after.problem.effect_count() + column_count(sides.curves);
 }
 
-SharedState start_of(const ComparedSides& sides) {
+SharedState make_start(const ComparedSides& sides) {
   return {sides.start, Eigen::VectorXd::Zero(column_count(sides.curves)), Eigen::VectorXd::Zero(shared_columns(sides))};
 }
 
@@ -175,7 +175,7 @@ void add_priors(const ComparedSides& sides, const SharedState& s, const Eigen::V
 }
 
 void learn_sizes(ComparedSides& sides, const SharedState& state, const ScatteredNormal& n) {
-  if (sides.told_effects < 0) return;
+  if (sides.reported_effects < 0) return;
   const Eigen::LDLT<Eigen::MatrixXd> solver(n.information);
   const Eigen::VectorXd step = solver.solve(n.gradient);
   const Eigen::VectorXd variances = solver.solve(Eigen::MatrixXd::Identity(step.size(), step.size())).diagonal().eval();

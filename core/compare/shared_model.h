@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model that both sides of a comparison share: its problem, what is known of it beforehand, and how plausible sizes
+// The model that both sides of a comparison share: its problem, what is known of it beforehand, and how prior sigmas
 // are learnt from what both sides measured. Internal to comparison.cpp.
 #pragma once
 
@@ -21,12 +21,12 @@ struct ComparedSides {
   ComparedSide after;
   Unknowns start;
   /// Without a first side: the precision of the shared unknowns about `start`, by the columns xi of the markers
-  /// together (m, rad, TCP frame), mount where it is estimated, effects in units of their plausible size.
+  /// together (m, rad, TCP frame), mount where it is estimated, effects in units of their prior sigma.
   std::optional<Eigen::MatrixXd> known;
-  Matrix6 scatter = Matrix6::Zero();  // of the body in the sensor's frame; with a first side it is found
+  Matrix6 repeatability = Matrix6::Zero();  // of the body in the sensor's frame; with a first side it is found
   /// What the model may lack on both sides alike is fitted beside it.
-  Eigen::Index told_effects = -1;   // effect columns of the model itself; those after it are lacking. -1: all
-  std::vector<SharedCurve> curves;  // none: only effects are lacking
+  Eigen::Index reported_effects = -1;  // effect columns of the model itself; those after it are lacking. -1: all
+  std::vector<SharedCurve> curves;     // none: only effects are lacking
   Eigen::VectorXd effect_scales, curve_scales;  // sizes by the plausible ones; empty: 1
   std::function<bool(double share)> progress;   // ComparisonProgress; empty: nobody listens
 };
@@ -35,7 +35,7 @@ struct ComparedSides {
 void keep_going(const std::function<bool(double share)>& progress, double share = 0);
 
 /// How much wider than its own model a comparison is.
-enum class Width { told, catalogue, catalogue_and_curves };
+enum class Width { reported, catalogue, catalogue_and_curves };
 
 /// The same sides with everything of the catalogue in both that may be there, at 0, and smooth curves.
 ComparedSides widened(const ComparedSides& sides, Width width);
@@ -49,12 +49,12 @@ Problem with_lacking(Problem problem, const std::vector<EffectTerm>& terms);
 Eigen::Index shared_columns(const ComparedSides& sides);
 
 /// At the start, nothing moved.
-SharedState start_of(const ComparedSides& sides);
+SharedState make_start(const ComparedSides& sides);
 
 /// Where the shared unknowns go by a step of their columns.
 SharedState moved_by(const ComparedSides& sides, const SharedState& from, const Eigen::VectorXd& step);
 
-/// Adds what is known beforehand: the effects' and curves' plausible sizes, the changes' at `change_scale` times
+/// Adds what is known beforehand: the effects' and curves' prior sigmas, the changes' at `change_scale` times
 /// theirs, the body.
 void add_priors(const ComparedSides& sides, const SharedState& state, const Eigen::VectorXd& change,
                 double change_scale, ScatteredNormal& normal);
@@ -68,7 +68,7 @@ struct SizeGroup {
   std::vector<Eigen::Index> columns;
 };
 
-/// learn_sizes of these groups; values and variances in plausible sizes.
+/// learn_sizes of these groups; values and variances in prior sigmas.
 void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
                   Eigen::VectorXd& scales);
 

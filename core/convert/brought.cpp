@@ -127,7 +127,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
     case FileKind::target:
       require_new(!b.target, file, kind);
       b.target = read_kalibr_target(parse_yaml(read_file(path), file), file);
-      b.notes.push_back(message("{}: {}.", file, description_of(*b.target)));
+      b.notes.push_back(message("{}: {}.", file, describe_target(*b.target)));
       return;
     case FileKind::samples:
       require_new(!b.samples, file, kind);
@@ -171,7 +171,8 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     b.took.push_back(message("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));
     add_poses(read_pose_files(poses, shown_path(folder.filename()), b.notes), shown_path(folder.filename()), b);
   }
-  if (!angles.empty() && std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_told; }))
+  if (!angles.empty() &&
+      std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_reported; }))
     throw InputError(message("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,
                              angle_count(named_angle_kind(angles).kind)));
   if (!waiting.storages.empty()) b.rig = read_rig_calibration(waiting.storages, &b.notes);

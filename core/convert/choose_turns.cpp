@@ -23,7 +23,7 @@ struct Trial {
   std::vector<Rigid> flange_poses, target_poses;
 };
 
-std::size_t count_of(const NamedPoses& p) { return std::max<std::size_t>(1, p.turns.readings.size()); }
+std::size_t count_numbers(const NamedPoses& p) { return std::max<std::size_t>(1, p.turns.readings.size()); }
 
 std::vector<Rigid> read_by(const NamedPoses& p, std::size_t reading) {
   PoseSeries series = p.series;
@@ -34,8 +34,8 @@ std::vector<Rigid> read_by(const NamedPoses& p, std::size_t reading) {
 /// All that can be tried, the best first.
 std::vector<Trial> trials_of(const NamedPoses& flange, const NamedPoses& target, bool eye_in_hand) {
   std::vector<Trial> trials;
-  for (std::size_t f = 0; f < count_of(flange); ++f)
-    for (std::size_t t = 0; t < count_of(target); ++t) {
+  for (std::size_t f = 0; f < count_numbers(flange); ++f)
+    for (std::size_t t = 0; t < count_numbers(target); ++t) {
       Trial trial{f, t, {}, read_by(flange, f), read_by(target, t)};
       const auto misfit = hand_eye_misfit(trial.flange_poses, trial.target_poses, eye_in_hand);
       if (!misfit) continue;

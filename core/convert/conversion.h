@@ -41,7 +41,7 @@ struct Conversion {
   Session session;
   std::vector<Message> took;   // what each file was taken for
   std::vector<Message> notes;  // what was understood, what is missing, what was left out
-  std::string sensor, target;  // what measured and what it saw, as files or topics call them; empty: not told
+  std::string sensor, target;  // what measured and what it saw, as files or topics call them; empty: not given
 };
 
 /// Throws ConversionStopped where it is no longer wanted.

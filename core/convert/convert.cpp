@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
-#include "convert/convert_ways.h"
+#include "convert/convert_inputs.h"
 #include "convert/opened_folders.h"
-#include "estimation/report/session_doubts.h"
+#include "estimation/report/session_warnings.h"
 #include "readers/bags/bag.h"
 #include "readers/robots/robot_file.h"
 
@@ -37,7 +37,7 @@ std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const std::opt
       files.erase(f);
       return robot;
     }
-  if (const std::string text = bag ? robot_description_of(*bag) : ""; !text.empty()) {
+  if (const std::string text = bag ? find_robot_description(*bag) : ""; !text.empty()) {
     c.notes.emplace_back("The robot is the one that the bag publishes as robot_description.");
     return field_urdf(text, "robot_description");
   }
@@ -53,7 +53,7 @@ void choose_target(Brought& b, const std::string& name) {
     std::erase_if(b.poses, [&](const NamedPoses& p) { return !is_it(p); });
 }
 
-std::string names_of(const std::vector<NamedPoses>& poses) {
+std::string list_names(const std::vector<NamedPoses>& poses) {
   std::string names;
   const bool of_files =
       std::any_of(poses.begin(), poses.end(), [&](const NamedPoses& p) { return p.file != poses.front().file; });
@@ -83,7 +83,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
   }
   if (b.poses.size() > 2 && !b.joints)
     throw InputError(message("There are {} tables of poses ({}); expected the flange's and the target's.",
-                             b.poses.size(), shortened(names_of(b.poses), 200)));
+                             b.poses.size(), shortened(list_names(b.poses), 200)));
   if (!b.joints && b.poses.size() == 2) {
     auto [flange, target] = flange_and_target(b.poses);
     return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
@@ -103,7 +103,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
   if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0], o, std::move(c));
   if (b.poses.size() > 1)
     throw InputError(message("There are {} things with poses ({}); say with --target-frame which is on the hand.",
-                             b.poses.size(), shortened(names_of(b.poses), 200)));
+                             b.poses.size(), shortened(list_names(b.poses), 200)));
   throw InputError(
       "There is nothing that a sensor measured: no images, no points, no poses of a target. Name their folder "
       "or file too.");
@@ -134,7 +134,7 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   ask_whether_to_go_on(o);
   if (!o.target) o.target = b.target;
   c = assemble(robot, bag, b, o, std::move(c));
-  for (const Message& doubt : session_doubts(c.session)) c.notes.push_back(doubt);
+  for (const Message& model_uncertainty : session_warnings(c.session)) c.notes.push_back(model_uncertainty);
   return c;
 }
 

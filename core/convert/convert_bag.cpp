@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "convert/convert_inputs.h"
 #include "convert/convert_pairing.h"
-#include "convert/convert_ways.h"
 
 namespace handsight {
 namespace {
@@ -95,7 +95,7 @@ std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
   if (b.rig && is_pair(*b.rig)) return BagRig{{left, right}, *b.rig};
   const RosCamera *l = camera_beside(bag, left->topic), *r = camera_beside(bag, right->topic);
   if (!l || !r) return std::nullopt;
-  return BagRig{{left, right}, rig_of(rig_of(*l, *r))};
+  return BagRig{{left, right}, make_rig(make_rig(*l, *r))};
 }
 
 /// Leaves the images whose topics the option names.
@@ -124,7 +124,7 @@ std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, con
     if (b.rig && b.rig->count() == 1 && bag.images.size() == 1)
       single.push_back({{&images}, *b.rig});
     else if (const RosCamera* camera = camera_beside(bag, images.topic))
-      single.push_back({{&images}, rig_of(*camera)});
+      single.push_back({{&images}, make_rig(*camera)});
   }
   if (single.size() == 1) return single.front();
   std::string topics;
@@ -206,7 +206,7 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
   Rig rig = found.rig;
   fit_to_first_images(rig, images, c.notes);
   c.sensor = named_topics(found);
-  if (o.target) c.target = description_of(*o.target);
+  if (o.target) c.target = describe_target(*o.target);
   c.session = write_camera_session(parts, rig, images, o, c.notes);
   return c;
 }
@@ -215,7 +215,7 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
 
 namespace {
 
-Rigid pose_of(const Eigen::VectorXd& position) {
+Rigid find_instant_pose(const Eigen::VectorXd& position) {
   return {rotation_from_rpy({position[5], position[4], position[3]}), position.head<3>()};
 }
 
@@ -239,7 +239,7 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
   const BagFrame& frame = bag.frames.at(child);
   const Paired p = pair_events(bag.joints, frame.series.times, frame.series.poses.size(), {}, o, c.notes);
   NamedPoses flange{"the flange", "", {}}, target{child, "", {}};
-  for (const Eigen::VectorXd& position : p.positions) flange.series.poses.push_back(pose_of(position));
+  for (const Eigen::VectorXd& position : p.positions) flange.series.poses.push_back(find_instant_pose(position));
   target.series.poses = chosen(frame.series.poses, p.events);
   c.notes.push_back(
       message("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));

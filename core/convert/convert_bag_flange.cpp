@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "convert/convert_ways.h"
+#include "convert/convert_inputs.h"
 
 namespace handsight {
 namespace {
@@ -82,7 +82,7 @@ JointSeries flange_of_bag(const BagContents& bag, const ConvertOptions& o, std::
       else
         pose.reset();
     if (!pose) continue;
-    Eigen::VectorXd position = position_of(*pose);
+    Eigen::VectorXd position = make_position(*pose);
     if (!flange.positions.empty()) unwrap(position, flange.positions.back());
     flange.times.push_back(time);
     flange.positions.push_back(position);

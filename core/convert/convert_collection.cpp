@@ -65,7 +65,7 @@ void name_sessions(std::vector<ConvertOptions>& sessions) {
   }
 }
 
-std::vector<std::vector<std::string>> words_of(const std::vector<ConvertOptions>& sessions) {
+std::vector<std::vector<std::string>> list_words(const std::vector<ConvertOptions>& sessions) {
   std::vector<std::vector<std::string>> words;
   for (const ConvertOptions& o : sessions) words.push_back({o.title, o.tcp, o.camera, o.target_frame});
   return words;
@@ -74,7 +74,7 @@ std::vector<std::vector<std::string>> words_of(const std::vector<ConvertOptions>
 /// Would both be the same session?
 bool are_alike(const ConvertOptions& a, const ConvertOptions& b) {
   const auto of = [](const ConvertOptions& o) {
-    return std::tuple(o.tcp, o.mount, o.camera, o.target_frame, o.target ? description_of(*o.target) : "");
+    return std::tuple(o.tcp, o.mount, o.camera, o.target_frame, o.target ? describe_target(*o.target) : "");
   };
   return of(a) == of(b);
 }
@@ -126,7 +126,7 @@ const char* sensor_kind(const Session& s) {
   return s.is_touch() ? "touches" : "points of a tracker";
 }
 
-/// What two sessions must have in common to have one rig; empty: nothing is told.
+/// What two sessions must have in common to have one rig; empty: nothing is reported.
 std::string rig_key(const Conversion& c, bool one_sensor) {
   const Session& s = c.session;
   if (s.is_touch()) return "";
@@ -166,7 +166,8 @@ void note_shared(const std::vector<CollectionEntry>& entries, std::string Collec
                 is_one));
 }
 
-Collection collection_of(const std::vector<Conversion>& made, const CollectionOptions& o, std::vector<Message>& notes) {
+Collection gather_collection(const std::vector<Conversion>& made, const CollectionOptions& o,
+                             std::vector<Message>& notes) {
   std::vector<std::string> rigs, bodies, mounts, hands;
   for (const Conversion& c : made) {
     rigs.push_back(rig_key(c, o.one_sensor));
@@ -213,7 +214,7 @@ ConvertedCollection convert_collection(const std::vector<fs::path>& files, const
     if (fs::exists(o.out / name))
       throw InputError(message("{}: there is a {} already; take another folder.", shown_path(o.out), name));
   ConvertedCollection made;
-  auto whose = files_of_sessions(files, words_of(o.sessions));
+  auto whose = files_of_sessions(files, list_words(o.sessions));
   name_sessions(o.sessions);
   require_different(o.sessions, whose);
   note_files(o.sessions, whose, files.size(), made.notes);
@@ -229,7 +230,7 @@ ConvertedCollection convert_collection(const std::vector<fs::path>& files, const
       require_one_robot(made.sessions, o.sessions);
     }
     if (o.one_sensor) require_one_sensor(made.sessions);
-    made.collection = collection_of(made.sessions, o, made.notes);
+    made.collection = gather_collection(made.sessions, o, made.notes);
     replace_file(made.collection.file, collection_text(made.collection));
   } catch (...) {
     std::error_code error;

@@ -25,8 +25,8 @@ struct CollectionOptions {
 };
 
 /// Makes the folder. Sessions whose images, frame of /tf or table are the same and whose mount is, have one rig; those
-/// of one hand that see one target have one body. InputError where the sessions cannot be told apart, have no robot in
-/// common, or one of them cannot be made (with its name): then nothing of it stays. ConversionStopped.
+/// of one hand that see one target have one body. InputError where the sessions cannot be distinguished, have no robot
+/// in common, or one of them cannot be made (with its name): then nothing of it stays. ConversionStopped.
 ConvertedCollection convert_collection(const std::vector<std::filesystem::path>& files,
                                        const CollectionOptions& options);
 

@@ -6,7 +6,7 @@
 #include "base/image_names.h"
 #include "base/text.h"
 #include "convert/choose_turns.h"
-#include "convert/convert_ways.h"
+#include "convert/convert_inputs.h"
 #include "convert/pair_poses.h"
 #include "convert/turns_by_images.h"
 #include "readers/stereo_calibration.h"
@@ -64,10 +64,10 @@ std::vector<std::filesystem::path> folders_by_camera(const Rig& rig, std::vector
 
 Rig rig_of_brought(const Brought& b) {
   if (b.rig) return *b.rig;
-  if (b.cameras.size() == 1) return rig_of(b.cameras[0]);
+  if (b.cameras.size() == 1) return make_rig(b.cameras[0]);
   if (b.cameras.size() == 2) {
     const bool swapped = says(b.cameras[0].name + b.cameras[0].file, {"right"});
-    return rig_of(rig_of(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]));
+    return make_rig(make_rig(b.cameras[swapped ? 1 : 0], b.cameras[swapped ? 0 : 1]));
   }
   throw InputError(
       b.cameras.empty()
@@ -116,7 +116,7 @@ namespace {
 void name_sensor(const Brought& b, const ConvertOptions& o, Conversion& c) {
   for (const std::filesystem::path& folder : b.image_folders)
     c.sensor += (c.sensor.empty() ? "" : ", ") + folder.lexically_normal().string();
-  if (o.target) c.target = description_of(*o.target);
+  if (o.target) c.target = describe_target(*o.target);
 }
 
 }  // namespace

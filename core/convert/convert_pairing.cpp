@@ -43,13 +43,13 @@ Paired pair_events(const JointSeries& joints, const std::vector<double>& times, 
   if (median_step > options.still_for) options.still_for = 0;  // nobody could say whether it stood
   options.widest_gap = std::max(options.widest_gap, 2.5 * median_step);
   const Pairing pairing = paired(joints, times, options);
-  const auto told = [&](std::size_t n, const char* why) {
+  const auto reported = [&](std::size_t n, const char* why) {
     if (n > 0) notes.push_back(message("{} of {} measurements are left out: {}.", n, count, why));
   };
-  told(pairing.outside, "there are no joint readings at their times");
-  told(pairing.gaps, "the joint readings have a gap there");
-  told(pairing.moving, "the robot was moving");
-  told(pairing.repeated, "they show a standstill that another one shows");
+  reported(pairing.outside, "there are no joint readings at their times");
+  reported(pairing.gaps, "the joint readings have a gap there");
+  reported(pairing.moving, "the robot was moving");
+  reported(pairing.repeated, "they show a standstill that another one shows");
   if (pairing.events.empty())
     throw InputError(message(
         "None of the {} measurements has joint readings to it: they are from {:.3f} to {:.3f} s, the joints from "

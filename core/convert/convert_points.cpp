@@ -6,8 +6,8 @@
 #include "base/text.h"
 #include "chain/chain.h"
 #include "convert/choose_turns.h"
+#include "convert/convert_inputs.h"
 #include "convert/convert_pairing.h"
-#include "convert/convert_ways.h"
 #include "convert/pair_poses.h"
 
 namespace handsight {
@@ -60,7 +60,7 @@ std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses
 
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<Message>& notes) {
   parts.joints.names = joint_names(poses_robot());
-  for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(position_of(pose));
+  for (const Rigid& pose : flange.poses) parts.joints.positions.emplace_back(make_position(pose));
   parts.tcp = eye_in_hand ? "base" : "flange";
   parts.mount = eye_in_hand ? "flange" : "base";
   notes.emplace_back(
@@ -89,7 +89,7 @@ NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
   s.tcp = parts.tcp;
   s.mount.link = parts.mount;
   s.joints = parts.joints.names;
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   NamedPoses hand{"the robot", "", {}};
   for (const Eigen::VectorXd& position : parts.joints.positions) {
     const ChainEnds ends = chain_ends(chain, position);
@@ -105,10 +105,10 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
   SessionParts parts;
   require_links(robot, o, parts, c.notes);
   const PoseSeries& seen = target.series;
-  const std::vector<double> speeds = seen.times.empty() ? std::vector<double>() : speeds_of(seen);
+  const std::vector<double> speeds = seen.times.empty() ? std::vector<double>() : compute_speeds(seen);
   const Paired p = pair_events(joints, seen.times, seen.poses.size(), speeds, o, c.notes);
   parts.joints = {joints.names, {}, p.positions};
-  target = rows_of(target, p.events);
+  target = take_rows(target, p.events);
   if (c.sensor.empty()) c.sensor = target.file, c.target = target.role.empty() ? target.file : target.role;
   if (is_open(target)) {
     NamedPoses hand = hand_of(robot, parts);

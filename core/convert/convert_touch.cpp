@@ -7,7 +7,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "convert/convert_ways.h"
+#include "convert/convert_inputs.h"
 #include "convert/touch_table.h"
 #include "readers/bags/bag.h"
 #include "robot/urdf.h"
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> list_words(const std::string& text) {
   std::vector<std::string> words;
   for (const std::string_view w : split_words(text)) words.emplace_back(w);
   return words;
@@ -79,7 +79,7 @@ class Fixtures {
 
   void read_into(Session& session) {
     for (const std::string& text : apart_) {
-      const std::vector<std::string> words = words_of(text);
+      const std::vector<std::string> words = list_words(text);
       if (words.size() < 3)
         throw InputError(message("--apart {}: write two fixtures, by=METRES and sigma=METRES.", in_quotes(text)));
       tinyxml2::XMLElement& apart = *root_->InsertNewChildElement("apart");
@@ -92,7 +92,7 @@ class Fixtures {
     document_.Print(&printer);
     const auto text = parse_xml(printer.CStr(), "--fixture");
     Ignored ignored;
-    read_touch(root_of(*text, "--fixture", "touch"), session, ignored);
+    read_touch(require_root(*text, "--fixture", "touch"), session, ignored);
   }
 
  private:
@@ -105,7 +105,7 @@ class Fixtures {
   }
 
   void add_described(const std::string& text) {
-    const std::vector<std::string> words = words_of(text);
+    const std::vector<std::string> words = list_words(text);
     const bool is_kind = !words.empty() && (words[0] == "plane" || words[0] == "point" || words[0] == "line" ||
                                             words[0] == "gauge" || words[0] == "length");
     if (words.size() < 2 || !is_kind)
@@ -199,9 +199,9 @@ void note_fixtures(const Session& s, std::vector<Message>& notes) {
                                      [&](const Observation& o) { return o.part == static_cast<int>(f); });
     notes.push_back(message("Fixture {}: {} touches.", s.fixtures[f].id, count));
   }
-  const bool any_untold =
+  const bool any_undetermined =
       std::any_of(s.fixtures.begin(), s.fixtures.end(), [](const Fixture& f) { return !f.sigma.has_value(); });
-  if (any_untold)
+  if (any_undetermined)
     notes.emplace_back(
         "How exactly a touch tells is estimated; where it is known say it: --sigma (m), or sigma=METRES of a "
         "--fixture.");

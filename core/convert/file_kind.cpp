@@ -50,7 +50,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> names_of(const Robot* robot) {
+std::vector<std::string> list_names(const Robot* robot) {
   return robot ? joint_names(*robot) : std::vector<std::string>();
 }
 
@@ -168,7 +168,7 @@ FileKind file_kind(const fs::path& path, const Robot* robot) {
   if (begin.starts_with("{")) return json_kind(text);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
   if (looks_like_yaml(text)) return yaml_kind(path, text);
-  if (const auto table = parse_recorded_table(text, shown_path(path.filename()), names_of(robot)))
+  if (const auto table = parse_recorded_table(text, shown_path(path.filename()), list_names(robot)))
     return table_kind(path, *table, robot);
   refuse_kind(path, "is a text of a kind that is not known");
 }

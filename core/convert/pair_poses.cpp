@@ -84,7 +84,7 @@ Pairs pair_by_time(const std::vector<double>& flange, const std::vector<double>&
 
 std::size_t row_count(const PoseSeries& s) { return s.row_count > 0 ? s.row_count : s.poses.size(); }
 
-Rows places_of(const PoseSeries& s) {
+Rows list_places(const PoseSeries& s) {
   if (!s.places.empty()) return s.places;
   Rows places(s.poses.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
@@ -101,20 +101,21 @@ void say_pairs(const Message& how, const Pairs& pairs, std::size_t flange, std::
 
 Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const ConvertOptions& o,
                std::vector<Message>& notes) {
-  const auto told = [&](const char* sentence, Pairs pairs) {
+  const auto reported = [&](const char* sentence, Pairs pairs) {
     say_pairs(sentence, pairs, flange.poses.size(), target.poses.size(), notes);
     return pairs;
   };
   if (!flange.names.empty() && !target.names.empty())
     if (Pairs pairs = pair_by(plain_names(flange.names), plain_names(target.names)); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by the names of their images", std::move(pairs));
+      return reported("Poses of the flange and of the target are paired by the names of their images",
+                      std::move(pairs));
   if (!flange.numbers.empty() && !target.numbers.empty())
     if (Pairs pairs = pair_by(flange.numbers, target.numbers); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by their numbers", std::move(pairs));
+      return reported("Poses of the flange and of the target are paired by their numbers", std::move(pairs));
   const bool same_count = row_count(flange) == row_count(target);
   if (!flange.times.empty() && !target.times.empty()) {
     if (Pairs pairs = pair_by_time(flange.times, target.times, o.pairing.lag); !pairs.first.empty())
-      return told("Poses of the flange and of the target are paired by their times", std::move(pairs));
+      return reported("Poses of the flange and of the target are paired by their times", std::move(pairs));
     if (!same_count)
       throw InputError(
           message("No pose of the target has one of the flange at its time: they are from {:.3f} to {:.3f} s, those "
@@ -127,10 +128,10 @@ Pairs pairs_of(const PoseSeries& flange, const PoseSeries& target, const Convert
         message("There are {} poses of the flange and {} of the target; expected one of each an instant, in the same "
                 "order, or a column that pairs them: number, image or time.",
                 row_count(flange), row_count(target)));
-  return pair_by(places_of(flange), places_of(target));
+  return pair_by(list_places(flange), list_places(target));
 }
 
-std::vector<double> numbers_of(const Rigid& a, const Rigid& b) {
+std::vector<double> list_numbers(const Rigid& a, const Rigid& b) {
   std::vector<double> all;
   for (const Rigid* m : {&a, &b}) {
     all.insert(all.end(), m->translation.data(), m->translation.data() + 3);
@@ -144,12 +145,12 @@ Rows once(const std::vector<Rigid>& flange, const std::vector<Rigid>& target) {
   std::set<std::vector<double>> seen;
   Rows rows;
   for (std::size_t i = 0; i < flange.size(); ++i)
-    if (seen.insert(numbers_of(flange[i], target[i])).second) rows.push_back(i);
+    if (seen.insert(list_numbers(flange[i], target[i])).second) rows.push_back(i);
   return rows;
 }
 
 /// The instants' numbers as those of a table.
-std::vector<double> numbers_of(const std::vector<InstantImages>& images) {
+std::vector<double> list_numbers(const std::vector<InstantImages>& images) {
   std::vector<double> numbers;
   for (const InstantImages& instant : images) numbers.push_back(static_cast<double>(instant.number));
   return numbers;
@@ -172,7 +173,7 @@ Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vect
 
 Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras,
                       std::vector<Message>& notes) {
-  const auto told = [&](const char* sentence, Pairs pairs) {
+  const auto reported = [&](const char* sentence, Pairs pairs) {
     say_pairs(sentence, pairs, flange.poses.size(), images.size(), notes);
     return pairs;
   };
@@ -182,13 +183,13 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
       throw InputError(
           message("The table of the flange names images ({} ...), and none of them is there (the first is {}).",
                   in_quotes(flange.names.front()), in_quotes(images.front().files.front().filename().string())));
-    return told("Poses of the flange and the images are paired by the images' names", std::move(pairs));
+    return reported("Poses of the flange and the images are paired by the images' names", std::move(pairs));
   }
   const bool same_count = images.size() == row_count(flange);
   if (!flange.numbers.empty()) {
-    Pairs pairs = pair_by(flange.numbers, numbers_of(images));
+    Pairs pairs = pair_by(flange.numbers, list_numbers(images));
     if (pairs.first.size() == flange.numbers.size() || (!pairs.first.empty() && !same_count))
-      return told("Poses of the flange and the images are paired by their numbers", std::move(pairs));
+      return reported("Poses of the flange and the images are paired by their numbers", std::move(pairs));
   }
   if (!same_count)
     throw InputError(message(
@@ -196,18 +197,18 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
         "column that pairs them: image or number. The first image has the number {}, the last {}.",
         images.size(), cameras == 2 ? "pairs of images" : "instants with images", row_count(flange),
         images.front().number, images.back().number));
-  return {Rows(pair_by(places_of(flange), places_of(flange)).first), places_of(flange)};
+  return {Rows(pair_by(list_places(flange), list_places(flange)).first), list_places(flange)};
 }
 
 }  // namespace
 
-PoseSeries rows_of(const PoseSeries& s, const Rows& rows) {
+PoseSeries take_rows(const PoseSeries& s, const Rows& rows) {
   return {some_of(s.times, rows), some_of(s.poses, rows), some_of(s.numbers, rows), some_of(s.names, rows), {}, 0};
 }
 
-NamedPoses rows_of(const NamedPoses& p, const Rows& rows) {
+NamedPoses take_rows(const NamedPoses& p, const Rows& rows) {
   NamedPoses some = p;
-  some.series = rows_of(p.series, rows);
+  some.series = take_rows(p.series, rows);
   some.turns.numbers = some_of(p.turns.numbers, rows);
   return some;
 }
@@ -216,19 +217,19 @@ void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o,
   const Pairs pairs = pairs_of(flange.series, target.series, o, notes);
   if (pairs.first.empty())
     throw InputError("No row has both a pose of the flange and one of the target; expected one of each an instant.");
-  flange = rows_of(flange, pairs.first);
-  target = rows_of(target, pairs.second);
+  flange = take_rows(flange, pairs.first);
+  target = take_rows(target, pairs.second);
   const Rows own = once(flange.series.poses, target.series.poses);
   if (own.size() == flange.series.poses.size()) return;
   notes.push_back(
       message("{} rows repeat another one in both tables; each counts once.", flange.series.poses.size() - own.size()));
-  flange = rows_of(flange, own);
-  target = rows_of(target, own);
+  flange = take_rows(flange, own);
+  target = take_rows(target, own);
 }
 
 void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<Message>& notes) {
   const Pairs pairs = pairs_of_images(flange.series, images, cameras, notes);
-  flange = rows_of(flange, pairs.first);
+  flange = take_rows(flange, pairs.first);
   images = some_of(images, pairs.second);
 }
 

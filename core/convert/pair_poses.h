@@ -10,8 +10,8 @@
 namespace handsight {
 
 /// These rows of a series, or of one with its turns.
-PoseSeries rows_of(const PoseSeries& series, const std::vector<std::size_t>& rows);
-NamedPoses rows_of(const NamedPoses& poses, const std::vector<std::size_t>& rows);
+PoseSeries take_rows(const PoseSeries& series, const std::vector<std::size_t>& rows);
+NamedPoses take_rows(const NamedPoses& poses, const std::vector<std::size_t>& rows);
 
 /// Both with one row an instant: by the images' names, the numbers or the times where both have them, else row by row.
 /// Rows that repeat another one in both are left out. InputError where they do not pair. What was done is said.

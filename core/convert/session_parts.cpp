@@ -20,7 +20,7 @@ void make_folder(const fs::path& folder) {
   if (error) throw InputError(message("{}: the folder cannot be made ({}).", shown_path(folder), system_text(error)));
 }
 
-std::string title_of(const ConvertOptions& o) { return o.title.empty() ? o.out.filename().string() : o.title; }
+std::string make_title(const ConvertOptions& o) { return o.title.empty() ? o.out.filename().string() : o.title; }
 
 /// Seconds since the first observation.
 double time_of(const SessionParts& parts, std::size_t i) {
@@ -59,7 +59,7 @@ Session write_measured_session(const SessionParts& parts, const ConvertOptions& 
   require_link(s.robot, parts.tcp, "--tcp");
   require_link(s.robot, parts.mount, "--mount");
   s.file = o.out / "session.xml";
-  s.title = title_of(o);
+  s.title = make_title(o);
   if (!is_flange) s.robot_file = "robot.urdf";
   s.tcp = parts.tcp;
   s.mount = {parts.mount, Rigid{}, true, false};
@@ -95,7 +95,7 @@ Session write_camera_session(const SessionParts& parts, const Rig& rig, const st
   if (!is_flange) replace_file(o.out / "robot.urdf", parts.urdf_text);
   NewSession made;
   made.folder = o.out;
-  made.title = title_of(o);
+  made.title = make_title(o);
   if (!is_flange) made.urdf = o.out / "robot.urdf";
   made.tcp = parts.tcp;
   made.mount = parts.mount;

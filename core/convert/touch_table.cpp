@@ -22,7 +22,7 @@ char separator_of(std::string_view line) {
 }
 
 /// m of one of the column's unit.
-double unit_of(const Table& table, std::size_t column) {
+double find_unit(const Table& table, std::size_t column) {
   const std::string& unit = table.columns[column].unit;
   if (unit == "m") return 1;
   if (unit == "mm") return 1e-3;
@@ -89,12 +89,12 @@ bool names_fixtures(const Table& table) { return table.has_header && find_column
 
 TouchTable read_touch_table(Table table, const Robot& robot, const std::string& fixture, bool degrees,
                             std::vector<Message>& notes) {
-  std::vector<double> times = times_of(table, notes);
+  std::vector<double> times = list_times(table, notes);
   sort_by_time(table, times, notes);
   const JointSeries series = read_joint_table(joints_of(table, robot), robot, degrees, notes);
   const auto touched = find_column(table, fixture_names), value = find_column(table, value_names),
              marker = find_column(table, marker_names), pose = find_column(table, pose_names);
-  const double unit = value ? unit_of(table, *value) : 1;
+  const double unit = value ? find_unit(table, *value) : 1;
   TouchTable result{series.names, {}};
   int repeated = 0;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {

@@ -49,7 +49,7 @@ std::vector<Sighting> of_piece(const KnownShape& shape, int piece, const std::ve
 Seen seen_in_images(const Session& session) {
   Seen seen;
   const std::vector<int> places = spread(session.observations.size());
-  Session some = part_of(session, places);
+  Session some = take_part(session, places);
   find_targets(some);
   if (!some.shape) return seen;
   const int piece = most_seen_piece(some);
@@ -69,7 +69,7 @@ Seen seen_in_images(const Session& session) {
 void choose_turns_by_images(NamedPoses& flange, bool eye_in_hand, Conversion& c) {
   const Seen seen = seen_in_images(c.session);
   NamedPoses target{"the images", "", {.poses = seen.poses}};
-  NamedPoses some = rows_of(flange, seen.rows);
+  NamedPoses some = take_rows(flange, seen.rows);
   if (seen.rows.empty()) {
     take_usual_turns(flange, c.notes);
     return;
@@ -79,7 +79,7 @@ void choose_turns_by_images(NamedPoses& flange, bool eye_in_hand, Conversion& c)
   read_turns(flange.turns, flange.turns.readings.front(), flange.series);
   Session& s = c.session;
   for (std::size_t i = 0; i < s.observations.size() && i < flange.series.poses.size(); ++i)
-    s.observations[i].position = position_of(flange.series.poses[i]);
+    s.observations[i].position = make_position(flange.series.poses[i]);
   s.source.reset();  // poses are written anew
   replace_file(s.file, session_text(s));
   s = read_session(s.file);

@@ -15,7 +15,7 @@ namespace {
 std::optional<Rig> moved_cameras(const Chain& chain, const PredictionModel& model) {
   if (!chain.rig) return std::nullopt;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
-  return moved_rig(*chain.rig, moved_sites(circumstances_at(chain, zero), model.effects));
+  return moved_rig(*chain.rig, moved_sites(states_at(chain, zero), model.effects));
 }
 
 }  // namespace
@@ -31,22 +31,23 @@ CalibratedRobot with_moved_hand(CalibratedRobot robot) {
   return robot;
 }
 
-CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software, const Doubt& doubt) {
+CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& reported,
+                                 const FitOptions& options, const std::string& software,
+                                 const ModelUncertainty& model_uncertainty) {
   CalibratedRobot robot;
-  robot.chain = chain_of(session);
+  robot.chain = make_chain(session);
   robot.joint_names = session.joints;
   robot.tcp = session.tcp;
   robot.mount = session.mount.link;
-  robot.model = prediction_model(fit, doubt);
-  if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(fit, doubt);
-  robot.times = times_of(session);
+  robot.model = prediction_model(fit, model_uncertainty);
+  if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(fit, model_uncertainty);
+  robot.times = list_times(session);
   for (const Observation& o : session.observations)
     if (is_used(o)) robot.positions.push_back(o.position);
-  robot.calibration = calibration_of(session, fit, told, options, software, doubt);
+  robot.calibration = make_calibration(session, fit, reported, options, software, model_uncertainty);
   robot.rig = moved_cameras(robot.chain, robot.model);
   robot.notes = undetermined_texts(fit);
-  if (robot.model.scatter.observations < 3)
+  if (robot.model.repeatability.observations < 3)
     robot.notes.emplace_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "
         "sigma leaves it out.");
@@ -71,8 +72,8 @@ CalibratedRobot calibrated_robot(const Calibration& c, Robot urdf, const std::st
   robot.tcp = c.tcp;
   robot.mount = c.mount;
   robot.model = prediction_model(c, session.robot);
-  session.marker_count = std::max(static_cast<int>(c.markers.size()), markers_of(robot.model.effects));
-  robot.chain = chain_of(session);
+  session.marker_count = std::max(static_cast<int>(c.markers.size()), count_markers(robot.model.effects));
+  robot.chain = make_chain(session);
   if (hand_carries_sensor(robot.chain)) robot.of_hand = model_of_hand(c, robot.chain);
   robot.times = c.times;
   robot.positions = c.positions;

@@ -32,8 +32,9 @@ struct CalibratedRobot {
 CalibratedRobot with_moved_hand(CalibratedRobot robot);
 
 /// The session's fit with what a file of it would say. `software`: name and version.
-CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software, const Doubt& doubt = {});
+CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const FitReport& reported,
+                                 const FitOptions& options, const std::string& software,
+                                 const ModelUncertainty& model_uncertainty = {});
 
 /// From an exported calibration and the robot; `robot_file` and `file` are what sentences call them. InputError where
 /// the file does not say what a prediction needs, or does not fit the robot.

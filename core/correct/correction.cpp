@@ -20,15 +20,15 @@ constexpr double reached_m = 1e-6, reached_rad = 1e-6;
 constexpr int most_iterations = 200;
 constexpr double least_damping = 1e-10, most_damping = 1e6;  // of the derivatives' squares
 
-Circumstances at(const Circumstances& commanded, const Eigen::VectorXd& position) {
-  Circumstances c = commanded;
+ObservationState at(const ObservationState& commanded, const Eigen::VectorXd& position) {
+  ObservationState c = commanded;
   c.sensor = joint_values(c.chain->robot, c.chain->joints, position);
   c.torque.resize(0);
   c.tcp.reset();
   return c;
 }
 
-Eigen::VectorXd position_of(const Circumstances& c) {
+Eigen::VectorXd make_position(const ObservationState& c) {
   Eigen::VectorXd position(static_cast<Eigen::Index>(c.chain->joints.size()));
   for (std::size_t i = 0; i < c.chain->joints.size(); ++i)
     position[static_cast<Eigen::Index>(i)] = c.sensor[c.chain->joints[i]];
@@ -41,7 +41,7 @@ struct MovedHand {
   Columns by_joint;
 };
 
-MovedHand moved_hand(const Circumstances& c, const std::vector<EffectTerm>& effects) {
+MovedHand moved_hand(const ObservationState& c, const std::vector<EffectTerm>& effects) {
   const Chain& chain = *c.chain;
   const Sites sites = moved_sites(c, effects);
   const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, true);
@@ -97,7 +97,7 @@ Eigen::VectorXd limited_step(const Chain& chain, Columns by_joint, Vector6 way, 
   return step;
 }
 
-double length_of(const Vector6& way) {
+double measure_length(const Vector6& way) {
   return std::hypot(way.head<3>().norm(), length_of_radian * way.tail<3>().norm());
 }
 
@@ -114,14 +114,15 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-Rigid nominal_hand(const Circumstances& c) { return observed_ends(c, {}).ends.root_from_tcp; }
+Rigid nominal_hand(const ObservationState& c) { return observed_ends(c, {}).ends.root_from_tcp; }
 
 }  // namespace
 
-Correction corrected(const Circumstances& commanded, const PredictionModel& model, const std::optional<Rigid>& target) {
+Correction corrected(const ObservationState& commanded, const PredictionModel& model,
+                     const std::optional<Rigid>& target) {
   const Rigid wanted = target ? *target : nominal_hand(commanded);
   Correction result;
-  result.position = position_of(commanded);
+  result.position = make_position(commanded);
   MovedHand hand = moved_hand(at(commanded, result.position), model.effects);
   Vector6 way = way_to(wanted, hand.root_from_hand);
   result.error_before_m = way.head<3>().norm();
@@ -134,7 +135,7 @@ Correction corrected(const Circumstances& commanded, const PredictionModel& mode
     step *= std::min(1.0, widest_step / size);
     const MovedHand moved = moved_hand(at(commanded, result.position + step), model.effects);
     const Vector6 left = way_to(wanted, moved.root_from_hand);
-    if (length_of(left) > length_of(way)) {  // too far, as near a stretched arm: shorter
+    if (measure_length(left) > measure_length(way)) {  // too far, as near a stretched arm: shorter
       damping *= 100;
       continue;
     }
@@ -167,7 +168,7 @@ CorrectionGain correction_gain(const Chain& chain, const PredictionModel& model,
   for (int i = 0; i < count; ++i) {
     const Eigen::VectorXd &a = measured[random() % measured.size()], &b = measured[random() % measured.size()];
     const double share = uniform(random);
-    const Circumstances pose = circumstances_at(chain, Eigen::VectorXd(a + share * (b - a)));
+    const ObservationState pose = states_at(chain, Eigen::VectorXd(a + share * (b - a)));
     const Correction c = corrected(pose, model);
     const Rigid wanted = nominal_hand(pose);
     const double z = normal(random), y = normal(random), x = normal(random);  // in one order for every compiler

@@ -25,7 +25,7 @@ struct Correction {
 /// meant to be where the nominal model has it for the commanded joints. `commanded` also says how the robot comes there
 /// (approach, velocity, time). What cannot be reached is approached as near as the damped steps lead; a radian counts
 /// as 0.3 m then.
-Correction corrected(const Circumstances& commanded, const PredictionModel& model,
+Correction corrected(const ObservationState& commanded, const PredictionModel& model,
                      const std::optional<Rigid>& target = std::nullopt);
 
 /// What correcting brings over many poses: the hand's error, m, as it would be measured, one draw of the model's

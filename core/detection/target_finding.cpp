@@ -149,7 +149,7 @@ TargetSearch find_targets(Session& session, const std::function<void(std::size_t
     if (progress) progress(++done, all);
   }
   search.notes.push_back(message("The {} is found in {} of {} observations with images.",
-                                 description_of(*session.target), search.found, search.looked_at));
+                                 describe_target(*session.target), search.found, search.looked_at));
   if (without > 0)
     search.notes.push_back(message("It is not found in {} observations, first in {}.", without, first_without));
   if (3 * search.found < search.looked_at && !not_found.empty())

@@ -63,7 +63,7 @@ const Effect* find_effect(const std::string& id, const OwnEffects& own) {
   return find_effect(id);
 }
 
-const Effect& effect_of(const EffectTerm& term) {
+const Effect& term_effect(const EffectTerm& term) {
   if (term.own) return *term.own;
   const Effect* effect = find_effect(term.id);
   check(effect != nullptr, "\"{}\" is no effect of the catalogue", term.id);
@@ -166,7 +166,7 @@ std::string place_name(const Effect& effect, int place, const Robot& robot) {
   return robot.joints[static_cast<std::size_t>(place)].name;
 }
 
-double plausible_size(const EffectParameter& parameter, const Chain& chain) {
+double prior_sigma(const EffectParameter& parameter, const Chain& chain) {
   if (!(parameter.share_of_focal > 0) || !chain.rig) return parameter.sigma;
   double sum = 0;
   for (const RigCamera& c : chain.rig->cameras) sum += c.camera.fx;
@@ -193,19 +193,20 @@ bool is_finite(const Sites& s) {
          std::all_of(s.markers.begin(), s.markers.end(), [](const Vector3& m) { return m.allFinite(); });
 }
 
-int markers_of(const std::vector<EffectTerm>& terms) {
+int count_markers(const std::vector<EffectTerm>& terms) {
   int count = 0;
   for (const EffectTerm& term : terms)
-    if (effect_of(term).scope == EffectScope::marker) count = std::max(count, term.joint + 1);
+    if (term_effect(term).scope == EffectScope::marker) count = std::max(count, term.joint + 1);
   return count;
 }
 
-Sites moved_sites(const Circumstances& c, const std::vector<EffectTerm>& terms) {
+Sites moved_sites(const ObservationState& c, const std::vector<EffectTerm>& terms) {
   Sites sites;
-  sites.markers.assign(static_cast<std::size_t>(std::max(c.chain->marker_count, markers_of(terms))), Vector3::Zero());
+  sites.markers.assign(static_cast<std::size_t>(std::max(c.chain->marker_count, count_markers(terms))),
+                       Vector3::Zero());
   if (terms.empty()) return sites;
   sites.robot.joints.resize(c.chain->robot.joints.size());
-  for (const EffectTerm& term : terms) effect_of(term).move(c, term.joint, term.values, sites);
+  for (const EffectTerm& term : terms) term_effect(term).move(c, term.joint, term.values, sites);
   return sites;
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "effects/circumstances.h"
+#include "effects/observation_state.h"
 #include "session/effect_definition.h"
 
 namespace handsight {
@@ -21,7 +21,7 @@ enum class EffectScope { joint, mimic_joint, marker, camera, tag, part, session 
 struct EffectParameter {
   std::string name;
   std::string unit;
-  double sigma = 0;        // the plausible size, one standard deviation: the prior's scale
+  double sigma = 0;        // the prior sigma, one standard deviation: the prior's scale
   bool is_choice = false;  // a choice among alternatives (an observation, a form), not a number that a fit may move
   std::vector<double> choices = {};  // the alternatives; empty: the orders of all observations
   double share_of_focal = 0;         // > 0: `sigma` is for a usual camera; of a session it is this share of fx (px)
@@ -52,7 +52,7 @@ struct Effect {
   /// Adds to the sites of the chain what the effect does in one observation. `place` is the robot's joint, the
   /// marker, the camera, the tag's number or the part, -1 for the session; `values` has one number a parameter. Linear
   /// in the parameters that are no choices: the sites take up what is not.
-  std::function<void(const Circumstances&, int place, std::span<const double> values, Sites& sites)> move;
+  std::function<void(const ObservationState&, int place, std::span<const double> values, Sites& sites)> move;
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
   std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
   std::vector<int> tags = {};             // of tag scope: the numbers of the tags
@@ -60,7 +60,7 @@ struct Effect {
   bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
   bool reads_place = false;               // its formula reads where the TCP is (Circumstances::tcp)
 
-  /// A curve that the program has found: it is told by its formula, not by a name.
+  /// A curve that the program has found: it is named by its formula, not by a name.
   bool is_unnamed() const { return definition && definition->unnamed; }
 };
 
@@ -94,7 +94,7 @@ struct EffectTerm {
 };
 
 /// What the term is a term of. Its id must be one of the catalogue where it is no own effect.
-const Effect& effect_of(const EffectTerm& term);
+const Effect& term_effect(const EffectTerm& term);
 
 /// A term of an effect, all numbers 0. `own`: the effect where it is one by formula.
 EffectTerm term_of(const Effect& effect, int place, std::shared_ptr<const Effect> own = nullptr);
@@ -118,14 +118,14 @@ Sites unmoved_sites(const Chain& chain);
 bool is_finite(const Sites& sites);
 
 /// How many markers there must be for these terms: one more than the highest that one of them sits at.
-int markers_of(const std::vector<EffectTerm>& terms);
+int count_markers(const std::vector<EffectTerm>& terms);
 
 /// The sites as these terms move them in one observation; markers that the chain does not count have a place too.
-Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms);
+Sites moved_sites(const ObservationState& states, const std::vector<EffectTerm>& terms);
 
-/// The plausible size of a parameter in this chain: EffectParameter::sigma, or what the cameras' focal length makes of
+/// The prior sigma of a parameter in this chain: EffectParameter::sigma, or what the cameras' focal length makes of
 /// it.
-double plausible_size(const EffectParameter& parameter, const Chain& chain);
+double prior_sigma(const EffectParameter& parameter, const Chain& chain);
 
 /// Parses `id` (everywhere it may sit) or `id:joint+joint` (numbers where it sits at markers or tags) into terms whose
 /// numbers are all 0, to be estimated. InputError as below.

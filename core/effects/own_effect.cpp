@@ -53,7 +53,7 @@ std::vector<NamedPlace> sites_of_scope(const std::string& scope, const Rig& rig)
   return all;
 }
 
-void add_to(Place p, int place, double amount, const Circumstances& c, Sites& sites) {
+void add_to(Place p, int place, double amount, const ObservationState& c, Sites& sites) {
   switch (p.slot) {
     case Slot::angle:
       sites.robot.joints[static_cast<std::size_t>(place)].angle += amount;
@@ -104,7 +104,7 @@ struct Names {
   std::size_t joint(std::size_t i) const { return parameters + 10 + 2 * i; }
 };
 
-Names names_of(const EffectDefinition& d, const Robot& robot) {
+Names list_names(const EffectDefinition& d, const Robot& robot) {
   Names names;
   for (const DefinedParameter& p : d.parameters) names.all.push_back(p.name);
   names.parameters = names.all.size();
@@ -136,7 +136,7 @@ Message where(const EffectDefinition& d, int line) {
 }
 
 /// The numbers of one observation; parameters are left at 0.
-std::vector<double> numbers_at(const Compiled& own, const Circumstances& c, int place) {
+std::vector<double> numbers_at(const Compiled& own, const ObservationState& c, int place) {
   std::vector<double> numbers(own.names.all.size(), 0.0);
   const auto set = [&](std::size_t at, double value) { numbers[at] = value; };
   Eigen::VectorXd torque;
@@ -161,7 +161,7 @@ std::vector<double> numbers_at(const Compiled& own, const Circumstances& c, int 
   return numbers;
 }
 
-void move(const Compiled& own, const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const Compiled& own, const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   std::vector<double> numbers = numbers_at(own, c, place);
   std::copy(values.begin(), values.end(), numbers.begin());
   for (const CompiledMove& m : own.moves) add_to(m.place, place, m.formula.value(numbers), c, sites);
@@ -237,7 +237,7 @@ CompiledMove compile(const EffectDefinition& d, const DefinedMove& m, const Name
 bool is_torque(const std::string& name) { return name == "tau" || name.starts_with("tau_"); }
 
 Compiled compile(const EffectDefinition& d, const Robot& robot, const Rig& rig) {
-  Compiled own{names_of(d, robot), {}};
+  Compiled own{list_names(d, robot), {}};
   const Names& names = own.names;
   for (std::size_t p = 0; p < names.parameters; ++p)
     if (std::count(names.all.begin(), names.all.end(), names.all[p]) > 1)
@@ -263,7 +263,7 @@ EffectScope scope_of(const std::string& scope) {
   return scope == "joint" ? EffectScope::joint : scope == "marker" ? EffectScope::marker : EffectScope::session;
 }
 
-void check_finite(const Effect& effect, const Session& session, const std::vector<Circumstances>& all) {
+void check_finite(const Effect& effect, const Session& session, const std::vector<ObservationState>& all) {
   for (const int place : effect_places(effect, *all.front().chain))
     for (std::size_t i = 0; i < all.size(); ++i) {
       std::vector<double> sizes;
@@ -301,13 +301,13 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
   effect->definition = std::make_shared<const EffectDefinition>(d);
   effect->reads_torque = own->reads_torque;
   effect->reads_place = own->reads_place;
-  effect->move = [own](const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+  effect->move = [own](const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
     move(*own, c, place, values, sites);
   };
   return effect;
 }
 
-OwnEffects own_effects_of(const Session& session, const Chain& chain) {
+OwnEffects list_own_effects(const Session& session, const Chain& chain) {
   OwnEffects all;
   if (chain.rig) all = rig_effects_of_parts(*chain.rig, chain.first_cameras);
   const OwnEffects of_parts = part_effects(chain);
@@ -315,14 +315,14 @@ OwnEffects own_effects_of(const Session& session, const Chain& chain) {
   const OwnEffects of_target = target_effects(session, chain);
   all.insert(all.end(), of_target.begin(), of_target.end());
   if (session.effect_definitions.empty()) return all;
-  const Rig cameras = chain.rig.value_or(rig_of(StereoRig{}));
-  const std::vector<Circumstances> circumstances = circumstances_of(session, chain);
+  const Rig cameras = chain.rig.value_or(make_rig(StereoRig{}));
+  const std::vector<ObservationState> states = observation_states(session, chain);
   for (const EffectDefinition& d : session.effect_definitions) {
     if (find_effect(d.id))
       throw InputError(
           message("{}: the catalogue has an effect \"{}\" already; give it another id.", where(d, 0), d.id));
     all.push_back(own_effect(d, session.robot, cameras));
-    if (!circumstances.empty()) check_finite(*all.back(), session, circumstances);
+    if (!states.empty()) check_finite(*all.back(), session, states);
   }
   return all;
 }

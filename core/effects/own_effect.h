@@ -16,11 +16,11 @@ namespace handsight {
 /// robot. Throws InputError where a site or a formula is not understood, a name is taken, or a formula is not linear in
 /// the parameters.
 std::shared_ptr<const Effect> own_effect(const EffectDefinition& definition, const Robot& robot,
-                                         const Rig& rig = rig_of(StereoRig{}));
+                                         const Rig& rig = make_rig(StereoRig{}));
 
 /// Those of the session's cameras (rig_effects.h) and target (target_effects.h), then those by formula, found finite at
 /// every observation. Throws InputError as above, and where an id is one of the catalogue.
-OwnEffects own_effects_of(const Session& session, const Chain& chain);
+OwnEffects list_own_effects(const Session& session, const Chain& chain);
 
 /// A name as formulas write it: characters other than letters, digits and _ become _.
 std::string formula_name(const std::string& name);

@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-/// By what parts an effect is told apart: each by itself, or one for all with the same mount or body.
+/// By what parts an effect is distinguished: each by itself, or one for all with the same mount or body.
 using Owner = int Chain::*;
 
 /// The effect at every part that is the first with its owner's number; it moves all parts with that number.
@@ -25,7 +25,7 @@ Effect at_parts(Effect effect, const Chain& chain, Owner owner, bool is_of_hand)
     numbers.push_back(part.*owner);
   }
   effect.scope = EffectScope::part;
-  effect.move = [=](const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+  effect.move = [=](const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
     // A pose outside any part asks what the effect does where it acts.
     const bool is_of_part = c.chain->parts.empty() && !numbers.empty();
     if (is_of_part && c.chain->*owner != numbers[static_cast<std::size_t>(place)]) return;
@@ -58,7 +58,7 @@ Effect changed_between(const Effect& of_robot, const Chain& chain) {
       places.push_back({part.part, joint});
       effect.parts.push_back(chain.part_names[static_cast<std::size_t>(part.part)] + " " + name);
     }
-  effect.move = [=, of_robot_move = of_robot.move](const Circumstances& c, int place, std::span<const double> values,
+  effect.move = [=, of_robot_move = of_robot.move](const ObservationState& c, int place, std::span<const double> values,
                                                    Sites& sites) {
     const Place& at = places[static_cast<std::size_t>(place)];
     if (c.chain->parts.empty() && c.chain->part != at.part) return;
@@ -140,7 +140,7 @@ Effect at_bodies(const std::vector<std::pair<int, Effect>>& of_parts, const Chai
     all.parts[p] = chain.part_names[p];
     bodies[p] = {chain.parts[p].body, chain.parts[p].first_marker, effect.move};
   }
-  all.move = [=](const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+  all.move = [=](const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
     const Body& body = bodies[static_cast<std::size_t>(place)];
     const bool is_of_part = c.chain->parts.empty();
     const bool has_markers = static_cast<std::ptrdiff_t>(sites.markers.size()) > body.first_marker;

@@ -5,7 +5,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances&, int camera, std::span<const double> values, Sites& sites) {
+void move(const ObservationState&, int camera, std::span<const double> values, Sites& sites) {
   sites.cameras[static_cast<std::size_t>(camera)].motion += Eigen::Map<const Vector6>(values.data());
 }
 

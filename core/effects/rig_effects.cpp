@@ -28,7 +28,7 @@ Effect with_camera_numbers(Effect effect, const Rig& rig, int first, int count) 
   for (int c = 0; c < cameras; ++c)
     for (const CameraNumber& number : camera_numbers(rig.at(c).camera).subspan(first, count))
       effect.parameters.push_back(parameter_of(number, is_pair(rig) ? rig.at(c).name + "_" : ""));
-  effect.move = [=](const Circumstances&, int place, std::span<const double> values, Sites& sites) {
+  effect.move = [=](const ObservationState&, int place, std::span<const double> values, Sites& sites) {
     for (int c = 0; c < cameras; ++c) {
       CameraChange& change = sites.cameras[static_cast<std::size_t>(place >= 0 ? place : c)];
       for (int i = 0; i < count; ++i) change.numbers[first + i] += values[static_cast<std::size_t>(c * count + i)];

@@ -24,7 +24,7 @@ bool has_known_shape(const Session& session) {
 
 std::vector<Vector3> places_by_order(const Session& session, const Chain& chain) {
   std::vector<Vector3> places;
-  const std::vector<Circumstances> all = circumstances_of(session, chain);
+  const std::vector<ObservationState> all = observation_states(session, chain);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto order = static_cast<std::size_t>(all[i].order);
     if (order >= places.size()) places.resize(order + 1, Vector3::Zero());
@@ -70,10 +70,10 @@ OwnEffects target_effects(const Session& session, const Chain& chain) {
   return all;
 }
 
-void move_no_target(const Circumstances&, int, std::span<const double>, Sites&) {}
+void move_no_target(const ObservationState&, int, std::span<const double>, Sites&) {}
 
 bool has_no_target(const Effect& effect) {
-  using Move = void (*)(const Circumstances&, int, std::span<const double>, Sites&);
+  using Move = void (*)(const ObservationState&, int, std::span<const double>, Sites&);
   const Move* move = effect.move.target<Move>();
   return move && *move == &move_no_target;
 }

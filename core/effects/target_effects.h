@@ -14,7 +14,7 @@ namespace handsight {
 OwnEffects target_effects(const Session& session, const Chain& chain);
 
 /// The move of the catalogue's own: of no target. Nothing of the robot moves, so that predictions need no target.
-void move_no_target(const Circumstances&, int place, std::span<const double> values, Sites& sites);
+void move_no_target(const ObservationState&, int place, std::span<const double> values, Sites& sites);
 
 /// Is it one of these, which no session has given its target?
 bool has_no_target(const Effect& effect);

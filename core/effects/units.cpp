@@ -8,7 +8,7 @@ namespace {
 bool moves_position(const Effect& effect, std::size_t parameter, int place, const Robot& robot) {
   Chain chain;
   chain.robot = robot;
-  Circumstances somewhere;
+  ObservationState somewhere;
   somewhere.chain = &chain;
   const auto count = static_cast<Eigen::Index>(robot.joints.size());
   somewhere.sensor = somewhere.velocity = somewhere.approach = somewhere.torque = Eigen::VectorXd::Ones(count);

@@ -8,13 +8,13 @@
 #include "export/cpp_file.h"
 #include "export/number_files.h"
 #include "export/python_file.h"
+#include "export/reported_motion.h"
 #include "export/rigid/dh_file.h"
 #include "export/rigid/mjcf_file.h"
 #include "export/rigid/offset_files.h"
 #include "export/rigid/sdf_file.h"
 #include "export/rigid/ur_file.h"
 #include "export/rigid/xacro_file.h"
-#include "export/told_motion.h"
 
 namespace handsight {
 namespace {
@@ -122,13 +122,13 @@ void note_effects(const CalibratedRobot& robot, ExportedFile& file) {
 }
 
 ExportedFile opencv(const CalibratedRobot& robot, const ExportOptions&) {
-  ExportedFile file{opencv_file(robot), untold_texts(robot, nan_instead)};
+  ExportedFile file{opencv_file(robot), undetermined_texts(robot, nan_instead)};
   note_effects(robot, file);
   return file;
 }
 
 ExportedFile static_tf(const CalibratedRobot& robot, const ExportOptions&) {
-  ExportedFile file{static_tf_file(robot), untold_texts(robot, left_out_instead)};
+  ExportedFile file{static_tf_file(robot), undetermined_texts(robot, left_out_instead)};
   note_effects(robot, file);
   return file;
 }
@@ -136,16 +136,16 @@ ExportedFile static_tf(const CalibratedRobot& robot, const ExportOptions&) {
 ExportedFile cpp(const CalibratedRobot& robot, const ExportOptions&) { return program_file(robot, false); }
 ExportedFile python(const CalibratedRobot& robot, const ExportOptions&) { return program_file(robot, true); }
 ExportedFile yaml(const CalibratedRobot& robot, const ExportOptions&) {
-  return {yaml_file(robot), untold_texts(robot, nan_instead)};
+  return {yaml_file(robot), undetermined_texts(robot, nan_instead)};
 }
 ExportedFile csv(const CalibratedRobot& robot, const ExportOptions&) {
-  return {csv_file(robot), untold_texts(robot, nan_instead)};
+  return {csv_file(robot), undetermined_texts(robot, nan_instead)};
 }
 
 struct Maker {
   const char* id;
   bool needs_joints;
-  ExportKind told;
+  ExportKind reported;
   ExportedFile (*make)(const CalibratedRobot&, const ExportOptions&);
 };
 
@@ -176,7 +176,7 @@ const Maker& maker_of(const std::string& kind) {
 
 }  // namespace
 
-ExportKind export_kind(const std::string& kind) { return maker_of(kind).told; }
+ExportKind export_kind(const std::string& kind) { return maker_of(kind).reported; }
 
 ExportedFile exported_file(const CalibratedRobot& robot, const std::string& kind, const ExportOptions& options) {
   const Maker& maker = maker_of(kind);

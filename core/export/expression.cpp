@@ -158,17 +158,17 @@ struct Language {
   bool is_python = false;
 };
 
-std::string text_of(const Expression& e, const Language& language);
+std::string make_text(const Expression& e, const Language& language);
 
 /// As a condition: "1 < 2" in place of its number.
 std::string condition_text(const Expression& e, const Language& l) {
   if (e.kind == Kind::operation && is_comparison(e.word))
-    return "(" + text_of(e.parts[0], l) + " " + e.word + " " + text_of(e.parts[1], l) + ")";
+    return "(" + make_text(e.parts[0], l) + " " + e.word + " " + make_text(e.parts[1], l) + ")";
   if (e.kind == Kind::operation && (e.word == "&&" || e.word == "||")) {
     const std::string word = !l.is_python ? e.word : e.word == "&&" ? "and" : "or";
     return "(" + condition_text(e.parts[0], l) + " " + word + " " + condition_text(e.parts[1], l) + ")";
   }
-  return "(" + text_of(e, l) + " != 0.0)";
+  return "(" + make_text(e, l) + " != 0.0)";
 }
 
 std::string choice_text(const std::string& condition, const std::string& yes, const std::string& no,
@@ -179,7 +179,7 @@ std::string choice_text(const std::string& condition, const std::string& yes, co
 
 std::string function_text(const Expression& e, const Language& l) {
   std::string arguments;
-  for (const Expression& part : e.parts) arguments += (arguments.empty() ? "" : ", ") + text_of(part, l);
+  for (const Expression& part : e.parts) arguments += (arguments.empty() ? "" : ", ") + make_text(part, l);
   std::string name = l.prefix + e.word;
   if (e.word == "sign") name = "sign_of";
   if (e.word == "abs") name = l.is_python ? "abs" : "std::abs";
@@ -187,17 +187,17 @@ std::string function_text(const Expression& e, const Language& l) {
   return name + "(" + arguments + ")";
 }
 
-std::string text_of(const Expression& e, const Language& l) {
+std::string make_text(const Expression& e, const Language& l) {
   if (e.kind == Kind::number) return number_text(e.number);
   if (e.kind == Kind::name) return e.word;
   if (e.kind == Kind::function) return function_text(e, l);
-  if (e.word == "negate") return "(-" + text_of(e.parts[0], l) + ")";
-  if (e.word == "^") return l.prefix + "pow(" + text_of(e.parts[0], l) + ", " + text_of(e.parts[1], l) + ")";
+  if (e.word == "negate") return "(-" + make_text(e.parts[0], l) + ")";
+  if (e.word == "^") return l.prefix + "pow(" + make_text(e.parts[0], l) + ", " + make_text(e.parts[1], l) + ")";
   if (e.word == "?")
-    return choice_text(condition_text(e.parts[0], l), text_of(e.parts[1], l), text_of(e.parts[2], l), l);
+    return choice_text(condition_text(e.parts[0], l), make_text(e.parts[1], l), make_text(e.parts[2], l), l);
   if (is_comparison(e.word) || e.word == "&&" || e.word == "||")
     return choice_text(condition_text(e, l), "1.0", "0.0", l);
-  return "(" + text_of(e.parts[0], l) + " " + e.word + " " + text_of(e.parts[1], l) + ")";
+  return "(" + make_text(e.parts[0], l) + " " + e.word + " " + make_text(e.parts[1], l) + ")";
 }
 
 }  // namespace
@@ -215,8 +215,8 @@ Expression with_names(const Expression& e, const std::function<Expression(const 
   return copy;
 }
 
-std::string cpp_text(const Expression& expression) { return text_of(expression, {"std::", false}); }
+std::string cpp_text(const Expression& expression) { return make_text(expression, {"std::", false}); }
 
-std::string python_text(const Expression& expression) { return text_of(expression, {"math.", true}); }
+std::string python_text(const Expression& expression) { return make_text(expression, {"math.", true}); }
 
 }  // namespace handsight

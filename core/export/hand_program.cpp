@@ -154,7 +154,7 @@ HandProgram hand_program(const CalibratedRobot& calibrated) {
       std::any_of(r.joints.begin(), r.joints.end(), [](const Joint& j) { return j.moves() && j.stiffness > 0; });
   const auto reads = [&](bool Effect::*flag) {
     return std::any_of(robot.model.effects.begin(), robot.model.effects.end(),
-                       [&](const EffectTerm& t) { return effect_of(t).*flag; });
+                       [&](const EffectTerm& t) { return term_effect(t).*flag; });
   };
   program.reads_torque = reads(&Effect::reads_torque);
   program.reads_place = reads(&Effect::reads_place);

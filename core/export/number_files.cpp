@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "export/told_motion.h"
+#include "export/reported_motion.h"
 
 namespace handsight {
 namespace {
@@ -35,15 +35,15 @@ std::string rows(const Eigen::MatrixXd& m) {
 }
 
 /// NaN all of it where the rotation is.
-Eigen::Vector4d told_quaternion(const ToldMotion& m) {
-  return m.is_rotation ? quaternion_of(m.rotation) : Eigen::Vector4d(Eigen::Vector4d::Constant(m.rotation(0, 0)));
+Eigen::Vector4d reported_quaternion(const ReportedMotion& m) {
+  return m.is_rotation ? make_quaternion(m.rotation) : Eigen::Vector4d(Eigen::Vector4d::Constant(m.rotation(0, 0)));
 }
 
-Eigen::Matrix4d matrix_of(const ToldMotion& m) { return matrix_from_rigid(Rigid{m.rotation, m.place}); }
+Eigen::Matrix4d make_matrix(const ReportedMotion& m) { return matrix_from_rigid(Rigid{m.rotation, m.place}); }
 
-std::string yaml_motion(const ToldMotion& m) {
+std::string yaml_motion(const ReportedMotion& m) {
   return with_nan(fmt::format("  xyz: [{}]\n  quaternion_xyzw: [{}]\n  matrix: [{}]\n", joined(m.place),
-                              joined(told_quaternion(m)), rows(matrix_of(m))),
+                              joined(reported_quaternion(m)), rows(make_matrix(m))),
                   ".nan");
 }
 
@@ -71,8 +71,8 @@ std::string sensor_name(const CalibratedRobot& r) { return r.rig ? r.rig->at(0).
 /// Where the sensor sits after the session, the effects on its mount in it.
 std::optional<Rigid> mount_after(const CalibratedRobot& r) {
   if (!r.model.mount_from_sensor) return std::nullopt;
-  const Circumstances c =
-      circumstances_at(r.chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.chain.joints.size())));
+  const ObservationState c =
+      states_at(r.chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(r.chain.joints.size())));
   return *r.model.mount_from_sensor * observed_ends(c, moved_sites(c, r.model.effects)).mount_motion;
 }
 
@@ -100,7 +100,7 @@ std::string opencv_camera(const Camera& c, const std::string& index) {
 std::string python_string(const std::string& text) { return quoted_text(shortened(text, 500)); }
 
 std::string transform_node(const std::string& parent, const std::string& child, const Rigid& m) {
-  const Eigen::Vector4d q = quaternion_of(m.rotation);
+  const Eigen::Vector4d q = make_quaternion(m.rotation);
   const Vector3& t = m.translation;
   return fmt::format(
       "        Node(package=\"tf2_ros\", executable=\"static_transform_publisher\", name={},\n"
@@ -135,7 +135,7 @@ std::string field_of_table(const std::string& text) {
   return out + "\"";
 }
 
-Eigen::Vector4d quaternion_of(const Matrix3& rotation) {
+Eigen::Vector4d make_quaternion(const Matrix3& rotation) {
   const Eigen::Vector4d q = Eigen::Quaterniond(rotation).normalized().coeffs();
   return q.w() < 0 ? Eigen::Vector4d(-q) : q;
 }
@@ -148,12 +148,12 @@ std::string yaml_file(const CalibratedRobot& r) {
   text += fmt::format("tcp: {}\nmount: {}\ngravity: [{}]\njoints: [", quoted_text(r.tcp), quoted_text(r.mount),
                       joined(r.chain.gravity));
   for (std::size_t i = 0; i < r.joint_names.size(); ++i) text += (i ? ", " : "") + quoted_text(r.joint_names[i]);
-  const ToldMotion body = told_body(r);
-  text += "]\n" + comments(untold_texts(r, nan_instead)) + "tcp_from_body:\n" + yaml_motion(body);
+  const ReportedMotion body = reported_body(r);
+  text += "]\n" + comments(undetermined_texts(r, nan_instead)) + "tcp_from_body:\n" + yaml_motion(body);
   text += fmt::format("  covariance: [{}]  # of xi in exp(xi) tcp_from_body: x y z rx ry rz, row by row\n",
                       with_nan(rows(body.covariance), ".nan"));
   if (r.model.mount_from_sensor)
-    text += "mount_from_sensor:\n" + yaml_motion(told_mount(r, *r.model.mount_from_sensor));
+    text += "mount_from_sensor:\n" + yaml_motion(reported_mount(r, *r.model.mount_from_sensor));
   text += "markers:  # in the body frame\n";
   for (std::size_t m = 0; m < c.markers.size(); ++m)
     if (std::count(c.unseen_markers.begin(), c.unseen_markers.end(), static_cast<int>(m)) == 0)
@@ -173,8 +173,8 @@ std::string csv_file(const CalibratedRobot& r) {
     text += fmt::format("{},{},{},{},{},{}\n", quantity, field_of_table(of), field_of_table(name),
                         field_of_table(value), sigma, unit);
   };
-  const auto motion = [&](const std::string& quantity, const std::string& of, const ToldMotion& m) {
-    const Eigen::Vector4d q = told_quaternion(m);
+  const auto motion = [&](const std::string& quantity, const std::string& of, const ReportedMotion& m) {
+    const Eigen::Vector4d q = reported_quaternion(m);
     const auto sigma = [&](int i) {  // nothing where nothing is known
       const double variance = m.covariance(i, i);
       return std::isnan(variance) ? "" : number(std::sqrt(std::max(variance, 0.0)));
@@ -185,8 +185,8 @@ std::string csv_file(const CalibratedRobot& r) {
     for (int i = 0; i < 3; ++i)  // of the small rotation about the TCP's axes, whose value is 0
       line(quantity, of, std::string("r") + "xyz"[i], "0", sigma(i + 3), "rad");
   };
-  motion("tcp_from_body", r.tcp, told_body(r));
-  if (r.model.mount_from_sensor) motion("mount_from_sensor", r.mount, told_mount(r, *r.model.mount_from_sensor));
+  motion("tcp_from_body", r.tcp, reported_body(r));
+  if (r.model.mount_from_sensor) motion("mount_from_sensor", r.mount, reported_mount(r, *r.model.mount_from_sensor));
   for (std::size_t m = 0; m < c.markers.size(); ++m)
     for (int i = 0; i < 3; ++i)
       line("marker", std::to_string(m), std::string(1, "xyz"[i]), number(c.markers[m][i]), "", "m");
@@ -198,10 +198,12 @@ std::string csv_file(const CalibratedRobot& r) {
 }
 
 std::string opencv_file(const CalibratedRobot& r) {
-  std::string text = "%YAML:1.0\n---\n" + comments(untold_texts(r, nan_instead));
-  const ToldMotion body = told_body(r);
-  text += opencv_matrix("tcp_from_body", matrix_of(body)) + opencv_matrix("tcp_from_body_covariance", body.covariance);
-  if (const auto mount = mount_after(r)) text += opencv_matrix("mount_from_sensor", matrix_of(told_mount(r, *mount)));
+  std::string text = "%YAML:1.0\n---\n" + comments(undetermined_texts(r, nan_instead));
+  const ReportedMotion body = reported_body(r);
+  text +=
+      opencv_matrix("tcp_from_body", make_matrix(body)) + opencv_matrix("tcp_from_body_covariance", body.covariance);
+  if (const auto mount = mount_after(r))
+    text += opencv_matrix("mount_from_sensor", make_matrix(reported_mount(r, *mount)));
   if (!r.rig) return text;
   text += fmt::format("image_width: {}\nimage_height: {}\n", r.rig->at(0).camera.width, r.rig->at(0).camera.height);
   for (int c = 0; c < r.rig->count(); ++c) {
@@ -222,9 +224,9 @@ std::string static_tf_file(const CalibratedRobot& r) {
       "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n\n"
       "def generate_launch_description():\n    return LaunchDescription([\n",
       r.model.effects.size());
-  for (const Message& untold : untold_texts(r, left_out_instead)) text += "        # " + untold.english() + "\n";
-  if (told_body(r).is_whole()) text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
-  if (const auto mount = mount_after(r); mount && told_mount(r, *mount).is_whole())
+  for (const Message& untold : undetermined_texts(r, left_out_instead)) text += "        # " + untold.english() + "\n";
+  if (reported_body(r).is_whole()) text += transform_node(r.tcp, "handsight_body", r.model.tcp_from_body);
+  if (const auto mount = mount_after(r); mount && reported_mount(r, *mount).is_whole())
     text += transform_node(r.mount, "handsight_" + sensor_name(r), *mount);
   return text + "    ])\n";
 }

@@ -21,7 +21,7 @@ std::string opencv_file(const CalibratedRobot& robot);
 std::string static_tf_file(const CalibratedRobot& robot);
 
 /// x y z w of a rotation, w >= 0.
-Eigen::Vector4d quaternion_of(const Matrix3& rotation);
+Eigen::Vector4d make_quaternion(const Matrix3& rotation);
 
 /// In double quotes, as YAML and JSON read them; as a field of a CSV.
 std::string quoted_text(const std::string& text);

@@ -84,7 +84,7 @@ class Writer {
       : robot_(robot), place_(place), program_(program) {}
 
   void add(const EffectTerm& term) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     const std::string where = place_name(effect, term.joint, robot_.chain.robot);
     of_ = effect.id + (where.empty() ? "" : " of " + where);
     const std::size_t before = program_.moves.size();
@@ -104,7 +104,7 @@ class Writer {
   }
 
  private:
-  int place_of(int joint) const { return joint >= 0 ? place_[static_cast<std::size_t>(joint)] : -1; }
+  int locate(int joint) const { return joint >= 0 ? place_[static_cast<std::size_t>(joint)] : -1; }
 
   void push(const std::string& target, Expression amount) {
     program_.moves.push_back({target, std::move(amount), of_});
@@ -118,7 +118,7 @@ class Writer {
           push(target_of("angle", place_[j]), formula(f, effect, term, static_cast<int>(j)));
       return;
     }
-    const int at = place_of(term.joint);
+    const int at = locate(term.joint);
     if (moves_one_joint(effect) && at < 0) return;  // of a joint that the hand does not depend on
     const std::string target = target_of(f.site, at);
     if (!target.empty()) push(target, formula(f, effect, term, term.joint));
@@ -138,7 +138,7 @@ class Writer {
     if (name == "seconds" || name == "order") return name_expression(name);
     if (name.starts_with("tcp_")) return name_expression(fmt::format("tcp[{}]", number_of_axis(name)));
     const auto named = joint_read(name, robot_.chain.robot);
-    const int at = place_of(named ? named->joint : own_joint);
+    const int at = locate(named ? named->joint : own_joint);
     check(at >= 0, "the formula of {} reads {}, which is no part of the program", of_, name);
     const std::string what = named ? named->what : name;
     return name_expression(fmt::format("{}[{}]", what == "tau" ? "torque" : what, at));
@@ -147,7 +147,7 @@ class Writer {
   /// Of an effect that moves its sites by the same amount everywhere: found by asking it twice.
   void add_constants(const Effect& effect, const EffectTerm& term) {
     const Sites a = asked(term, 0.3), b = asked(term, -0.8);
-    Numbers first = numbers_of(a, effect), second = numbers_of(b, effect);
+    Numbers first = list_numbers(a, effect), second = list_numbers(b, effect);
     if (first != second)
       throw InputError(
           message("The effect {} cannot be written into a file of this kind; export as yaml or csv.", effect.id));
@@ -158,7 +158,7 @@ class Writer {
 
   Sites asked(const EffectTerm& term, double at) const {
     const auto count = static_cast<Eigen::Index>(robot_.chain.joints.size());
-    Circumstances c = circumstances_at(robot_.chain, Eigen::VectorXd::Constant(count, at));
+    ObservationState c = states_at(robot_.chain, Eigen::VectorXd::Constant(count, at));
     c.velocity.setConstant(at);
     c.approach.setConstant(at);
     c.elapsed = std::abs(at);
@@ -170,7 +170,7 @@ class Writer {
     if (amount != 0) numbers[target] = amount;
   }
 
-  Numbers numbers_of(const Sites& s, const Effect& effect) const {
+  Numbers list_numbers(const Sites& s, const Effect& effect) const {
     Numbers n;
     for (std::size_t j = 0; j < s.robot.joints.size(); ++j) {
       if (place_[j] < 0) continue;
@@ -218,14 +218,14 @@ bool bends(const Sites& s) {
 
 bool bends(const CalibratedRobot& robot) {
   for (const EffectTerm& term : robot.model.effects) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     if (effect.definition) {
       for (const DefinedMove& m : effect.definition->moves)
         if (m.site == "compliance" || m.site == "bend_compliance") return true;
       continue;
     }
     const auto count = static_cast<Eigen::Index>(robot.chain.joints.size());
-    if (bends(moved_sites(circumstances_at(robot.chain, Eigen::VectorXd::Constant(count, 0.3)), {term}))) return true;
+    if (bends(moved_sites(states_at(robot.chain, Eigen::VectorXd::Constant(count, 0.3)), {term}))) return true;
   }
   return false;
 }
@@ -234,8 +234,8 @@ std::vector<int> joints_read_by_name(const CalibratedRobot& robot) {
   std::vector<int> joints;
   for (const EffectTerm& term : robot.model.effects) {
     if (const auto other = coupled_joint(robot.chain, term)) joints.push_back(*other);
-    if (!effect_of(term).definition) continue;
-    for (const DefinedMove& m : effect_of(term).definition->moves)
+    if (!term_effect(term).definition) continue;
+    for (const DefinedMove& m : term_effect(term).definition->moves)
       with_names(parse_expression(m.formula), [&](const std::string& name) {
         if (const auto named = joint_read(name, robot.chain.robot)) joints.push_back(named->joint);
         return name_expression(name);

@@ -7,14 +7,14 @@ namespace {
 
 template <class Options>
 Options with_model(Options options, const Model& model, const Session& session) {
-  ModelTerms terms = terms_of(model, session);
+  ModelTerms terms = list_terms(model, session);
   options.effects = std::move(terms.held);
   options.estimated = std::move(terms.estimated);
   return options;
 }
 
 std::vector<EffectTerm> all_terms(const Model& model, const Session& session) {
-  ModelTerms terms = terms_of(model, session);
+  ModelTerms terms = list_terms(model, session);
   terms.held.insert(terms.held.end(), terms.estimated.begin(), terms.estimated.end());
   return terms.held;
 }

@@ -8,20 +8,20 @@
 namespace handsight {
 namespace {
 
-/// The robot whose hand is told of; `moved` holds it where that is another than the one that was given.
+/// The robot whose hand is meant; `moved` holds it where that is another than the one that was given.
 const CalibratedRobot& hand_of(const CalibratedRobot& robot, CalibratedRobot& moved) {
   if (!robot.of_hand) return robot;
   return moved = with_moved_hand(robot);
 }
 
 /// At rest, and from nowhere.
-Circumstances pose_at(const CalibratedRobot& robot, const Eigen::VectorXd& position) {
+ObservationState pose_at(const CalibratedRobot& robot, const Eigen::VectorXd& position) {
   if (position.size() != static_cast<Eigen::Index>(robot.joint_names.size()))
     throw InputError(message("The position has {} numbers; expected {}, one for each joint: {}.", position.size(),
                              robot.joint_names.size(), fmt::join(robot.joint_names, " ")));
   if (!position.allFinite())
     throw InputError("The position holds a number that is not finite (nan or inf); expected angles in rad (m).");
-  return circumstances_at(robot.chain, position);
+  return states_at(robot.chain, position);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ const char* version() { return HANDSIGHT_VERSION; }
 
 CalibratedRobot calibrated_robot(const Session& session, const Improvement& m) {
   return calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options,
-                          std::string("handsight ") + version(), m.certainty.doubt);
+                          std::string("handsight ") + version(), m.inclusion_probabilities.model_uncertainty);
 }
 
 CalibratedRobot read_calibrated_robot(const std::filesystem::path& calibration, const std::filesystem::path& urdf) {

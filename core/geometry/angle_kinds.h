@@ -28,7 +28,7 @@ struct NamedAngleKind {
 };
 NamedAngleKind named_angle_kind(const std::string& name);
 
-/// The names, those first that are told to people.
+/// The names, those first that are shown to people.
 const std::vector<std::string>& angle_kind_names();
 
 /// The name by which --angles takes it.

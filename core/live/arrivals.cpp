@@ -61,8 +61,8 @@ void Arrivals::know(const Session& session) {
 
 void Arrivals::forget(const Observation& o) {
   if (!cameras_.empty()) forget_images(o);
-  take_out_of(known_lines_, bits_of_line(o.time, o.position));
-  take_out_of(known_measured_, bits_of_measured(o));
+  take_out(known_lines_, bits_of_line(o.time, o.position));
+  take_out(known_measured_, bits_of_measured(o));
   arrived_.clear();  // what is in the session is known without it
   table_.read_anew();
   measured_.read_anew();

@@ -36,7 +36,7 @@ LiveSources own_sources(const Session& session);
 
 /// Looks into folders again and again. The table has a header `number, [time,] JOINT ...` and a line a pose (where only
 /// the flange is known also `number, [time,] x, y, z, qx, qy, qz, qw`, base_from_flange); the images of pose 12 are
-/// those that find_images_of finds for 12; a tracker's points are the line of that number in points.csv
+/// those that find_camera_folders finds for 12; a tracker's points are the line of that number in points.csv
 /// (`number,m0_x,m0_y,m0_z,...`), poses of a target that in poses.csv (`number,x,y,z,qx,qy,qz,qw`), both in the
 /// session's folder. A pose comes in once every camera has its image.
 ///
@@ -94,11 +94,11 @@ class Arrivals {
   bool look_at(const std::vector<InstantImages>& instants);
   Message table_refusal(const std::vector<InstantImages>& instants) const;
   Message counting_refusal(const std::vector<InstantImages>& instants) const;
-  const Pose* pose_of(const InstantImages& instant, std::size_t rank) const;
+  const Pose* find_instant_pose(const InstantImages& instant, std::size_t rank) const;
   bool has_every_image(const InstantImages& instant);
   bool are_whole(const InstantImages& instant);
   void take(const InstantImages& instant, std::size_t rank, Look& look);
-  std::filesystem::path folder_of(const InstantImages& instant, std::size_t camera) const;
+  std::filesystem::path find_folder(const InstantImages& instant, std::size_t camera) const;
 
   void arrive(Observation observation, const Pose& pose, Look& look);
 

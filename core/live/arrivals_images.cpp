@@ -14,7 +14,7 @@ namespace {
 
 constexpr double same_posture = 1e-6;  // rad or m: what a table's digits may leave out
 
-std::string name_of(const fs::path& file) { return file.filename().string(); }
+std::string display_name(const fs::path& file) { return file.filename().string(); }
 
 /// The first image that is there, and its camera.
 std::size_t first_camera(const InstantImages& instant) {
@@ -27,16 +27,16 @@ std::size_t first_camera(const InstantImages& instant) {
 
 void Arrivals::know_images(const Observation& o) {
   for (std::size_t c = 0; c < cameras_.size(); ++c)
-    if (!o.images[c].empty()) known_[c][name_of(o.images[c])] = postures_.size();
+    if (!o.images[c].empty()) known_[c][display_name(o.images[c])] = postures_.size();
   postures_.push_back(o.position);
 }
 
 void Arrivals::forget_images(const Observation& o) {
-  for (std::size_t c = 0; c < cameras_.size(); ++c) known_[c].erase(name_of(o.images[c]));
+  for (std::size_t c = 0; c < cameras_.size(); ++c) known_[c].erase(display_name(o.images[c]));
 }
 
 bool Arrivals::is_known(std::size_t camera, const fs::path& image) const {
-  return known_[camera].contains(name_of(image));
+  return known_[camera].contains(display_name(image));
 }
 
 /// Has all of it arrived?
@@ -49,7 +49,7 @@ bool Arrivals::is_known(const InstantImages& instant) const {
 /// Of one that is known.
 std::size_t Arrivals::place_of_posture(const InstantImages& instant) const {
   const std::size_t c = first_camera(instant);
-  return known_[c].at(name_of(instant.files[c]));
+  return known_[c].at(display_name(instant.files[c]));
 }
 
 /// Looks at the files of all that is new; has one of them been there for long?
@@ -88,7 +88,7 @@ Message Arrivals::counting_refusal(const std::vector<InstantImages>& instants) c
       return message(
           "Line {} of {} is not the posture that the session has for {}. Name the images' numbers in a "
           "column \"number\".",
-          rank + 1, table, name_of(instants[rank].files[first_camera(instants[rank])]));
+          rank + 1, table, display_name(instants[rank].files[first_camera(instants[rank])]));
   }
   return {};
 }
@@ -103,7 +103,7 @@ Message Arrivals::table_refusal(const std::vector<InstantImages>& instants) cons
   return table_.has("number") ? Message() : counting_refusal(instants);
 }
 
-const Arrivals::Pose* Arrivals::pose_of(const InstantImages& instant, std::size_t rank) const {
+const Arrivals::Pose* Arrivals::find_instant_pose(const InstantImages& instant, std::size_t rank) const {
   if (!table_.has("number")) return rank < lines_.size() && lines_[rank] ? &*lines_[rank] : nullptr;
   const auto found = poses_.find(instant.number);
   return found == poses_.end() ? nullptr : &found->second;
@@ -115,7 +115,7 @@ bool Arrivals::has_every_image(const InstantImages& instant) {
   for (std::size_t c = 0; c < instant.files.size(); ++c) {
     if (!instant.files[c].empty()) continue;
     if (files_.is_overdue(there))
-      waiting_.push_back(message("{} waits for its {} image, with the number {} in its name.", name_of(there),
+      waiting_.push_back(message("{} waits for its {} image, with the number {} in its name.", display_name(there),
                                  names_[c], instant.number));
     return false;
   }
@@ -135,7 +135,7 @@ bool Arrivals::are_whole(const InstantImages& instant) {
 }
 
 /// One folder for all cameras unless their files have the same names.
-fs::path Arrivals::folder_of(const InstantImages& instant, std::size_t camera) const {
+fs::path Arrivals::find_folder(const InstantImages& instant, std::size_t camera) const {
   for (std::size_t i = 0; i < instant.files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (instant.files[i].filename() == instant.files[k].filename()) return fs::path("images") / names_[camera];
@@ -144,20 +144,20 @@ fs::path Arrivals::folder_of(const InstantImages& instant, std::size_t camera) c
 
 void Arrivals::take(const InstantImages& instant, std::size_t rank, Look& look) {
   if (!has_every_image(instant)) return;
-  const Pose* pose = pose_of(instant, rank);
+  const Pose* pose = find_instant_pose(instant, rank);
   if (!pose) {
     if (files_.is_overdue(instant.files[0]))
       waiting_.push_back(table_.has("number") ? message("{} waits for its joint angles in {} (number {}).",
-                                                        name_of(instant.files[0]), table_.name(), instant.number)
+                                                        display_name(instant.files[0]), table_.name(), instant.number)
                                               : message("{} waits for its joint angles in {} (line {}).",
-                                                        name_of(instant.files[0]), table_.name(), rank + 1));
+                                                        display_name(instant.files[0]), table_.name(), rank + 1));
     return;
   }
   if (!are_whole(instant)) return;
   Observation o;
   try {
     for (std::size_t c = 0; c < instant.files.size(); ++c)
-      o.images[c] = bring_into(instant.files[c], folder_, folder_of(instant, c));
+      o.images[c] = bring_into(instant.files[c], folder_, find_folder(instant, c));
   } catch (const InputError& error) {
     waiting_.emplace_back(error.what());
     return;
@@ -178,7 +178,7 @@ void Arrivals::take_images(Look& look) {
   waited_ = {waiting_.begin(), waiting_.end()};
   waiting_.clear();
   const auto is_old = [this](std::size_t camera, const fs::path& file) { return is_known(camera, file); };
-  std::vector<InstantImages> instants = find_images_of(names_, sources_.folders, is_old, waiting_);
+  std::vector<InstantImages> instants = find_camera_folders(names_, sources_.folders, is_old, waiting_);
   leave_out_known(instants);
   const bool is_any_overdue = look_at(instants);
   if (table_.is_set_aside(verbatim(table_.name()))) return;

@@ -48,7 +48,7 @@ std::optional<Rigid> rigid_in(const GrowingTable& table, const Cells& cells) {
   return Rigid{turn.normalized().toRotationMatrix(), numbers->head<3>()};
 }
 
-Message line_of(const GrowingTable& table, std::int64_t number) {
+Message find_line(const GrowingTable& table, std::int64_t number) {
   return message("The line of number {} of {}", number, table.name());
 }
 
@@ -70,7 +70,7 @@ std::optional<Arrivals::Pose> Arrivals::pose_in(const Cells& cells) const {
   if (is_of_flange_ && table_.has("qx")) {
     const auto flange = rigid_in(table_, cells);
     if (!flange) return std::nullopt;
-    pose.position = position_of(*flange);
+    pose.position = make_position(*flange);
     return pose;
   }
   const auto angles = numbers_in(table_, cells, joints_, bounds::joint);
@@ -141,7 +141,7 @@ void Arrivals::take_points() {
                      bounds::length);
       if (point) seen.push_back({.marker = m, .point = Vector3(*point)});
     }
-    const Message part = line_of(measured_, *number);
+    const Message part = find_line(measured_, *number);
     if (seen.empty()) {
       measured_.set_aside(part, "it has no whole point");
       continue;
@@ -158,7 +158,7 @@ void Arrivals::take_target_poses() {
   for (const Cells& cells : news.lines) {
     const auto number = number_in(measured_, cells);
     if (!number) continue;
-    const Message part = line_of(measured_, *number);
+    const Message part = find_line(measured_, *number);
     if (const auto pose = rigid_in(measured_, cells)) {
       measured_.mend(part);
       target_poses_[*number] = *pose;

@@ -49,7 +49,7 @@ bool holds(const Ascending& all, std::uint64_t bits) { return std::binary_search
 
 void put_into(Ascending& all, std::uint64_t bits) { all.insert(std::upper_bound(all.begin(), all.end(), bits), bits); }
 
-void take_out_of(Ascending& all, std::uint64_t bits) {
+void take_out(Ascending& all, std::uint64_t bits) {
   const auto [begin, end] = std::equal_range(all.begin(), all.end(), bits);
   all.erase(begin, end);
 }

@@ -18,7 +18,7 @@ std::uint64_t bits_of_measured(const Observation& observation, std::int64_t numb
 using Ascending = std::vector<std::uint64_t>;
 bool holds(const Ascending& all, std::uint64_t bits);
 void put_into(Ascending& all, std::uint64_t bits);
-void take_out_of(Ascending& all, std::uint64_t bits);
+void take_out(Ascending& all, std::uint64_t bits);
 /// In order, each once.
 void make_ascending(Ascending& all);
 

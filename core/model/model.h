@@ -35,9 +35,9 @@ struct ModelTerms {
 
 /// InputError where an effect is not known, has no such place in this session, has not one value for each of its
 /// parameters, or one that is not finite.
-ModelTerms terms_of(const Model& model, const Session& session);
+ModelTerms list_terms(const Model& model, const Session& session);
 
 /// The model that has these terms; places by the names of `robot`.
-Model model_of(const ModelTerms& terms, const Robot& robot);
+Model make_model(const ModelTerms& terms, const Robot& robot);
 
 }  // namespace handsight

@@ -129,7 +129,7 @@ Message tags_text(const Target& target) {
 
 }  // namespace
 
-std::string_view name_of(TargetKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+std::string_view display_name(TargetKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 std::optional<TargetKind> target_kind(std::string_view name) {
   for (std::size_t i = 0; i < kind_names.size(); ++i)
@@ -219,7 +219,7 @@ static Message sizes_text(const Target& t) {
   return least == most ? mm(most) : message("{:g} to {}", 1e3 * least, mm(most));
 }
 
-Message description_of(const Target& t) {
+Message describe_target(const Target& t) {
   if (is_circle_grid(t)) return circles_description(t);
   switch (t.kind) {
     case TargetKind::chessboard:

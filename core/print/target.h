@@ -15,7 +15,7 @@ namespace handsight {
 enum class TargetKind { chessboard, charuco, aprilgrid, tags };
 
 /// "chessboard", "charuco", "aprilgrid", "tags".
-std::string_view name_of(TargetKind kind);
+std::string_view display_name(TargetKind kind);
 std::optional<TargetKind> target_kind(std::string_view name);
 
 /// Where one tag of a body of several lies: target_from_tag, the tag's frame having its origin in the tag's middle, x
@@ -112,6 +112,6 @@ bool looks_the_same_turned(const Target& target);
 void check_target(const Target& target, std::string_view where);
 
 /// "ChArUco board of 8 x 11 squares of 15 mm, tags of 11 mm from DICT_5X5_100": for people.
-Message description_of(const Target& target);
+Message describe_target(const Target& target);
 
 }  // namespace handsight

@@ -121,7 +121,7 @@ void require_words(const Words& words, TargetKind kind, std::string_view where) 
                                looked_up(std::string(where)),
                                is_grid(words)      ? grid
                                : is_circles(words) ? circles_kind
-                                                   : name_of(kind),
+                                                   : display_name(kind),
                                name, fmt::join(needed, ", ")));
 }
 
@@ -140,7 +140,7 @@ void take_grid(const Words& words, std::string_view where, Target& target) {
 }
 
 /// What the words say, not yet checked.
-Target told_by(const Words& words, std::string_view where) {
+Target reported_by(const Words& words, std::string_view where) {
   Target target;
   target.kind = kind_from(words, where);
   if (target.kind == TargetKind::aprilgrid) target.dictionary = "tag36h11", target.border = 2;
@@ -174,7 +174,7 @@ Target read_tags(const XmlNode& node, const Words& words, std::string_view where
         message("{}: a target of kind tags needs dictionary, which is missing; expected dictionary and a <tag> "
                 "element for every tag.",
                 looked_up(std::string(where))));
-  Target target = told_by(words, where);
+  Target target = reported_by(words, where);
   read_tag_places(node, target);
   check_target(target, where);
   return target;
@@ -184,7 +184,7 @@ Target read_tags(const XmlNode& node, const Words& words, std::string_view where
 
 Target target_from_words(const Words& words, std::string_view where) {
   require_words(words, kind_from(words, where), where);
-  Target target = told_by(words, where);
+  Target target = reported_by(words, where);
   if (is_grid(words)) take_grid(words, where, target);
   check_target(target, where);
   return target;
@@ -217,7 +217,7 @@ Words circles_words(const Target& target) {
 Words kind_words(const Target& target) {
   if (is_circle_grid(target)) return circles_words(target);
   const bool is_grid = is_tag_grid(target);
-  Words words{{"kind", std::string(is_grid ? grid : name_of(target.kind))}};
+  Words words{{"kind", std::string(is_grid ? grid : display_name(target.kind))}};
   const auto add = [&](const char* name, std::string text) { words.emplace_back(name, std::move(text)); };
   if (target.kind != TargetKind::tags || is_grid) {
     add("columns", std::to_string(target.columns));

@@ -153,7 +153,7 @@ void note_left_out(const Bag& bag, std::vector<Message>& notes) {
 
 }  // namespace
 
-std::string robot_description_of(const Bag& bag) {
+std::string find_robot_description(const Bag& bag) {
   std::string text;
   if (std::none_of(bag.topics.begin(), bag.topics.end(), is_description)) return text;
   read_bag(bag, is_description, [&](const BagTopic& topic, std::int64_t, std::string_view bytes) {

@@ -39,7 +39,7 @@ struct BagContents {
 };
 
 /// The robot's URDF as published, empty where it was not.
-std::string robot_description_of(const Bag& bag);
+std::string find_robot_description(const Bag& bag);
 
 /// InputError where a message is damaged. `at_each` is called at every message; what it throws ends the reading.
 BagContents read_bag_contents(const Bag& bag, const Robot& robot, const std::function<void()>& at_each = {});

@@ -26,20 +26,20 @@ JointSeries JointTaker::series() {
   std::sort(times_.begin(), times_.end());
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
   double begin = -1e300;
-  for (auto& [joint, told] : values_) {
-    std::stable_sort(told.begin(), told.end(), [](const Told& a, const Told& b) { return a.time < b.time; });
+  for (auto& [joint, reported] : values_) {
+    std::stable_sort(reported.begin(), reported.end(), [](const Told& a, const Told& b) { return a.time < b.time; });
     out.names.push_back(robot_.joints[static_cast<std::size_t>(joint)].name);
-    begin = std::max(begin, told.front().time);
+    begin = std::max(begin, reported.front().time);
   }
   std::vector<std::size_t> at(values_.size(), 0);
   for (const double time : times_) {
     if (time < begin) continue;
     Eigen::VectorXd q(static_cast<Eigen::Index>(values_.size()));
     Eigen::Index row = 0;
-    for (const auto& [joint, told] : values_) {
+    for (const auto& [joint, reported] : values_) {
       std::size_t& place = at[static_cast<std::size_t>(row)];
-      while (place + 1 < told.size() && told[place + 1].time <= time) ++place;
-      q[row++] = told[place].value;
+      while (place + 1 < reported.size() && reported[place + 1].time <= time) ++place;
+      q[row++] = reported[place].value;
     }
     out.times.push_back(time);
     out.positions.push_back(std::move(q));

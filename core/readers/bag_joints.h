@@ -17,8 +17,8 @@ class JointTaker {
 
   void see(const ros::JointState& state, double time);
 
-  /// Every joint at every time at which any was told, once all that are told at all are known: the last that was told
-  /// of it by then.
+  /// Every joint at every time at which any was reported, once all that are reported at all are known: the last that
+  /// was known of it by then.
   JointSeries series();
 
   /// How many names were no moving joint of the robot.

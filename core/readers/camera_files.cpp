@@ -141,7 +141,7 @@ RosCamera camera_from_message(const ros::CameraInfo& message, const std::string&
   return c;
 }
 
-StereoRig rig_of(const RosCamera& left, const RosCamera& right) {
+StereoRig make_rig(const RosCamera& left, const RosCamera& right) {
   const RosCamera &l = right.baseline >= left.baseline ? left : right, &r = &l == &left ? right : left;
   if (!l.has_rectification || !r.has_rectification || !(r.baseline > 1e-4))
     throw InputError(
@@ -188,7 +188,7 @@ Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<M
   return rig;
 }
 
-Rig rig_of(const RosCamera& camera) {
+Rig make_rig(const RosCamera& camera) {
   std::string name;
   for (const char c : camera.name)
     if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') name += c;

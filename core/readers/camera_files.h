@@ -25,7 +25,7 @@ struct RosCamera {
 /// InputError where these are no numbers of a camera, or the images' size is missing; `file` begins the sentence.
 void check_camera(const Camera& camera, const std::string& file);
 
-/// The lens by what ROS and Kalibr call its model; an empty name is told by the count of its numbers.
+/// The lens by what ROS and Kalibr call its model; an empty name is recognised by the count of its numbers.
 void set_distortion(Camera& camera, const std::vector<double>& numbers, const std::string& model,
                     const std::string& file);
 
@@ -39,13 +39,13 @@ RosCamera read_camera_info(const YAML::Node& yaml, const std::string& file);
 RosCamera camera_from_message(const ros::CameraInfo& message, const std::string& file);
 
 /// The rig that two cameras of ROS make by their rectification. InputError where neither names a baseline.
-StereoRig rig_of(const RosCamera& left, const RosCamera& right);
+StereoRig make_rig(const RosCamera& left, const RosCamera& right);
 
 /// cam0, cam1, ... of Kalibr's camchain (T_cn_cnm1), as many as a rig holds; two are called left and right.
 Rig read_camchain(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
 
 /// A rig of this one camera.
-Rig rig_of(const RosCamera& camera);
+Rig make_rig(const RosCamera& camera);
 
 /// InputError, or turned into what it must be with a sentence in `notes`, where images of this size cannot be of this
 /// camera: width and height swapped.

@@ -91,8 +91,8 @@ double beyond(const std::vector<Eigen::VectorXd>& positions, Eigen::Index column
 }
 
 /// Columns that break limits, where another order of the same columns would break none.
-void doubt_order(const JointSeries& s, const std::vector<Placed>& columns, const Robot& robot, const std::string& file,
-                 std::vector<Message>& notes) {
+void warn_of_order(const JointSeries& s, const std::vector<Placed>& columns, const Robot& robot,
+                   const std::string& file, std::vector<Message>& notes) {
   constexpr double slack = 0.05;  // rad (m)
   const auto joint = [&](std::size_t i) -> const Joint& {
     return robot.joints[static_cast<std::size_t>(columns[i].joint)];
@@ -153,7 +153,7 @@ int joint_columns(const Table& table, const Robot& robot) {
 JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<Message>& notes) {
   const std::vector<Placed> columns = placed(table, robot, degrees, notes);
   JointSeries s;
-  s.times = times_of(table, notes);
+  s.times = list_times(table, notes);
   sort_by_time(table, s.times, notes);
   std::vector<std::size_t> used;
   for (const Placed& p : columns) used.push_back(p.column);
@@ -178,7 +178,7 @@ JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std:
   if (std::any_of(columns.begin(), columns.end(), [](const Placed& p) { return p.is_degrees; }))
     notes.push_back(message("{}: angles are read as degrees.", table.file));
   refuse_degrees(s, columns, robot, table.file);
-  doubt_order(s, columns, robot, table.file, notes);
+  warn_of_order(s, columns, robot, table.file, notes);
   return s;
 }
 

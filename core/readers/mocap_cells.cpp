@@ -20,7 +20,7 @@ std::string bare(std::string_view cell) {
 
 }  // namespace
 
-std::vector<Cells> cells_of(std::string_view text) {
+std::vector<Cells> split_cells(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<Cells> lines;
   while (!text.empty()) {
@@ -37,8 +37,8 @@ std::vector<Cells> cells_of(std::string_view text) {
   return lines;
 }
 
-Table table_of(const std::vector<Cells>& lines, std::size_t first, std::size_t last, std::size_t time_at,
-               double seconds, const std::vector<Column>& columns, const std::string& file) {
+Table read_table_lines(const std::vector<Cells>& lines, std::size_t first, std::size_t last, std::size_t time_at,
+                       double seconds, const std::vector<Column>& columns, const std::string& file) {
   Table table;
   table.file = file;
   table.has_header = true;

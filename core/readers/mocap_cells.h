@@ -13,7 +13,7 @@ namespace handsight::mocap {
 using Cells = std::vector<std::string>;
 
 /// The lines' cells between commas, without spaces and quotes around them; empty lines have one empty cell.
-std::vector<Cells> cells_of(std::string_view text);
+std::vector<Cells> split_cells(std::string_view text);
 
 /// A column of a file and what it becomes of the table of one body or of the markers.
 struct Column {
@@ -23,7 +23,7 @@ struct Column {
 
 /// A table of time (s; `time_at`, times `seconds`) and these columns, of the lines from `first` to before `last`; cells
 /// that are missing or no numbers are NaN. InputError where a time is no number.
-Table table_of(const std::vector<Cells>& lines, std::size_t first, std::size_t last, std::size_t time_at,
-               double seconds, const std::vector<Column>& columns, const std::string& file);
+Table read_table_lines(const std::vector<Cells>& lines, std::size_t first, std::size_t last, std::size_t time_at,
+                       double seconds, const std::vector<Column>& columns, const std::string& file);
 
 }  // namespace handsight::mocap

@@ -48,7 +48,7 @@ std::string setting(const Header& h, const char* name) {
   return found == h.settings.end() ? "" : found->second;
 }
 
-std::string unit_of(const Header& h) {
+std::string find_unit(const Header& h) {
   const std::string unit = setting(h, "Length Units");
   return unit.starts_with("Milli") ? "mm" : unit.starts_with("Centi") ? "cm" : "m";
 }
@@ -67,10 +67,10 @@ bool is_motive_csv(const std::string& text) {
 }
 
 MocapTables read_motive_csv(const std::string& text, const std::string& file) {
-  const std::vector<Cells> lines = cells_of(text);
+  const std::vector<Cells> lines = split_cells(text);
   const Header h = header_of(lines, file);
   const Cells& axes = lines[h.axes];
-  const std::string unit = unit_of(h);
+  const std::string unit = find_unit(h);
   std::vector<std::string> order;
   std::map<std::string, std::vector<Column>> bodies;
   std::vector<Column> markers;
@@ -93,8 +93,8 @@ MocapTables read_motive_csv(const std::string& text, const std::string& file) {
   while (last > h.axes + 1 && lines[last - 1] == Cells{""}) --last;
   if (!bodies.empty()) require_quaternions(h, file);
   for (const std::string& name : order)
-    all.bodies.push_back({name, table_of(lines, h.axes + 1, last, 1, 1, bodies[name], file)});
-  if (order.empty()) all.markers = table_of(lines, h.axes + 1, last, 1, 1, markers, file);
+    all.bodies.push_back({name, read_table_lines(lines, h.axes + 1, last, 1, 1, bodies[name], file)});
+  if (order.empty()) all.markers = read_table_lines(lines, h.axes + 1, last, 1, 1, markers, file);
   left_out += order.empty() ? 0 : markers.size() / 3;
   if (left_out > 0)
     all.notes.push_back(message("{}: {} markers beside the rigid bodies are left out.", file, left_out));

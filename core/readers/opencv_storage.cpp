@@ -44,8 +44,9 @@ bool is_nested_deeply(std::string_view text) {
 
 StorageEntry faulty(Message reason) { return {0, 0, {}, std::move(reason)}; }
 
-/// A matrix that is told with its rows and columns.
-StorageEntry entry_of(std::optional<std::int64_t> rows, std::optional<std::int64_t> cols, std::vector<double> numbers) {
+/// A matrix that is reported with its rows and columns.
+StorageEntry find_entry(std::optional<std::int64_t> rows, std::optional<std::int64_t> cols,
+                        std::vector<double> numbers) {
   const auto is_side = [](std::optional<std::int64_t> side) {
     return side && *side >= 0 && *side <= static_cast<std::int64_t>(most_side);
   };
@@ -63,7 +64,7 @@ StorageEntry list_of(std::vector<double> numbers, std::size_t rows = 0) {
   if (rows == 0 || count % rows != 0) rows = count;
   if (rows == 0) return faulty("it is empty");
   if (rows > most_side) return faulty(message("it is a list of {} numbers", count));
-  return entry_of(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(count / rows), std::move(numbers));
+  return find_entry(static_cast<std::int64_t>(rows), static_cast<std::int64_t>(count / rows), std::move(numbers));
 }
 
 StorageEntry not_a_number(const std::string& word) {
@@ -117,7 +118,7 @@ StorageEntry yaml_entry(std::string_view body) {
     if (data->find('[') == std::string_view::npos) return faulty("its data is no list");
     StorageEntry numbers = bracketed(*data);
     if (!numbers.fault.empty()) return numbers;
-    return entry_of(integer_after(body, "rows"), integer_after(body, "cols"), std::move(numbers.numbers));
+    return find_entry(integer_after(body, "rows"), integer_after(body, "cols"), std::move(numbers.numbers));
   }
   if (body.find('[') != std::string_view::npos) return bracketed(body);
   std::vector<double> numbers;
@@ -188,7 +189,7 @@ StorageEntry json_entry(const nlohmann::json& value) {
     if (!value.contains(name) || !value[name].is_number_integer()) return std::nullopt;
     return value[name].get<std::int64_t>();
   };
-  return entry_of(side("rows"), side("cols"), std::move(numbers.numbers));
+  return find_entry(side("rows"), side("cols"), std::move(numbers.numbers));
 }
 
 Entries parse_json(const std::string& text, const std::string& file) {
@@ -215,13 +216,13 @@ StorageEntry xml_entry(const XmlNode& node) {
     const auto words = child ? inner_text(*child) : std::string();
     return split_words(words).size() == 1 ? parse_integer(split_words(words)[0]) : std::nullopt;
   };
-  return entry_of(side("rows"), side("cols"), std::move(numbers));
+  return find_entry(side("rows"), side("cols"), std::move(numbers));
 }
 
 Entries parse_xml_storage(const std::string& text, const std::string& file) {
   const auto document = parse_xml(text, file);
   Entries entries;
-  for (const XmlNode& node : children(root_of(*document, file, "opencv_storage")))
+  for (const XmlNode& node : children(require_root(*document, file, "opencv_storage")))
     entries.emplace(node.tag(), xml_entry(node));
   return entries;
 }

@@ -44,7 +44,7 @@ std::vector<NamedSection> sections_of(const std::string& text, const std::string
   return all;
 }
 
-RosCamera camera_of(const NamedSection& section, const std::vector<double>& size, const std::string& file) {
+RosCamera look_up_camera(const NamedSection& section, const std::vector<double>& size, const std::string& file) {
   const auto numbers = [&](const char* name) {
     const auto found = section.numbers.find(name);
     return found == section.numbers.end() ? std::vector<double>() : found->second;
@@ -79,7 +79,7 @@ std::vector<RosCamera> read_ost(const std::string& text, const std::string& file
       if (const auto found = section.numbers.find(name); section.name == "image" && found != section.numbers.end())
         size[place] = found->second.front();
     if (section.name != "image" && section.numbers.contains("camera matrix"))
-      cameras.push_back(camera_of(section, size, file));
+      cameras.push_back(look_up_camera(section, size, file));
   }
   if (cameras.empty() || cameras.size() > 2)
     throw InputError(message("{}: has {} cameras; expected one, or a left and a right one.", file, cameras.size()));

@@ -106,7 +106,7 @@ PointSeries read_point_table(Table table, std::vector<Message>& notes) {
   if (triples.size() > most_markers)
     throw InputError(message("{}: holds {} points an instant; a session has up to {} markers.", table.file,
                              triples.size(), most_markers));
-  std::vector<double> times = times_of(table, notes);
+  std::vector<double> times = list_times(table, notes);
   sort_by_time(table, times, notes);
   double largest = 0;
   for (const auto& row : table.rows)

@@ -17,7 +17,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names words_of(const std::string& name) {
+Names list_words(const std::string& name) {
   Names words{""};
   for (const char c : name) {
     if (std::string_view("_.-:/ ").find(c) != std::string_view::npos)
@@ -97,7 +97,7 @@ struct Group {
 std::vector<Group> groups_of(const Table& t, std::size_t begin, std::size_t end, bool at_end) {
   std::vector<Group> groups;
   for (std::size_t c = begin; c < end; ++c) {
-    const Names words = words_of(t.columns[c].name);
+    const Names words = list_words(t.columns[c].name);
     if (words.empty()) continue;
     const auto component = at_end ? component_at_end(words) : component_at_begin(words);
     if (!component) continue;
@@ -133,14 +133,14 @@ const std::vector<Way>& ways() {
   return all;
 }
 
-std::vector<std::size_t> columns_of(const Group& group, const Names& names) {
+std::vector<std::size_t> list_columns(const Group& group, const Names& names) {
   std::vector<std::size_t> columns;
   for (const std::string& name : names)
     if (const auto found = group.columns.find(name); found != group.columns.end()) columns.push_back(found->second);
   return columns.size() == names.size() ? columns : std::vector<std::size_t>();
 }
 
-std::string text_of(const Table& t, const std::vector<std::size_t>& columns) {
+std::string make_text(const Table& t, const std::vector<std::size_t>& columns) {
   std::string text;
   for (const std::size_t c : columns) text += (text.empty() ? "" : " ") + shortened(t.columns[c].name, 30);
   return text;
@@ -149,15 +149,15 @@ std::string text_of(const Table& t, const std::vector<std::size_t>& columns) {
 std::optional<PoseColumns> named_pose(const Table& t, const Group& group) {
   PoseColumns p;
   p.role = group.role;
-  p.xyz = columns_of(group, {"x", "y", "z"});
+  p.xyz = list_columns(group, {"x", "y", "z"});
   if (p.xyz.empty() || group.is_doubtful) return std::nullopt;
   for (const Way& way : ways()) {
-    p.turn = columns_of(group, way.names);
+    p.turn = list_columns(group, way.names);
     if (p.turn.empty()) continue;
     p.kinds = way.kinds;
     p.first_is_usual = way.first_is_usual;
     p.usually_degrees = way.usually_degrees;
-    p.text = verbatim(text_of(t, p.turn));
+    p.text = verbatim(make_text(t, p.turn));
     return p;
   }
   return std::nullopt;
@@ -177,7 +177,7 @@ std::vector<PoseColumns> named_poses(const Table& t, std::size_t begin, std::siz
 std::size_t first_repeated(const Table& t) {
   for (std::size_t c = 1; c < t.width(); ++c)
     for (std::size_t before = 0; before < c; ++before)
-      if (const Names name = words_of(t.columns[c].name); !name.empty() && words_of(t.columns[before].name) == name)
+      if (const Names name = list_words(t.columns[c].name); !name.empty() && list_words(t.columns[before].name) == name)
         return c;
   return t.width();
 }

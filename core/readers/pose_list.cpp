@@ -16,8 +16,8 @@ namespace {
   throw InputError(message("{}: pose {} {}; expected x y z in m and a unit quaternion x y z w.", file, number, why));
 }
 
-Rigid pose_of(const std::vector<double>& xyz, const std::vector<double>& q, const std::string& file,
-              std::size_t number) {
+Rigid find_instant_pose(const std::vector<double>& xyz, const std::vector<double>& q, const std::string& file,
+                        std::size_t number) {
   for (const double x : xyz)
     if (!bounds::length.hold(x)) refuse_pose(file, number, "lies outside of any room");
   const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
@@ -25,7 +25,7 @@ Rigid pose_of(const std::vector<double>& xyz, const std::vector<double>& q, cons
   return {rotation.normalized().toRotationMatrix(), Vector3(xyz.data())};
 }
 
-std::optional<std::vector<double>> numbers_of(const YAML::Node& node, std::initializer_list<const char*> keys) {
+std::optional<std::vector<double>> list_numbers(const YAML::Node& node, std::initializer_list<const char*> keys) {
   if (!node) return std::nullopt;
   if (node.IsSequence()) return yaml_numbers(node);
   if (!node.IsMap()) return std::nullopt;
@@ -159,11 +159,11 @@ std::optional<Rigid> find_pose(const YAML::Node& node, const std::string& file, 
   if (!node.IsMap()) return std::nullopt;
   if (node["pose"] && node["pose"].IsMap()) return find_pose(node["pose"], file, number);
   if (node["transform"] && node["transform"].IsMap()) return find_pose(node["transform"], file, number);
-  const auto xyz = numbers_of(first_of(node, {"translation", "position", "xyz", "t"}), {"x", "y", "z"});
-  const auto q = numbers_of(first_of(node, {"rotation", "orientation", "quaternion", "quaternion_xyzw", "q"}),
-                            {"x", "y", "z", "w"});
+  const auto xyz = list_numbers(first_of(node, {"translation", "position", "xyz", "t"}), {"x", "y", "z"});
+  const auto q = list_numbers(first_of(node, {"rotation", "orientation", "quaternion", "quaternion_xyzw", "q"}),
+                              {"x", "y", "z", "w"});
   if (!xyz || !q || xyz->size() != 3 || q->size() != 4) return std::nullopt;
-  return pose_of(*xyz, *q, file, number);
+  return find_instant_pose(*xyz, *q, file, number);
 }
 
 Rigid required_pose(const YAML::Node& node, const std::string& file, std::size_t number) {

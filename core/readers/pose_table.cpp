@@ -29,7 +29,7 @@ struct Keys {
 };
 
 /// Whole numbers, each once, or nothing.
-std::vector<double> numbers_of(const Table& t) {
+std::vector<double> list_numbers(const Table& t) {
   const auto c = find_column(t, {"number", "nr", "no", "index", "idx", "id", "sample", "pose", "frame", "observation",
                                  "image_id", "shot", "i", "n", "seq", "#"});
   if (!c || !t.columns[*c].words.empty()) return {};
@@ -42,14 +42,14 @@ std::vector<double> numbers_of(const Table& t) {
   return numbers;
 }
 
-std::vector<std::string> names_of(const Table& t) {
+std::vector<std::string> list_names(const Table& t) {
   for (const TableColumn& column : t.columns)
     if (!column.words.empty()) return column.words;
   return {};
 }
 
 /// Of each row its place in the file.
-std::vector<std::size_t> places_of(const Table& t) {
+std::vector<std::size_t> list_places(const Table& t) {
   std::vector<int> lines = t.lines;
   std::sort(lines.begin(), lines.end());
   std::vector<std::size_t> places;
@@ -69,11 +69,11 @@ Table without_names_of(Table t, const std::vector<PoseColumns>& poses) {
 
 Keys keys_of(Table& t, std::vector<Message>& notes) {
   Keys k;
-  k.times = times_of(t, notes);
+  k.times = list_times(t, notes);
   sort_by_time(t, k.times, notes);
-  k.numbers = numbers_of(t);
-  k.names = names_of(t);
-  k.places = places_of(t);
+  k.numbers = list_numbers(t);
+  k.names = list_names(t);
+  k.places = list_places(t);
   return k;
 }
 
@@ -122,17 +122,17 @@ void say_readings(const Table& t, const PoseColumns& p, const PoseTableOptions& 
   read.turns.columns = p.text;
   read.turns.first_is_usual = p.first_is_usual;
   if (!o.angles.empty()) {
-    const NamedAngleKind told = named_angle_kind(o.angles);
-    if (angle_count(told.kind) == p.turn.size()) {
-      kinds = {told.kind};
-      usually_degrees = told.usually_degrees;
+    const NamedAngleKind reported = named_angle_kind(o.angles);
+    if (angle_count(reported.kind) == p.turn.size()) {
+      kinds = {reported.kind};
+      usually_degrees = reported.usually_degrees;
       read.turns.first_is_usual = true;
-      read.turns.is_told = true;
+      read.turns.is_reported = true;
     }
   }
   const std::string& unit = t.columns[p.turn[0]].unit;
   const double largest = largest_turn(t, p);
-  read.turns.readings = readings_of(kinds, unit, o.degrees, usually_degrees, largest);
+  read.turns.readings = list_readings(kinds, unit, o.degrees, usually_degrees, largest);
   if (p.turn.size() == 3 && unit != "deg" && unit != "rad" && !o.degrees && largest > most_radians)
     notes.push_back(message("{}: angles of up to {:.0f} can only be degrees; they are read so.", what, largest));
 }
@@ -178,8 +178,8 @@ ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, c
 
 }  // namespace
 
-std::vector<TurnReading> readings_of(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,
-                                     bool usually_degrees, double largest) {
+std::vector<TurnReading> list_readings(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,
+                                       bool usually_degrees, double largest) {
   std::vector<TurnReading> all;
   const bool is_of_angles = angle_count(kinds.front()) == 3;
   const bool only_degrees = unit == "deg" || (unit != "rad" && (says_degrees || largest > most_radians));

@@ -23,7 +23,7 @@ struct Turns {
   std::vector<std::vector<double>> numbers;  // one list a pose, as written
   std::vector<TurnReading> readings;         // what they may be, the likeliest first; one: the table says it
   bool first_is_usual = false;               // the first is to be taken wherever it serves
-  bool is_told = false;                      // by PoseTableOptions::angles
+  bool is_reported = false;                  // by PoseTableOptions::angles
 };
 
 /// Poses, their turns by the first reading.
@@ -56,7 +56,7 @@ void read_turns(const Turns& turns, const TurnReading& reading, PoseSeries& seri
 Message reading_text(const TurnReading& reading);
 
 /// What columns without names may be: three numbers any kind of angles, four a quaternion.
-std::vector<TurnReading> readings_of(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,
-                                     bool usually_degrees, double largest);
+std::vector<TurnReading> list_readings(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,
+                                       bool usually_degrees, double largest);
 
 }  // namespace handsight

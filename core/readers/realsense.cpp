@@ -25,7 +25,7 @@ std::string plain_model(std::string model) {
   return model;
 }
 
-RosCamera camera_of(const Intrinsics& i, const std::string& file, std::vector<Message>& notes) {
+RosCamera look_up_camera(const Intrinsics& i, const std::string& file, std::vector<Message>& notes) {
   RosCamera c;
   c.file = file;
   c.camera.width = static_cast<int>(std::clamp(i.width, 0.0, 1e6));
@@ -78,15 +78,15 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
   std::istringstream lines(text);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    const std::string told = trimmed(line);
-    if (told.starts_with("Intrinsic of ")) {
-      all.push_back({told.substr(13), {}});
+    const std::string reported = trimmed(line);
+    if (reported.starts_with("Intrinsic of ")) {
+      all.push_back({reported.substr(13), {}});
       inside = true;
       continue;
     }
-    const std::size_t colon = told.find(':');
+    const std::size_t colon = reported.find(':');
     inside = inside && colon != std::string::npos;
-    if (inside) take_line(all.back(), told.substr(0, colon), trimmed(told.substr(colon + 1)));
+    if (inside) take_line(all.back(), reported.substr(0, colon), trimmed(reported.substr(colon + 1)));
   }
   return all;
 }
@@ -106,13 +106,13 @@ RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::v
   const std::pair<const char*, double*> numbers[] = {{"width", &i.width}, {"height", &i.height}, {"fx", &i.fx},
                                                      {"fy", &i.fy},       {"ppx", &i.ppx},       {"ppy", &i.ppy}};
   for (const auto& [name, number] : numbers) {
-    const auto told = yaml_number(yaml, name);
-    if (!told) throw InputError(message("{}: has no number {}; expected width height ppx ppy fx fy.", file, name));
-    *number = *told;
+    const auto reported = yaml_number(yaml, name);
+    if (!reported) throw InputError(message("{}: has no number {}; expected width height ppx ppy fx fy.", file, name));
+    *number = *reported;
   }
   i.model = yaml_word(yaml, "model");
   i.coefficients = yaml_numbers(yaml["coeffs"]).value_or(std::vector<double>());
-  return camera_of(i, file, notes);
+  return look_up_camera(i, file, notes);
 }
 
 RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<Message>& notes) {
@@ -125,7 +125,7 @@ RosCamera read_realsense_listing(const std::string& text, const std::string& fil
                 "\"Coeffs\".",
                 file, all.size(), shortened(streams, 200)));
   }
-  return camera_of(all.front(), file, notes);
+  return look_up_camera(all.front(), file, notes);
 }
 
 }  // namespace handsight

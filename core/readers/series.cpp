@@ -153,7 +153,7 @@ std::optional<double> estimated_lag(const JointSeries& joints, const std::vector
   return step * (static_cast<double>(best) + (bend < 0 ? 0.5 * (before - after) / bend : 0.0));
 }
 
-std::vector<double> speeds_of(const PoseSeries& series) {
+std::vector<double> compute_speeds(const PoseSeries& series) {
   std::vector<double> speeds(series.poses.size(), 0.0);
   for (std::size_t i = 1; i + 1 < series.poses.size(); ++i) {
     const Vector6 way = small_motion_between(series.poses[i - 1], series.poses[i + 1]);

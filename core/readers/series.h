@@ -22,7 +22,7 @@ struct JointSeries {
 
 /// Poses of one thing in another's frame, and what each is called by where its file says so: lists of one an instant.
 struct PoseSeries {
-  std::vector<double> times = {};  // s; empty: not told
+  std::vector<double> times = {};  // s; empty: not given
   std::vector<Rigid> poses = {};
   std::vector<double> numbers = {};      // of a column that numbers the instants
   std::vector<std::string> names = {};   // of the images of the same instants
@@ -60,6 +60,6 @@ std::optional<double> estimated_lag(const JointSeries& joints, const std::vector
                                     const std::vector<double>& speeds, double most = 1.0);
 
 /// How fast poses move (m/s, a radian counts as 0.3 m), one number a pose.
-std::vector<double> speeds_of(const PoseSeries& series);
+std::vector<double> compute_speeds(const PoseSeries& series);
 
 }  // namespace handsight

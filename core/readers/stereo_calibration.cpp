@@ -89,8 +89,8 @@ bool take_distortion(Camera& camera, const std::vector<double>& numbers, std::si
   return true;
 }
 
-Camera camera_of(const StorageEntry& k, const std::optional<StorageEntry>& distortion, const char* side,
-                 const Found& found, const std::string& files) {
+Camera look_up_camera(const StorageEntry& k, const std::optional<StorageEntry>& distortion, const char* side,
+                      const Found& found, const std::string& files) {
   const bool is_square = k.rows == 3 && k.cols == 3;
   if (!is_square || !(k.numbers[0] > 0) || !(k.numbers[4] > 0))
     throw InputError(message("{}: the {} camera matrix is {} x {}; expected 3 x 3 with positive focal lengths.", files,
@@ -182,7 +182,7 @@ Camera numbered_camera(const Storage& all, int k, const std::string& model, cons
   };
   own("image_width_", found.width);
   own("image_height_", found.height);
-  Camera camera = camera_of(*matrix, std::nullopt, which, found, files);
+  Camera camera = look_up_camera(*matrix, std::nullopt, which, found, files);
   const std::vector<double> numbers = distortion ? distortion->numbers : std::vector<double>();
   camera.is_fisheye = model == "fisheye";
   if (camera.is_fisheye && numbers.size() == 4) {
@@ -224,7 +224,7 @@ Rig parse_rig_calibration(const std::vector<StereoCalibrationText>& texts, std::
   int count = 0;
   while (count < max_cameras && all.contains("M" + std::to_string(count + 1))) ++count;
   if (count == 0 && find_matrix(all, files, one_matrix)) count = 1;
-  if (count == 0) return rig_of(parse_stereo_calibration(texts, notes));
+  if (count == 0) return make_rig(parse_stereo_calibration(texts, notes));
   Rig rig;
   for (int k = 1; k <= count; ++k) {
     const std::string number = std::to_string(k);
@@ -265,8 +265,8 @@ StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& tex
   require(found.rotation.has_value(), "rotation R between the cameras");
   require(found.translation.has_value() && found.translation->numbers.size() == 3, "translation T between the cameras");
   StereoRig rig;
-  rig.left = camera_of(*found.camera[0], found.distortion[0], "left", found, names);
-  rig.right = camera_of(*found.camera[1], found.distortion[1], "right", found, names);
+  rig.left = look_up_camera(*found.camera[0], found.distortion[0], "left", found, names);
+  rig.right = look_up_camera(*found.camera[1], found.distortion[1], "right", found, names);
   rig.right_from_left = right_from_left_of(found, names, notes);
   return rig;
 }

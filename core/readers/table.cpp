@@ -237,7 +237,7 @@ std::optional<std::size_t> find_column(const Table& table, std::initializer_list
   return std::nullopt;
 }
 
-std::vector<double> times_of(const Table& table, std::vector<Message>& notes) {
+std::vector<double> list_times(const Table& table, std::vector<Message>& notes) {
   const auto column =
       find_column(table, {"time", "timestamp", "t", "stamp", "seconds", "sec", "time_s", "header.stamp"});
   if (!column) return {};

@@ -42,7 +42,7 @@ std::optional<std::size_t> find_column(const Table& table, std::initializer_list
 
 /// The column's times in s, by its unit or size (ms, us, ns), begin at their own zero where they are epochs; empty
 /// where the table has none. A sentence in `notes` where the unit was guessed.
-std::vector<double> times_of(const Table& table, std::vector<Message>& notes);
+std::vector<double> list_times(const Table& table, std::vector<Message>& notes);
 
 /// Sorts rows by time where they are not; says so. Rows of the same time are refused with a sentence.
 void sort_by_time(Table& table, std::vector<double>& times, std::vector<Message>& notes);

@@ -79,23 +79,24 @@ std::vector<Column> with_quaternion(std::vector<Column> columns) {
 }  // namespace
 
 bool is_vicon_csv(const std::string& text) {
-  const std::vector<Cells> lines = cells_of(std::string_view(text).substr(0, 4000));
+  const std::vector<Cells> lines = split_cells(std::string_view(text).substr(0, 4000));
   return lines.size() > 3 && is_name(lines[0].front()) && parse_number(lines[1].front()) && lines[3].front() == "Frame";
 }
 
 MocapTables read_vicon_csv(const std::string& text, const std::string& file) {
-  const std::vector<Cells> lines = cells_of(text);
+  const std::vector<Cells> lines = split_cells(text);
   MocapTables all;
   for (const Section& s : sections_of(lines, file)) {
     const double frame = 1 / s.rate;
     if (s.name == "Objects" || s.name == "Segments") {
       for (const auto& [name, columns] : things_of(lines, s))
-        all.bodies.push_back({name, table_of(lines, s.first, s.last, 0, frame, with_quaternion(columns), file)});
+        all.bodies.push_back(
+            {name, read_table_lines(lines, s.first, s.last, 0, frame, with_quaternion(columns), file)});
     } else if (s.name == "Trajectories") {
       std::vector<Column> columns;
       for (const auto& [name, own] : things_of(lines, s))
         for (const Column& c : own) columns.push_back({c.at, name + "_" + c.name, c.unit});
-      all.markers = table_of(lines, s.first, s.last, 0, frame, columns, file);
+      all.markers = read_table_lines(lines, s.first, s.last, 0, frame, columns, file);
     } else {
       all.notes.push_back(message("{}: the section {} is left out.", file, in_quotes(s.name)));
     }

@@ -104,7 +104,7 @@ class Collada {
   }
 
   /// The points that a <source> holds, by its accessor.
-  std::vector<Eigen::Vector3d> points_of(const XmlNode& source) const {
+  std::vector<Eigen::Vector3d> list_points(const XmlNode& source) const {
     const std::vector<double> numbers = numbers_in(required_child(source, "float_array"));
     const auto technique = find_child(source, "technique_common");
     const auto accessor = technique ? find_child(*technique, "accessor") : std::nullopt;
@@ -138,7 +138,7 @@ class Collada {
       corners.offset = offset;
       for (const XmlNode& of : children(named(input, "source", "vertices"), "input"))
         if (find_name(of, "semantic") == "POSITION") {
-          corners.points = points_of(named(of, "source", "source"));
+          corners.points = list_points(named(of, "source", "source"));
           has_points = true;
         }
     }
@@ -207,7 +207,7 @@ class Collada {
 
 Mesh parse_collada(std::string_view text, const std::string& file) {
   const auto document = parse_xml(text, file);
-  return Collada(root_of(*document, file, "COLLADA")).read();
+  return Collada(require_root(*document, file, "COLLADA")).read();
 }
 
 }  // namespace handsight

@@ -16,7 +16,7 @@ std::vector<std::vector<Shape>> collision_shapes(const Robot& robot, const std::
                                                  const std::string& file_name) {
   std::vector<std::vector<Shape>> shapes = visual_shapes(robot);
   const auto document = parse_xml(text, file_name);
-  const XmlNode root = root_of(*document, file_name, "robot");
+  const XmlNode root = require_root(*document, file_name, "robot");
   for (const XmlNode& link : children(root, "link")) {
     const int index = find_link(robot, find_name(link, "name").value_or(""));
     if (index < 0) continue;

@@ -164,11 +164,12 @@ Mesh parse_obj(std::string_view text, const std::string& file) {
 
 Mesh parse_stl(std::string_view bytes, const std::string& file) {
   const bool has_head = bytes.size() >= stl_head;
-  const std::size_t told = has_head ? stl_head + stl_triangle * std::size_t{little_endian(bytes.substr(80, 4))} : 0;
-  if (has_head && told == bytes.size()) return parse_binary_stl(bytes, file);
+  const std::size_t reported = has_head ? stl_head + stl_triangle * std::size_t{little_endian(bytes.substr(80, 4))} : 0;
+  if (has_head && reported == bytes.size()) return parse_binary_stl(bytes, file);
   if (bytes.starts_with("solid")) return parse_text_stl(bytes, file);
-  refuse(file, 0,
-         message("the file has {} bytes and its head speaks of {}, expected a whole STL file.", bytes.size(), told));
+  refuse(
+      file, 0,
+      message("the file has {} bytes and its head speaks of {}, expected a whole STL file.", bytes.size(), reported));
 }
 
 Mesh read_mesh(const fs::path& file) {

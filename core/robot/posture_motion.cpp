@@ -41,7 +41,7 @@ Vector6 PostureTangent::motion_after(std::size_t j, const Vector6& change) const
   const Joint& joint = robot_->joints[j];
   const Rigid link_from_joint = inverse(joint.joint_from_child);
   const Rigid root_from_after = posture_->root_from_link[static_cast<std::size_t>(joint.child_link)] * link_from_joint;
-  const Vector6& now = change_of(j).after;
+  const Vector6& now = find_change(j).after;
   const Matrix3 before = root_from_after.rotation * rotation_from_vector<double>(now.tail<3>()).transpose();
   Vector6 motion =
       rotation_about_point(before * (left_jacobian(now.tail<3>()) * change.tail<3>()), root_from_after.translation);
@@ -76,7 +76,7 @@ Vector6 PostureTangent::motion_by_joint(std::size_t j, const JointChange& d) con
   }
   for (const Mimic& mimic : robot_->joints[j].mimics) {
     const auto i = static_cast<std::size_t>(mimic.joint);
-    const JointChange& c = change_of(j);
+    const JointChange& c = find_change(j);
     const double deflection = posture_->deflection.angle[i];
     const double corrected = posture_->value[i] - deflection;
     const double factor = mimic.multiplier + c.multiplier_error;

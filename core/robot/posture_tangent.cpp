@@ -36,7 +36,7 @@ PostureTangent::PostureTangent(const Robot& robot, const RobotChange& change, co
   answer_to_motions();
 }
 
-const JointChange& PostureTangent::change_of(std::size_t joint) const {
+const JointChange& PostureTangent::find_change(std::size_t joint) const {
   return change_->joints.empty() ? no_change : change_->joints[joint];
 }
 
@@ -112,7 +112,7 @@ void PostureTangent::describe_joints() {
     s.arm = s.first_moment - posture_->distal_mass[i] * frame.translation;
     s.carried_torque = posture_->torque[i];
     s.shift_by_frame = s.turn_by_frame = frame.rotation;
-    const Vector3 turned = change_of(i).frame.tail<3>();
+    const Vector3 turned = find_change(i).frame.tail<3>();
     if (turned.isZero(0)) continue;
     s.shift_by_frame = frame.rotation * rotation_from_vector<double>(turned).transpose();
     s.turn_by_frame = s.shift_by_frame * left_jacobian(turned);
@@ -120,7 +120,7 @@ void PostureTangent::describe_joints() {
   if (!change_->joints.empty())
     for (std::size_t m = 0; m < joints_.size(); ++m)
       for (const Mimic& mimic : robot_->joints[m].mimics) {
-        const double factor = change_of(m).share * (mimic.multiplier + change_of(m).multiplier_error);
+        const double factor = find_change(m).share * (mimic.multiplier + find_change(m).multiplier_error);
         if (factor == 0) continue;
         JointState& s = joints_[static_cast<std::size_t>(mimic.joint)];
         s.mimics_carried.push_back({static_cast<int>(m), factor});
@@ -128,7 +128,7 @@ void PostureTangent::describe_joints() {
       }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     JointState& s = joints_[i];
-    const JointChange& c = change_of(i);
+    const JointChange& c = find_change(i);
     const double stiffness = robot_->joints[i].stiffness;
     s.slope = c.compliance + (stiffness > 0 ? 1 / stiffness : 0);
     if (c.gap == 0) continue;
@@ -154,8 +154,8 @@ void PostureTangent::add_value_shares() {
       for (const Mimic& mimic : robot_->joints[m].mimics) {
         if (mimic.joint != static_cast<int>(j)) continue;
         self(self, m);  // the reader has refused mimic loops
-        const double factor = mimic.multiplier + change_of(m).multiplier_error;
-        const double deflected = factor * change_of(m).share;
+        const double factor = mimic.multiplier + find_change(m).multiplier_error;
+        const double deflected = factor * find_change(m).share;
         by_value_[j].push_back({static_cast<int>(m), factor});
         if (deflected != 0) by_deflection_[j].push_back({static_cast<int>(m), deflected});
         for (const Share& s : by_value_[m]) {
@@ -176,7 +176,7 @@ void PostureTangent::list_unknowns() {
   for (std::size_t j = 0; j < robot_->joints.size(); ++j) {
     if (!robot_->joints[j].moves()) continue;
     if (slope(j) != 0) add(Block::angle, j);
-    if (change_of(j).lateral_compliance != 0) add(Block::lateral, j);
+    if (find_change(j).lateral_compliance != 0) add(Block::lateral, j);
   }
   if (!change_->base_compliance.isZero(0)) add(Block::base, 0);
 }
@@ -202,8 +202,8 @@ void PostureTangent::list_loads() {
       add_torque(i, 1);
       for (const Share& s : joints_[i].mimics_carried) add_torque(static_cast<std::size_t>(s.joint), s.factor);
     } else if (blocks_[b].kind == Block::lateral) {
-      rows =
-          change_of(i).lateral_compliance * across(robot_->joints[i].axis) * posture_->root_from_turned[i].transpose();
+      rows = find_change(i).lateral_compliance * across(robot_->joints[i].axis) *
+             posture_->root_from_turned[i].transpose();
       add_load(b, i, rows, Load::Rows::Zero());
     } else {  // the base only turns about the root's origin
       for (int c = 0; c < 3; ++c) rows.col(c) = base_deflection(Vector3::Unit(c));

@@ -68,7 +68,7 @@ class PostureTangent {
     double slope = 0;  // d deflection / d carried torque
   };
 
-  const JointChange& change_of(std::size_t joint) const;
+  const JointChange& find_change(std::size_t joint) const;
   bool carries(std::size_t k, std::size_t i) const { return above_[i * joints_.size() + k] != 0; }
   bool slides(std::size_t k) const { return robot_->joints[k].kind == JointKind::prismatic; }
   Vector6 axis_motion(std::size_t k) const;

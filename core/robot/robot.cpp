@@ -26,7 +26,7 @@ Robot poses_robot() {
 
 Rigid base_from_flange(const Eigen::VectorXd& p) { return {rotation_from_rpy(Vector3(p[5], p[4], p[3])), p.head<3>()}; }
 
-Eigen::Matrix<double, 6, 1> position_of(const Rigid& pose) {
+Eigen::Matrix<double, 6, 1> make_position(const Rigid& pose) {
   const Vector3 rpy = rpy_from_rotation(pose.rotation);
   return (Eigen::Matrix<double, 6, 1>() << pose.translation, rpy.z(), rpy.y(), rpy.x()).finished();
 }

@@ -72,7 +72,7 @@ Robot poses_robot();
 
 /// Those values, and back.
 Rigid base_from_flange(const Eigen::VectorXd& position);
-Eigen::Matrix<double, 6, 1> position_of(const Rigid& base_from_flange);
+Eigen::Matrix<double, 6, 1> make_position(const Rigid& base_from_flange);
 
 /// The links of a robot that can be the TCP or carry the cameras, and the joints that a position names: those that
 /// move and mimic no other.

@@ -45,7 +45,7 @@ Robot parse_urdf(const std::string& text, const std::string& file_name, std::vec
     said.push_back(
         message("{}: the file is not UTF-8; its other bytes are read as Latin-1.", shortened(file_name, 80)));
   const auto document = parse_xml(is_good ? text : utf8_or_latin1(text), file_name);
-  const XmlNode root = root_of(*document, file_name, "robot");
+  const XmlNode root = require_root(*document, file_name, "robot");
   refuse_xacro(root);
   const urdf::Colors colors = urdf::read_colors(root);
   std::vector<urdf::LinkPart> links;

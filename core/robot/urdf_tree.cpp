@@ -15,10 +15,10 @@ using Names = std::unordered_map<std::string, int>;
 
 /// Index by name; refuses a name that stands twice.
 template <class Parts, class NameOf>
-Names index_names(const Parts& parts, const NameOf& name_of) {
+Names index_names(const Parts& parts, const NameOf& display_name) {
   Names names;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string& name = name_of(parts[i]);
+    const std::string& name = display_name(parts[i]);
     const auto [first, is_new] = names.emplace(name, static_cast<int>(i));
     if (!is_new)
       refuse(parts[i].node, message("has the name {}, which line {} has already given, expected another name.",
@@ -27,7 +27,7 @@ Names index_names(const Parts& parts, const NameOf& name_of) {
   return names;
 }
 
-int link_of(const JointPart& part, const std::string& name, const Names& links, std::string_view role) {
+int look_up_link(const JointPart& part, const std::string& name, const Names& links, std::string_view role) {
   const auto found = links.find(name);
   if (found == links.end())
     refuse(part.node, message("{} has the {} link {}, expected the name of a link in the file.",
@@ -39,8 +39,8 @@ void connect(std::vector<LinkPart>& links, std::vector<JointPart>& joints) {
   const Names names = index_names(links, [](const LinkPart& part) -> const std::string& { return part.link.name; });
   for (std::size_t j = 0; j < joints.size(); ++j) {
     JointPart& part = joints[j];
-    part.joint.parent_link = link_of(part, part.parent, names, "parent");
-    part.joint.child_link = link_of(part, part.child, names, "child");
+    part.joint.parent_link = look_up_link(part, part.parent, names, "parent");
+    part.joint.child_link = look_up_link(part, part.child, names, "child");
     int& carrier = links[static_cast<std::size_t>(part.joint.child_link)].link.parent_joint;
     if (carrier >= 0)
       refuse(part.node,

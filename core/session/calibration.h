@@ -46,7 +46,7 @@ struct CalibrationEffect {
 };
 
 /// What the choice of the effects leaves open, beside `model_covariance`.
-struct CalibrationDoubt {
+struct CalibrationUncertainty {
   std::vector<CalibrationEffect> others;  // that may be there too; their values are 0, or choices
   Eigen::MatrixXd covariance;  // of xi, every parameter of Calibration::effects and every one of `others`, in order
 };
@@ -63,18 +63,18 @@ struct Calibration {
   std::vector<EffectDefinition> definitions;  // of those effects that are no part of the catalogue
 
   // What a prediction without the session needs; empty or absent in files of other programs.
-  std::string tcp;                     // link
-  std::string mount;                   // link
-  std::vector<std::string> joints;     // the order of a position
-  std::optional<Vector3> gravity;      // m/s^2, in the root link's frame
-  std::optional<Matrix6> tcp_scatter;  // covariance of tcp_from_tcp_est (m, rad; TCP axes) over the observations
+  std::string tcp;                           // link
+  std::string mount;                         // link
+  std::vector<std::string> joints;           // the order of a position
+  std::optional<Vector3> gravity;            // m/s^2, in the root link's frame
+  std::optional<Matrix6> tcp_repeatability;  // covariance of tcp_from_tcp_est (m, rad; TCP axes) over the observations
   /// (6 + n) square: xi of tcp_from_body, then every parameter of `effects` in their order; those held have zeros.
   std::optional<Eigen::MatrixXd> model_covariance;
-  std::optional<CalibrationDoubt> doubt;
+  std::optional<CalibrationUncertainty> model_uncertainty;
   // Of a hand that carries the sensor, whose TCP link stands still: as the two above for xi of mount_from_sensor
   // (root_from_sensor = root_from_mount exp(xi) mount_from_sensor), and the scatter of the mount's link in its axes.
   std::optional<Eigen::MatrixXd> hand_covariance;
-  std::optional<Matrix6> hand_scatter;
+  std::optional<Matrix6> hand_repeatability;
   std::optional<EstimatedMotion> mount_from_sensor;  // where the fit estimated it
   std::vector<double> times;               // s, of all observations in order: what slips and drifts are placed by
   std::vector<Eigen::VectorXd> positions;  // rad or m: of the used observations in order, or of some spread over them
@@ -88,6 +88,6 @@ struct Calibration {
 
 /// That of one session of a collection. InputError lists the titles where there is none of this one; of a calibration
 /// of one session alone that it is no collection's.
-const Calibration& session_of(const Calibration& calibration, const std::string& title);
+const Calibration& find_session(const Calibration& calibration, const std::string& title);
 
 }  // namespace handsight

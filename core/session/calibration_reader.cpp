@@ -182,16 +182,16 @@ std::vector<CalibrationEffect> read_effects(const XmlNode& parent, Ignored& igno
   return effects;
 }
 
-CalibrationDoubt read_doubt(const XmlNode& node, std::size_t effect_numbers, Ignored& ignored) {
+CalibrationUncertainty read_model_uncertainty(const XmlNode& node, std::size_t effect_numbers, Ignored& ignored) {
   note_unknown(ignored, node, {}, {"effect", "covariance"});
-  CalibrationDoubt doubt;
-  doubt.others = read_effects(node, ignored);
+  CalibrationUncertainty model_uncertainty;
+  model_uncertainty.others = read_effects(node, ignored);
   const XmlNode covariance = required_child(node, "covariance");
   note_unknown(ignored, covariance, {"order"}, {}, true);
-  doubt.covariance = read_model_covariance(
-      covariance, doubt_order, effect_numbers + number_count(doubt.others),
+  model_uncertainty.covariance = read_model_covariance(
+      covariance, warn_of_order, effect_numbers + number_count(model_uncertainty.others),
       "row by row: 6 of TCP->Body, one for each parameter of <effects> and one for each of <doubt>");
-  return doubt;
+  return model_uncertainty;
 }
 
 /// Times of the observations, in their order.
@@ -235,13 +235,13 @@ void read_setting(const XmlNode& root, Calibration& calibration, Ignored& ignore
       calibration.joints.emplace_back(name);
     }
   }
-  if (const auto scatter = find_child(root, "tcp_scatter")) {
-    note_unknown(ignored, *scatter, {"order"}, {}, true);
-    calibration.tcp_scatter = read_covariance(*scatter);
+  if (const auto repeatability = find_child(root, "tcp_scatter")) {
+    note_unknown(ignored, *repeatability, {"order"}, {}, true);
+    calibration.tcp_repeatability = read_covariance(*repeatability);
   }
-  if (const auto scatter = find_child(root, "hand_scatter")) {
-    note_unknown(ignored, *scatter, {"order"}, {}, true);
-    calibration.hand_scatter = read_covariance(*scatter);
+  if (const auto repeatability = find_child(root, "hand_scatter")) {
+    note_unknown(ignored, *repeatability, {"order"}, {}, true);
+    calibration.hand_repeatability = read_covariance(*repeatability);
   }
   if (const auto times = find_child(root, "times")) calibration.times = read_times(*times, ignored);
   if (const auto positions = find_child(root, "positions"))
@@ -281,15 +281,16 @@ void read_contents(const XmlNode& root, Calibration& calibration, Ignored& ignor
         read_model_covariance(*covariance, model_order, number_count(calibration.effects),
                               "row by row: 6 of the mount and one for each parameter of <effects>");
   }
-  if (const auto doubt = find_child(root, "doubt"))
-    calibration.doubt = read_doubt(*doubt, number_count(calibration.effects), ignored);
+  if (const auto model_uncertainty = find_child(root, "doubt"))
+    calibration.model_uncertainty =
+        read_model_uncertainty(*model_uncertainty, number_count(calibration.effects), ignored);
 }
 
 }  // namespace
 
 Calibration parse_calibration(const std::string& text, const std::string& file) {
   const auto document = parse_xml(text, file);
-  const XmlNode root = root_of(*document, file, "handsight_calibration");
+  const XmlNode root = require_root(*document, file, "handsight_calibration");
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "session", "created", "software"},

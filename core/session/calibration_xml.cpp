@@ -109,22 +109,22 @@ void write_setting(XMLElement& root, const Calibration& calibration) {
   if (calibration.gravity) set(*root.InsertNewChildElement("gravity"), "xyz", *calibration.gravity);
   if (!calibration.joints.empty())
     root.InsertNewChildElement("joints")->SetText(fmt::format("{}", fmt::join(calibration.joints, " ")).c_str());
-  if (calibration.tcp_scatter) {
-    XMLElement& scatter = *root.InsertNewChildElement("tcp_scatter");
-    scatter.SetAttribute("order", "x y z rx ry rz");
-    scatter.SetText(matrix_text(*calibration.tcp_scatter).c_str());
+  if (calibration.tcp_repeatability) {
+    XMLElement& repeatability = *root.InsertNewChildElement("tcp_scatter");
+    repeatability.SetAttribute("order", "x y z rx ry rz");
+    repeatability.SetText(matrix_text(*calibration.tcp_repeatability).c_str());
   }
   if (calibration.model_covariance) write_square(root, "model_covariance", model_order, *calibration.model_covariance);
-  if (calibration.hand_scatter) {
-    XMLElement& scatter = *root.InsertNewChildElement("hand_scatter");
-    scatter.SetAttribute("order", "x y z rx ry rz");
-    scatter.SetText(matrix_text(*calibration.hand_scatter).c_str());
+  if (calibration.hand_repeatability) {
+    XMLElement& repeatability = *root.InsertNewChildElement("hand_scatter");
+    repeatability.SetAttribute("order", "x y z rx ry rz");
+    repeatability.SetText(matrix_text(*calibration.hand_repeatability).c_str());
   }
   if (calibration.hand_covariance) write_square(root, "hand_covariance", model_order, *calibration.hand_covariance);
-  if (calibration.doubt) {
-    XMLElement& doubt = *root.InsertNewChildElement("doubt");
-    write_effects(doubt, calibration.doubt->others);
-    write_square(doubt, "covariance", doubt_order, calibration.doubt->covariance);
+  if (calibration.model_uncertainty) {
+    XMLElement& model_uncertainty = *root.InsertNewChildElement("doubt");
+    write_effects(model_uncertainty, calibration.model_uncertainty->others);
+    write_square(model_uncertainty, "covariance", warn_of_order, calibration.model_uncertainty->covariance);
   }
   if (!calibration.times.empty())
     root.InsertNewChildElement("times")->SetText(format_numbers(calibration.times).c_str());
@@ -150,11 +150,12 @@ void require_finite(const Calibration& c) {
   };
   require(is_finite(c.tcp_from_body), "TCP->Body or its covariance");
   require(!c.mount_from_sensor || is_finite(*c.mount_from_sensor), "the mount or its covariance");
-  require(!c.tcp_scatter || c.tcp_scatter->allFinite(), "the scatter of the TCP");
+  require(!c.tcp_repeatability || c.tcp_repeatability->allFinite(), "the scatter of the TCP");
   require(!c.model_covariance || c.model_covariance->allFinite(), "the covariance of the effects");
-  require(!c.hand_scatter || c.hand_scatter->allFinite(), "the scatter of the hand");
+  require(!c.hand_repeatability || c.hand_repeatability->allFinite(), "the scatter of the hand");
   require(!c.hand_covariance || c.hand_covariance->allFinite(), "the covariance of the hand");
-  require(!c.doubt || c.doubt->covariance.allFinite(), "what the choice of the effects leaves open");
+  require(!c.model_uncertainty || c.model_uncertainty->covariance.allFinite(),
+          "what the choice of the effects leaves open");
   for (const Vector3& marker : c.markers) require(marker.allFinite(), "a marker");
   for (const CalibrationEffect& effect : c.effects)
     for (const CalibrationParameter& p : effect.parameters)
@@ -198,7 +199,7 @@ std::string calibration_text(const Calibration& calibration) {
   return xml_text(document);
 }
 
-const Calibration& session_of(const Calibration& calibration, const std::string& title) {
+const Calibration& find_session(const Calibration& calibration, const std::string& title) {
   std::string known;
   for (const Calibration& one : calibration.sessions) {
     if (one.session == title) return one;

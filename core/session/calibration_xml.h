@@ -12,7 +12,7 @@ namespace handsight {
 /// The order of <model_covariance>: TCP->Body's xi, then the parameters of <effects> as they stand in the file.
 inline constexpr char model_order[] = "x y z rx ry rz effects";
 /// The order of <doubt>'s <covariance>: the same, then the parameters of <doubt>.
-inline constexpr char doubt_order[] = "x y z rx ry rz effects doubt";
+inline constexpr char warn_of_order[] = "x y z rx ry rz effects doubt";
 
 /// The calibration as XML. A number that is absent is written by leaving its attribute out. Rotations are
 /// those of the 16 numbers of <matrix>; rpy beside it is for people. Every number is finite: see

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* root_tag = "handsight_collection";
 constexpr const char* usual_name = "collection.xml";
 
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> list_words(const std::string& text) {
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find_first_of(" \t\n", begin), text.size());
@@ -53,14 +53,14 @@ std::string last_part(const std::string& folder) {
   return path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
 }
 
-CollectionEntry entry_of(const XmlNode& node, const fs::path& file) {
+CollectionEntry find_entry(const XmlNode& node, const fs::path& file) {
   CollectionEntry entry;
   entry.folder = required_text(node, "folder");
   require_near(node, file, entry.folder);
   entry.title = find_name(node, "title").value_or(last_part(entry.folder));
   entry.rig = find_name(node, "rig").value_or("");
   entry.body = find_name(node, "body").value_or("");
-  entry.own = words_of(find_text(node, "own").value_or(""));
+  entry.own = list_words(find_text(node, "own").value_or(""));
   return entry;
 }
 
@@ -85,14 +85,14 @@ Collection parse_collection(const std::string& text, const fs::path& file) {
   collection.file = file;
   const std::string name = collection.file.filename().string();
   const auto document = parse_xml(text, name);
-  const XmlNode root = root_of(*document, name, root_tag);
+  const XmlNode root = require_root(*document, name, root_tag);
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "title"}, {"session"});
   collection.title = find_text(root, "title").value_or(collection.file.parent_path().filename().string());
   for (const XmlNode& node : children(root, "session")) {
     note_unknown(ignored, node, {"folder", "title", "rig", "body", "own"}, {});
-    collection.entries.push_back(entry_of(node, collection.file));
+    collection.entries.push_back(find_entry(node, collection.file));
     const std::string& title = collection.entries.back().title;
     for (std::size_t i = 0; i + 1 < collection.entries.size(); ++i)
       if (collection.entries[i].title == title)
@@ -103,7 +103,7 @@ Collection parse_collection(const std::string& text, const fs::path& file) {
   return collection;
 }
 
-fs::path folder_of(const Collection& collection, const CollectionEntry& entry) {
+fs::path find_folder(const Collection& collection, const CollectionEntry& entry) {
   return (collection.file.parent_path() / entry.folder).lexically_normal();
 }
 

@@ -41,7 +41,7 @@ Collection parse_collection(const std::string& text, const std::filesystem::path
 std::string folder_in_collection(const std::filesystem::path& session_folder, const std::filesystem::path& file);
 
 /// Where the session of an entry lies.
-std::filesystem::path folder_of(const Collection& collection, const CollectionEntry& entry);
+std::filesystem::path find_folder(const Collection& collection, const CollectionEntry& entry);
 
 /// The text of a collection's file; the order of the sessions is that of their parts.
 std::string collection_text(const Collection& collection);

@@ -18,17 +18,17 @@ bool same_sighting(const Sighting& x, const Sighting& y) {
 
 }  // namespace
 
-ObservationState state_of(const Observation& observation) {
+EditableState read_state(const Observation& observation) {
   return {observation.sightings, observation.decision, observation.reason};
 }
 
-void set_state(Observation& observation, const ObservationState& state) {
+void set_state(Observation& observation, const EditableState& state) {
   observation.sightings = state.sightings;
   observation.decision = state.decision;
   observation.reason = state.reason;
 }
 
-bool same_state(const ObservationState& a, const ObservationState& b) {
+bool same_state(const EditableState& a, const EditableState& b) {
   return a.decision == b.decision && a.reason == b.reason &&
          std::equal(a.sightings.begin(), a.sightings.end(), b.sightings.begin(), b.sightings.end(), same_sighting);
 }

@@ -11,19 +11,19 @@
 namespace handsight {
 
 /// What a user can change of one observation.
-struct ObservationState {
+struct EditableState {
   std::vector<Sighting> sightings;
   Decision decision = Decision::none;
   std::string reason;
 };
 
-ObservationState state_of(const Observation& observation);
-void set_state(Observation& observation, const ObservationState& state);
-bool same_state(const ObservationState& a, const ObservationState& b);
+EditableState read_state(const Observation& observation);
+void set_state(Observation& observation, const EditableState& state);
+bool same_state(const EditableState& a, const EditableState& b);
 
 struct ObservationEdit {
   std::int64_t id = 0;
-  ObservationState before, after;
+  EditableState before, after;
 };
 
 /// Of the observations of one session: those that were changed, and those that came.

@@ -34,7 +34,7 @@ std::string bounded_text(const XmlNode& node, const std::string& text) {
   return text;
 }
 
-std::string words_of(const XmlNode& effect, std::string_view tag, Ignored& ignored) {
+std::string list_words(const XmlNode& effect, std::string_view tag, Ignored& ignored) {
   const auto node = find_child(effect, tag);
   if (!node) return "";
   note_unknown(ignored, *node, {}, {}, true);
@@ -63,10 +63,10 @@ EffectDefinition read_effect_definition(const XmlNode& node, Ignored& ignored) {
   constexpr const char* scopes[] = {"joint", "marker", "session"};
   d.scope = scopes[find_choice(node, "scope", {"joint", "marker", "session"}).value_or(0)];
   d.unnamed = find_choice(node, "unnamed", {"no", "yes"}).value_or(0) == 1;
-  d.cause = words_of(node, "cause", ignored);
-  d.visibility = words_of(node, "visibility", ignored);
-  d.check = words_of(node, "check", ignored);
-  d.source = words_of(node, "source", ignored);
+  d.cause = list_words(node, "cause", ignored);
+  d.visibility = list_words(node, "visibility", ignored);
+  d.check = list_words(node, "check", ignored);
+  d.source = list_words(node, "source", ignored);
   for (const XmlNode& child : children(node, "parameter")) {
     d.parameters.push_back(read_parameter(child, ignored));
     const auto same = [&](const DefinedParameter& p) { return p.name == d.parameters.back().name; };
@@ -89,7 +89,7 @@ EffectDefinition read_effect_definition(const XmlNode& node, Ignored& ignored) {
 std::vector<EffectDefinition> parse_effect_definitions(const std::string& text, const std::string& file,
                                                        std::vector<Message>* notes) {
   const auto document = parse_xml(text, file);
-  const XmlNode root = root_of(*document, file, "handsight_effects");
+  const XmlNode root = require_root(*document, file, "handsight_effects");
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version"}, {"effect"});

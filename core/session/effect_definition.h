@@ -15,7 +15,7 @@ namespace handsight {
 struct DefinedParameter {
   std::string name;
   std::string unit;
-  double sigma = 0;  // the plausible size
+  double sigma = 0;  // the prior sigma
 };
 
 /// One site that the effect moves, and by how much: a formula, linear in the parameters.

@@ -90,11 +90,11 @@ struct Listener {
   std::vector<Message>& refusals;
 };
 
-/// Where somebody listens it is told, else thrown.
+/// Where somebody listens it is reported, else thrown.
 void refuse_images(const Message& sentence, const Listener* listener) {
   if (!listener) throw InputError(sentence);
-  auto& told = listener->refusals;
-  if (std::find(told.begin(), told.end(), sentence) == told.end()) told.push_back(sentence);
+  auto& reported = listener->refusals;
+  if (std::find(reported.begin(), reported.end(), sentence) == reported.end()) reported.push_back(sentence);
 }
 
 /// `whose`: "left ", or "" where the folder is one camera's own.
@@ -205,22 +205,23 @@ std::vector<ImageFiles> find_image_pairs(const fs::path& left_folder, const fs::
   return pairs;
 }
 
-std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs) {
+std::vector<InstantImages> list_instants(const std::vector<ImageFiles>& pairs) {
   std::vector<InstantImages> list;
   for (const ImageFiles& pair : pairs) list.push_back({pair.number, {pair.left, pair.right}});
   return list;
 }
 
 std::vector<InstantImages> find_images(const std::vector<fs::path>& folders) {
-  if (folders.size() == 2) return instants_of(find_image_pairs(folders[0], folders[1]));
+  if (folders.size() == 2) return list_instants(find_image_pairs(folders[0], folders[1]));
   std::vector<Images> by_camera;
   for (const fs::path& folder : folders)
     by_camera.push_back(images_by_number(images_in(folder), any_name, "", nullptr));
   return by_instant(by_camera);
 }
 
-std::vector<InstantImages> find_images_of(const std::vector<std::string>& cameras, const std::vector<fs::path>& folders,
-                                          const IsOldImage& is_old, std::vector<Message>& refusals) {
+std::vector<InstantImages> find_camera_folders(const std::vector<std::string>& cameras,
+                                               const std::vector<fs::path>& folders, const IsOldImage& is_old,
+                                               std::vector<Message>& refusals) {
   std::vector<std::string> names;
   for (const std::string& camera : cameras) names.push_back(lower(camera));
   std::map<std::size_t, Listing> listings;  // by the first camera whose folder it is

@@ -31,7 +31,7 @@ struct InstantImages {
   std::vector<std::filesystem::path> files;
 };
 
-std::vector<InstantImages> instants_of(const std::vector<ImageFiles>& pairs);
+std::vector<InstantImages> list_instants(const std::vector<ImageFiles>& pairs);
 
 /// The images of each camera's folder, by the date and time, else the last number, in their names, ascending; two
 /// folders as `find_image_pairs` has it. InputError where a folder has no image or a number twice.
@@ -39,11 +39,11 @@ std::vector<InstantImages> find_images(const std::vector<std::filesystem::path>&
 
 /// The same by the cameras' names, which may end in a number of their own: it is not the instant's. Where cameras share
 /// a folder, the camera's name must be in the file's, whatever the case (of two in it the one that the other is part
-/// of); of two cameras the sides will do, too. What find_images refuses is told in `refusals`, and leaves out no more
-/// than a number that is there twice; a file that is old gives way to one that is not.
+/// of); of two cameras the sides will do, too. What find_images refuses is reported in `refusals`, and leaves out no
+/// more than a number that is there twice; a file that is old gives way to one that is not.
 using IsOldImage = std::function<bool(std::size_t camera, const std::filesystem::path& file)>;
-std::vector<InstantImages> find_images_of(const std::vector<std::string>& cameras,
-                                          const std::vector<std::filesystem::path>& folders, const IsOldImage& is_old,
-                                          std::vector<Message>& refusals);
+std::vector<InstantImages> find_camera_folders(const std::vector<std::string>& cameras,
+                                               const std::vector<std::filesystem::path>& folders,
+                                               const IsOldImage& is_old, std::vector<Message>& refusals);
 
 }  // namespace handsight

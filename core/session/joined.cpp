@@ -34,7 +34,7 @@ bool is_in_pixels(const std::vector<JoinedMember>& members) {
   return std::any_of(members.begin(), members.end(), [](const JoinedMember& m) { return m.session.rig.has_value(); });
 }
 
-std::optional<double> noise_of(const JoinedMember& m) {
+std::optional<double> find_noise(const JoinedMember& m) {
   const auto& declared = m.session.rig ? m.session.sigma_pixel : m.session.sigma_point;
   return declared ? declared : m.noise;
 }
@@ -70,13 +70,13 @@ class Joiner {
   void decide_units() {
     const auto leads = std::find_if(members_.begin(), members_.end(),
                                     [&](const JoinedMember& m) { return m.session.rig.has_value() == is_in_pixels_; });
-    const std::optional<double> unit = noise_of(*leads);
+    const std::optional<double> unit = find_noise(*leads);
     for (const JoinedMember& m : members_) {
       const bool is_other_kind = m.session.rig.has_value() != is_in_pixels_;
-      weighs_ = weighs_ || is_other_kind || noise_of(m) != unit;
+      weighs_ = weighs_ || is_other_kind || find_noise(m) != unit;
     }
     for (const JoinedMember& m : members_)
-      if (weighs_ && !noise_of(m))
+      if (weighs_ && !find_noise(m))
         throw InputError(message(
             "{}: nothing tells the noise of its sensor, by which it counts beside the others; declare it (sigma of "
             "<{}>).",
@@ -89,28 +89,28 @@ class Joiner {
     const Session& s = m.session;
     if (member > 0) require_alike(m);
     if (s.is_touch()) return add_fixtures(m);
-    SessionPart& part = all_.parts.emplace_back(part_of(m));
+    SessionPart& part = all_.parts.emplace_back(take_part(m));
     add_rig(m, part);
     add_body(m, part);
     add_observations(m, static_cast<int>(all_.parts.size()) - 1, part);
     for (const Message& note : s.notes) all_.notes.push_back(message("{}: {}", m.title, note));
   }
 
-  SessionPart part_of(const JoinedMember& m) const {
+  SessionPart take_part(const JoinedMember& m) const {
     SessionPart part;
     part.title = m.title;
     part.file = m.session.file;
     part.tcp = m.session.tcp;
     part.own = m.own;
     const double unit = is_in_pixels_ ? all_.sigma_pixel.value_or(1) : all_.sigma_point.value_or(1);
-    part.residual_unit = weighs_ ? *noise_of(m) / unit : 1;
+    part.residual_unit = weighs_ ? *find_noise(m) / unit : 1;
     return part;
   }
 
   /// A session of touches is as many parts as it has fixtures, of one hand.
   void add_fixtures(const JoinedMember& m) {
     const Session& s = m.session;
-    SessionPart whole = part_of(m);
+    SessionPart whole = take_part(m);
     add_body(m, whole);
     const std::size_t first = all_.parts.size();
     add_observations(m, static_cast<int>(first), whole);
@@ -143,7 +143,7 @@ class Joiner {
                     called(m), m.rig, same.title, fixture.id));
       return;
     }
-    const Mount& mount = mount_of(m.session, static_cast<int>(f));
+    const Mount& mount = find_mount(m.session, static_cast<int>(f));
     if (part.mount == 0)
       all_.mount = mount;
     else
@@ -239,13 +239,13 @@ class Joiner {
 
   void add_observations(const JoinedMember& m, int number, SessionPart& part) {
     const Session& s = m.session;
-    std::vector<Eigen::Index> place_of;  // of its joints among all
+    std::vector<Eigen::Index> locate;  // of its joints among all
     for (const std::string& joint : s.joints)
-      place_of.push_back(std::find(all_.joints.begin(), all_.joints.end(), joint) - all_.joints.begin());
+      locate.push_back(std::find(all_.joints.begin(), all_.joints.end(), joint) - all_.joints.begin());
     const auto in_all = [&](const Eigen::VectorXd& own) -> Eigen::VectorXd {
       if (own.size() == 0) return {};
       Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all_.joints.size()));
-      values(place_of) = own;
+      values(locate) = own;
       return values;
     };
     const std::vector<int> order = by_time(s);
@@ -273,7 +273,7 @@ class Joiner {
       o.velocity = in_all(o.velocity);
       o.torque = in_all(o.torque);
       renumber_images(part, s, o);
-      for (Sighting& sighting : o.sightings) renumber(part, noise_of(m), sighting);
+      for (Sighting& sighting : o.sightings) renumber(part, find_noise(m), sighting);
       all_.observations.push_back(std::move(o));
     }
     for (const Observation& o : all_.observations) {

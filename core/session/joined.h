@@ -19,7 +19,7 @@ struct JoinedMember {
 };
 
 /// One session of them all. Observations come part after part: ids and times go on from part to part, markers, cameras,
-/// mounts and joints are numbered through (SessionPart says how), and each observation is told its place in its own
+/// mounts and joints are numbered through (SessionPart says how), and each observation knows its place in its own
 /// session. Residuals of all count by their sensors' noise: where these are known and differ, or sensors differ in
 /// kind, every sighting is given its sigma in the unit of the first part's cameras (px), or of its tracker (m). `file`
 /// is the collection's; absent: the first session's. A single member comes back as it is. InputError names what the

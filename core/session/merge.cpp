@@ -11,20 +11,20 @@ namespace {
 
 using Places = std::map<std::int64_t, std::size_t>;
 
-Places places_of(const std::vector<Observation>& observations) {
+Places list_places(const std::vector<Observation>& observations) {
   Places places;
   for (std::size_t i = 0; i < observations.size(); ++i) places.emplace(observations[i].id, i);
   return places;
 }
 
-ObservationState with_labels_of(ObservationState state, const ObservationState& other) {
+EditableState with_labels_of(EditableState state, const EditableState& other) {
   state.sightings = other.sightings;
   return state;
 }
 
-bool same_labels(const ObservationState& a, const ObservationState& b) { return same_state(with_labels_of(a, b), a); }
+bool same_labels(const EditableState& a, const EditableState& b) { return same_state(with_labels_of(a, b), a); }
 
-bool same_decision(const ObservationState& a, const ObservationState& b) {
+bool same_decision(const EditableState& a, const EditableState& b) {
   return a.decision == b.decision && a.reason == b.reason;
 }
 
@@ -72,8 +72,8 @@ bool speak_alike(const Session& a, const Session& b) {
 
 /// One observation that was changed here, put into theirs.
 void put_in(const ObservationEdit& own, Observation& theirs, Merge& merge) {
-  const ObservationState there = state_of(theirs);
-  ObservationState result = there;
+  const EditableState there = read_state(theirs);
+  EditableState result = there;
   Observation mine = theirs;
   set_state(mine, own.after);
   bool is_kept = false;
@@ -87,11 +87,11 @@ void put_in(const ObservationEdit& own, Observation& theirs, Merge& merge) {
     is_kept = true;
   };
   decide(
-      same_labels, [](ObservationState& to, const ObservationState& s) { to.sightings = s.sightings; },
+      same_labels, [](EditableState& to, const EditableState& s) { to.sightings = s.sightings; },
       Collision::What::labels);
   decide(
       same_decision,
-      [](ObservationState& to, const ObservationState& s) {
+      [](EditableState& to, const EditableState& s) {
         to.decision = s.decision;
         to.reason = s.reason;
       },
@@ -117,7 +117,7 @@ const Observation* find_observation(const std::vector<Observation>& all, std::in
 void add_new(const Observation& own, Merge& merge) {
   Observation o = own;
   if (const Observation* same = find_observation(merge.session.observations, o.id)) {
-    if (same_measurement(o, *same) && same_state(state_of(o), state_of(*same))) return;
+    if (same_measurement(o, *same) && same_state(read_state(o), read_state(*same))) return;
     for (const Observation& other : merge.session.observations) o.id = std::max(o.id, other.id + 1);
     merge.renumbered.emplace_back(own.id, o.id);
   }
@@ -146,14 +146,14 @@ bool fit_into(const SessionEdit& own, const Session& session) {
 
 SessionEdit own_changes(const Session& base, const Session& now) {
   SessionEdit own;
-  const Places before = places_of(base.observations);
+  const Places before = list_places(base.observations);
   for (const Observation& o : now.observations) {
     const auto known = before.find(o.id);
     if (known == before.end()) {
       own.added.push_back(o);
       continue;
     }
-    const ObservationState was = state_of(base.observations[known->second]), is = state_of(o);
+    const EditableState was = read_state(base.observations[known->second]), is = read_state(o);
     if (!same_state(was, is)) own.observations.push_back({o.id, was, is});
   }
   return own;
@@ -166,8 +166,8 @@ SessionEdit own_changes(const std::vector<DoneEdit>& done) {
     if (forward)
       for (const Observation& o : edit.added) added.emplace(o.id, o);
     for (const ObservationEdit& o : edit.observations) {
-      const ObservationState& from = forward ? o.before : o.after;
-      const ObservationState& to = forward ? o.after : o.before;
+      const EditableState& from = forward ? o.before : o.after;
+      const EditableState& to = forward ? o.after : o.before;
       net.emplace(o.id, ObservationEdit{o.id, from, from}).first->second.after = to;
     }
     if (!forward)
@@ -191,7 +191,7 @@ Merge merged(const SessionEdit& own, const Session* here, Session theirs) {
     merge.collisions.push_back({Collision::What::session, 0, {}, {}});
     return merge;
   }
-  Places there = places_of(merge.session.observations);
+  Places there = list_places(merge.session.observations);
   for (const ObservationEdit& edit : own.observations) {
     const auto found = there.find(edit.id);
     if (found != there.end()) {
@@ -233,8 +233,8 @@ std::optional<SessionEdit> edit_between(const Session& from, const Session& to) 
     }
     const Observation& before = from.observations[place++];
     if (!same_measurement(before, after)) return std::nullopt;
-    if (!same_state(state_of(before), state_of(after)))
-      edit.observations.push_back({after.id, state_of(before), state_of(after)});
+    if (!same_state(read_state(before), read_state(after)))
+      edit.observations.push_back({after.id, read_state(before), read_state(after)});
   }
   if (place < from.observations.size()) return std::nullopt;
   return edit;

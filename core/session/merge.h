@@ -11,8 +11,8 @@
 
 namespace handsight {
 
-/// What was done here, net, from the session as it was read or written to the one as it is; what came is told as it is
-/// now. What has gone is not told: here nothing can be removed but what was added.
+/// What was done here, net, from the session as it was read or written to the one as it is; what came is reported as it
+/// is now. What has gone is not given: here nothing can be removed but what was added.
 SessionEdit own_changes(const Session& base, const Session& now);
 
 /// The same of a list of actions, some of them undone again: `forward` false.
@@ -51,7 +51,7 @@ Merge merged(const SessionEdit& own, const Session* here, Session theirs);
 /// The session with one collision decided for what was done here. Not for What::session.
 void take_mine(const Collision& collision, Session& session);
 
-/// What makes one session of the other, where it can be told: observations that changed their labels or decision, and
+/// What makes one session of the other, where it can be said: observations that changed their labels or decision, and
 /// new ones. Nothing where more differs.
 std::optional<SessionEdit> edit_between(const Session& from, const Session& to);
 

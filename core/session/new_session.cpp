@@ -164,7 +164,7 @@ void set_flange_poses(NewSession& parts, const std::vector<Rigid>& flange_poses)
   parts.urdf.clear();
   parts.joints = joint_names(poses_robot());
   parts.positions.clear();
-  for (const Rigid& pose : flange_poses) parts.positions.emplace_back(position_of(pose));
+  for (const Rigid& pose : flange_poses) parts.positions.emplace_back(make_position(pose));
 }
 
 Session make_session(const NewSession& parts, std::vector<Message>* notes) {

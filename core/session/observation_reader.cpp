@@ -28,7 +28,7 @@ Eigen::VectorXd find_joint_vector(const XmlNode& observation, const char* tag, c
 
 Eigen::VectorXd read_flange_pose(const XmlNode& node, Ignored& ignored) {
   note_unknown(ignored, node, {"xyz", "quaternion", "rpy"}, {});
-  return position_of(read_pose(node));
+  return make_position(read_pose(node));
 }
 
 /// Images are looked for in the session's folder and nowhere else.
@@ -45,7 +45,7 @@ std::string find_image(const XmlNode& node, const char* attribute) {
 
 /// The cameras' names as attributes; of a tracker's session, which has none, those of a pair.
 void read_images(const XmlNode& node, const Session& session, Observation& observation, Ignored& ignored) {
-  const std::vector<std::string> names = camera_names(session.rig.value_or(rig_of(StereoRig{})));
+  const std::vector<std::string> names = camera_names(session.rig.value_or(make_rig(StereoRig{})));
   note_unknown(ignored, node, names, {});
   for (std::size_t c = 0; c < names.size(); ++c) observation.images[c] = find_image(node, names[c].c_str());
 }

@@ -56,11 +56,11 @@ void set_text(XMLElement& element, const char* attribute, const char* text) {
   if (!element.Attribute(attribute, text)) element.SetAttribute(attribute, text);
 }
 
-std::optional<Vector3> numbers_of(const std::optional<PixelSigma>& sigma) {
+std::optional<Vector3> list_numbers(const std::optional<PixelSigma>& sigma) {
   return sigma ? std::optional(Vector3(sigma->u, sigma->v, sigma->uv)) : std::nullopt;
 }
 
-std::optional<Eigen::VectorXd> numbers_of(const std::optional<double>& sigma) {
+std::optional<Eigen::VectorXd> list_numbers(const std::optional<double>& sigma) {
   return sigma ? std::optional<Eigen::VectorXd>(Eigen::VectorXd::Constant(1, *sigma)) : std::nullopt;
 }
 
@@ -69,7 +69,7 @@ void update_marker(XMLElement& element, const Session& session, const Sighting& 
   // Only what belongs to the kind of session is touched.
   if (sighting.point) {
     set_numbers(element, "point", sighting.point);
-    set_numbers(element, "sigma", numbers_of(sighting.point_sigma));
+    set_numbers(element, "sigma", list_numbers(sighting.point_sigma));
   } else {
     const int cameras = session.rig ? session.rig->count() : 0;
     for (int c = 0; c < cameras; ++c) {
@@ -78,7 +78,8 @@ void update_marker(XMLElement& element, const Session& session, const Sighting& 
     }
     for (int c = 0; c < cameras; ++c) {  // after the points, whether these were there before or not
       const CameraPoint* const seen = seen_by(sighting, c);
-      set_numbers(element, (session.rig->at(c).name + "_sigma").c_str(), numbers_of(seen ? seen->sigma : std::nullopt));
+      set_numbers(element, (session.rig->at(c).name + "_sigma").c_str(),
+                  list_numbers(seen ? seen->sigma : std::nullopt));
     }
   }
   if (element.Attribute("by") || sighting.by != MarkedBy::import) set_text(element, "by", word(sighting.by));

@@ -90,16 +90,16 @@ Session part_session(const Session& all, int number) {
 
 std::optional<Session> touches_of_body(const Session& all, int body) {
   Session s;
-  std::vector<int> part_of(all.parts.size(), -1);  // by the number among all
+  std::vector<int> take_part(all.parts.size(), -1);  // by the number among all
   for (std::size_t p = 0; p < all.parts.size(); ++p) {
     if (all.parts[p].fixture < 0 || all.parts[p].body != body) continue;
     const SessionPart& from = all.parts[p];
-    part_of[p] = static_cast<int>(s.parts.size());
+    take_part[p] = static_cast<int>(s.parts.size());
     if (s.parts.empty()) {
       s = part_session(all, static_cast<int>(p));
       s.observations.clear();
     }
-    const Mount& mount = mount_of(all, from.mount);
+    const Mount& mount = find_mount(all, from.mount);
     if (s.parts.empty())
       s.mount = mount;
     else
@@ -107,7 +107,7 @@ std::optional<Session> touches_of_body(const Session& all, int body) {
     SessionPart part;
     part.title = from.title;
     part.tcp = from.tcp;
-    part.mount = part.fixture = part_of[p];
+    part.mount = part.fixture = take_part[p];
     part.marker_count = from.marker_count;
     s.parts.push_back(std::move(part));
     s.fixtures.push_back(all.fixtures[static_cast<std::size_t>(from.fixture)]);
@@ -115,9 +115,9 @@ std::optional<Session> touches_of_body(const Session& all, int body) {
   if (s.parts.empty()) return std::nullopt;
   for (const Observation& from : all.observations) {
     const auto p = static_cast<std::size_t>(from.part);
-    if (part_of[p] < 0) continue;
+    if (take_part[p] < 0) continue;
     Observation o = from;
-    o.part = part_of[p];
+    o.part = take_part[p];
     for (Sighting& sighting : o.sightings) sighting.marker -= all.parts[p].first_marker;
     s.observations.push_back(std::move(o));
   }

@@ -40,9 +40,9 @@ void show_pose(Observation& o, double lever) {
 }
 
 void show_poses(Session& session, double lever) {
-  const bool is_told = session.pose_sensor->sigma && session.pose_sensor->sigma_angle;
+  const bool is_reported = session.pose_sensor->sigma && session.pose_sensor->sigma_angle;
   session.marker_count = pose_markers;
-  session.sigma_point = is_told ? session.pose_sensor->sigma : std::nullopt;
+  session.sigma_point = is_reported ? session.pose_sensor->sigma : std::nullopt;
   session.shape = KnownShape{pose_shape(lever), exactly_known * session.sigma_point.value_or(1e-4)};
   for (Observation& o : session.observations) show_pose(o, lever);
 }

@@ -12,7 +12,7 @@
 namespace handsight {
 
 constexpr int pose_markers = 6;
-constexpr double usual_lever = 0.3;  // m: a pose sensor's sigma over its sigma_angle where they are not told
+constexpr double usual_lever = 0.3;  // m: a pose sensor's sigma over its sigma_angle where they are not given
 
 /// The six points of a target, in its frame (m): -x, +x, -y, +y, -z, +z, so that their body frame is the target's.
 std::vector<Vector3> pose_shape(double lever);

@@ -49,13 +49,13 @@ Session part(const Session& session, const std::vector<int>& order, const std::v
 
 }  // namespace
 
-Session part_of(const Session& session, const std::vector<int>& observations) {
+Session take_part(const Session& session, const std::vector<int>& observations) {
   std::vector<char> is_taken(session.observations.size(), 0);
   for (const int i : observations) is_taken[static_cast<std::size_t>(i)] = 1;
   return part(session, by_time(session), is_taken);
 }
 
-std::optional<Sample> sample_of(const Session& session, int most, int size) {
+std::optional<Sample> take_sample(const Session& session, int most, int size) {
   const std::vector<int> order = by_time(session);
   std::vector<int> used;
   for (const int i : order)

@@ -15,9 +15,9 @@ struct Sample {
 
 /// Every so manyth of the used observations in order of time, `size` of them, the first and the last among them.
 /// Nothing where there are no more than `most`.
-std::optional<Sample> sample_of(const Session& session, int most, int size);
+std::optional<Sample> take_sample(const Session& session, int most, int size);
 
 /// The session with these observations alone, each with its place in the whole.
-Session part_of(const Session& session, const std::vector<int>& observations);
+Session take_part(const Session& session, const std::vector<int>& observations);
 
 }  // namespace handsight

@@ -21,7 +21,7 @@ const SessionPart& part_of_fixture(const Session& session, int fixture) {
                        [&](const SessionPart& p) { return p.fixture == fixture; });
 }
 
-const Mount& mount_of(const Session& session, int mount) {
+const Mount& find_mount(const Session& session, int mount) {
   return mount == 0 ? session.mount : session.other_mounts[static_cast<std::size_t>(mount - 1)];
 }
 
@@ -104,17 +104,17 @@ bool is_used(const Observation& observation) {
 
 double usual_sigma(const Session& session) {
   const std::optional<double>& declared = session.is_tracker() ? session.sigma_point : session.sigma_pixel;
-  std::vector<double> told;
+  std::vector<double> reported;
   for (const Observation& o : session.observations)
     for (const Sighting& s : o.sightings) {
       for (const CameraPoint& p : s.in_cameras)
-        if (p.sigma) told.push_back(std::sqrt((p.sigma->u * p.sigma->u + p.sigma->v * p.sigma->v) / 2));
-      if (s.point_sigma) told.push_back(*s.point_sigma);
+        if (p.sigma) reported.push_back(std::sqrt((p.sigma->u * p.sigma->u + p.sigma->v * p.sigma->v) / 2));
+      if (s.point_sigma) reported.push_back(*s.point_sigma);
     }
-  if (told.empty()) return 0;
+  if (reported.empty()) return 0;
   if (declared) return *declared;
-  const auto middle = told.begin() + static_cast<std::ptrdiff_t>(told.size() / 2);
-  std::nth_element(told.begin(), middle, told.end());
+  const auto middle = reported.begin() + static_cast<std::ptrdiff_t>(reported.size() / 2);
+  std::nth_element(reported.begin(), middle, reported.end());
   return *middle;
 }
 
@@ -122,7 +122,7 @@ PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance) {
   return {std::sqrt(covariance(0, 0)), std::sqrt(covariance(1, 1)), covariance(0, 1)};
 }
 
-Eigen::Matrix2d covariance_of(const PixelSigma& sigma) {
+Eigen::Matrix2d make_covariance(const PixelSigma& sigma) {
   return (Eigen::Matrix2d() << sigma.u * sigma.u, sigma.uv, sigma.uv, sigma.v * sigma.v).finished();
 }
 

@@ -200,7 +200,7 @@ struct Session {
 const SessionPart& part_of_fixture(const Session& session, int fixture);
 
 /// The mount of a part, or of a session that is none: 0 is Session::mount, then Session::other_mounts.
-const Mount& mount_of(const Session& session, int mount);
+const Mount& find_mount(const Session& session, int mount);
 
 /// The element that holds what watches the robot: "stereo", "cameras", "tracker" or "pose_sensor".
 const char* device_tag(const Session& session);
@@ -209,11 +209,11 @@ const char* device_tag(const Session& session);
 std::filesystem::path folder(const Session& session);
 
 /// What a sighting without a sigma of its own is taken to have (px, m): declared for the session, else the median of
-/// those that are told; 0 where no sighting tells one.
+/// those that are given; 0 where no sighting tells one.
 double usual_sigma(const Session& session);
 
 PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance);
-Eigen::Matrix2d covariance_of(const PixelSigma& sigma);
+Eigen::Matrix2d make_covariance(const PixelSigma& sigma);
 
 /// The session's markers become the points of the target.
 void set_target(Session& session, const Target& target);

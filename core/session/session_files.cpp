@@ -131,7 +131,7 @@ void check_image_paths(const Session& session, const SessionLines& lines) {
     }
 }
 
-std::vector<fs::path> files_of(const Session& session) {
+std::vector<fs::path> list_files(const Session& session) {
   const fs::path home = folder(session);
   std::vector<fs::path> files{session.file};
   for (const std::string& name : {session.robot_file, std::string("truth.xml"), std::string("effects.xml")})
@@ -142,9 +142,9 @@ std::vector<fs::path> files_of(const Session& session) {
   return files;
 }
 
-void require_no_file_of(const Session& session, const fs::path& output) {
+void require_no_session_file(const Session& session, const fs::path& output) {
   std::error_code error;
-  for (const fs::path& file : files_of(session))
+  for (const fs::path& file : list_files(session))
     if (fs::equivalent(file, output, error))
       throw InputError(
           message("{}: belongs to the session and is not written over; name another file.", shown_path(output)));

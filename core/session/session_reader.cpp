@@ -107,7 +107,7 @@ void read_stereo(const XmlNode& node, Session& session, Ignored& ignored) {
   if (rig.right_from_left.translation.cwiseAbs().maxCoeff() < 1e-9)
     refuse(right, "has no translation, expected the two cameras apart: without a baseline there is no depth.");
   read_pair(node, rig, ignored);
-  session.rig = rig_of(rig);
+  session.rig = make_rig(rig);
 }
 
 /// Letters, digits and _, and none of what else stands as an attribute beside it.
@@ -200,7 +200,7 @@ void read_markers_element(const XmlNode& node, Session& session, Ignored& ignore
   read_noise(node, session);
 }
 
-/// The target of a pose sensor, whose whole pose is told.
+/// The target of a pose sensor, whose whole pose is reported.
 void read_pose_target(const XmlNode& root, Ignored& ignored) {
   const XmlNode target = required_child(root, "target");
   note_unknown(ignored, target, {"kind"}, {});
@@ -296,7 +296,7 @@ void note_outside(Session& session, std::string_view file) {
 
 Session parse_session(const std::string& text, const std::string& file, SessionLines* lines) {
   const auto document = parse_xml(text, file);
-  const XmlNode root = root_of(*document, file, "handsight_session");
+  const XmlNode root = require_root(*document, file, "handsight_session");
   require_version_1(root);
   Ignored ignored;
   note_unknown(ignored, root, {"version", "title"},

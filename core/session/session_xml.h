@@ -46,10 +46,10 @@ void bind_robot(Session& session, Robot robot, const SessionLines& lines = {});
 void check_image_paths(const Session& session, const SessionLines& lines = {});
 
 /// The files that a session consists of, there or not: its XML, robot, images, truth and own effects.
-std::vector<std::filesystem::path> files_of(const Session& session);
+std::vector<std::filesystem::path> list_files(const Session& session);
 
 /// InputError where a result would be written over one of them.
-void require_no_file_of(const Session& session, const std::filesystem::path& output);
+void require_no_session_file(const Session& session, const std::filesystem::path& output);
 
 /// The session as XML. With Session::source, that text with the markers and decisions of this session in it
 /// (observations matched by id; new ones appended, those that are gone left out) and all else as it was;

@@ -155,9 +155,9 @@ void read_touch(const XmlNode& node, Session& session, Ignored& ignored) {
   for (Fixture& f : session.fixtures)
     if (!f.sigma) f.sigma = sigma;
   for (const XmlNode& child : children(node, "apart")) read_apart(child, session, ignored);
-  const bool all_told = std::all_of(session.fixtures.begin(), session.fixtures.end(),
-                                    [](const Fixture& f) { return f.sigma.has_value(); });
-  if (all_told) session.sigma_point = session.fixtures.front().sigma;
+  const bool all_reported = std::all_of(session.fixtures.begin(), session.fixtures.end(),
+                                        [](const Fixture& f) { return f.sigma.has_value(); });
+  if (all_reported) session.sigma_point = session.fixtures.front().sigma;
 }
 
 void read_touched(const XmlNode& observation, const Session& session, Observation& into, Ignored& ignored) {

@@ -49,13 +49,12 @@ Curve parse_curve(const std::string& text, const Robot& robot) {
   return curve;
 }
 
-Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms,
+Sites moved_sites(const ObservationState& states, const std::vector<EffectTerm>& terms,
                   const std::vector<Curve>& curves) {
-  Sites sites = moved_sites(circumstances, terms);
-  if (!curves.empty() && sites.robot.joints.empty())
-    sites.robot.joints.resize(circumstances.chain->robot.joints.size());
+  Sites sites = moved_sites(states, terms);
+  if (!curves.empty() && sites.robot.joints.empty()) sites.robot.joints.resize(states.chain->robot.joints.size());
   for (const Curve& curve : curves) {
-    const double phase = curve.order * circumstances.sensor[curve.joint];
+    const double phase = curve.order * states.sensor[curve.joint];
     sites.robot.joints[static_cast<std::size_t>(curve.joint)].angle +=
         curve.size * (curve.cosine ? std::cos(phase) : std::sin(phase));
   }

@@ -21,7 +21,7 @@ struct Curve {
 Curve parse_curve(const std::string& text, const Robot& robot);
 
 /// The sites as effects and curves move them in one observation.
-Sites moved_sites(const Circumstances& circumstances, const std::vector<EffectTerm>& terms,
+Sites moved_sites(const ObservationState& states, const std::vector<EffectTerm>& terms,
                   const std::vector<Curve>& curves);
 
 /// "0.0015*sin(3q)": what parse_curve reads after the joint's name, bit for bit.

@@ -52,7 +52,7 @@ PoseSampler::PoseSampler(const Session& like, const Chain& chain, const ShownBod
 
 double PoseSampler::violation(const Eigen::VectorXd& position) const {
   if (!chain_.rig) return 0;
-  const Circumstances c = circumstances_at(chain_, position);
+  const ObservationState c = states_at(chain_, position);
   const Rigid first_from_tcp =
       sensor_from_tcp(observed_ends(c, moved_sites(c, options_.effects, options_.curves)).ends, mount_from_sensor_);
   double total = 0;

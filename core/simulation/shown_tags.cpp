@@ -9,7 +9,7 @@ namespace {
 
 constexpr double same_plane = 0.98;  // of the product of two normals
 
-Vector3 middle_of(const std::vector<Vector3>& points) {
+Vector3 find_middle(const std::vector<Vector3>& points) {
   Vector3 middle = Vector3::Zero();
   for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
   return middle;
@@ -46,7 +46,7 @@ std::vector<Vector3> really_placed(const KnownShape& shape, Random& random) {
   std::vector<Vector3> markers = shape.markers;
   for (const ShapePart& part : shape.parts) {
     const auto from = markers.begin() + part.first;
-    const Vector3 middle = middle_of({from, from + part.count});
+    const Vector3 middle = find_middle({from, from + part.count});
     const Vector3 shift = part.sigma * random.gaussian3();
     const Matrix3 turn = rotation_from_vector<double>(part.sigma_angle * random.gaussian3());
     std::for_each(from, from + part.count, [&](Vector3& x) { x = middle + shift + turn * Vector3(x - middle); });

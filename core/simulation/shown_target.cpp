@@ -27,7 +27,7 @@ Eigen::VectorXd drawn(const Chain& chain, double share, Random& random) {
 }
 
 /// The middle of the points and their outward normal, in the frame of the target.
-Vector3 middle_of(const std::vector<Vector3>& points) {
+Vector3 find_middle(const std::vector<Vector3>& points) {
   Vector3 middle = Vector3::Zero();
   for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
   return middle;
@@ -48,7 +48,7 @@ Rigid place_on_hand(double size, Random& random) {
 
 /// Under the camera in that of many postures in which it looks down most, as far below as it is to be seen from.
 Rigid place_on_table(const Session& like, const SimulationOptions& options, Random& random) {
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const Vector3 up = like.gravity.norm() > 0 ? Vector3(-like.gravity.normalized()) : Vector3::UnitZ();
   Rigid best;
   double most = -2;
@@ -66,7 +66,7 @@ Rigid place_on_table(const Session& like, const SimulationOptions& options, Rand
   return best;
 }
 
-double size_of(const std::vector<Vector3>& points, const Vector3& middle) {
+double measure_size(const std::vector<Vector3>& points, const Vector3& middle) {
   double radius = 0;
   for (const Vector3& x : points) radius = std::max(radius, (x - middle).norm());
   return 2 * radius;
@@ -75,7 +75,7 @@ double size_of(const std::vector<Vector3>& points, const Vector3& middle) {
 /// Where the pieces lie to each other: side by side, tilted and out of plane a little.
 std::vector<Rigid> lay_out(const KnownShape& shape, double size, Random& random) {
   const int count = shape.piece_count();
-  if (count == 1) return {Rigid{Matrix3::Identity(), -middle_of(shape.markers)}};
+  if (count == 1) return {Rigid{Matrix3::Identity(), -find_middle(shape.markers)}};
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   std::vector<Rigid> pieces;
   for (int p = 0; p < count; ++p) {
@@ -133,25 +133,26 @@ std::optional<Rigid> arm_behind(const Session& session, const std::vector<Vector
     open -= faces[m] / static_cast<double>(faces.size());
   }
   if (open.norm() < 0.05) return std::nullopt;
-  const Vector3 middle = middle_of(points_in_tcp);
+  const Vector3 middle = find_middle(points_in_tcp);
   const Rigid tcp_from_target = align_points(there, here, Eigen::VectorXd::Ones(here.cols()));
   const Vector3 along = tcp_from_target.rotation * open.normalized();
   return Rigid{axes_from(along, along.unitOrthogonal()),
-               middle + (0.5 * size_of(points_in_tcp, middle) + reach) * along};
+               middle + (0.5 * measure_size(points_in_tcp, middle) + reach) * along};
 }
 
 }  // namespace
 
-bool tcp_is_moved(const Chain& chain) { return arrangement_of(chain) != Arrangement::sensor_on_hand; }
+bool tcp_is_moved(const Chain& chain) { return find_arrangement(chain) != Arrangement::sensor_on_hand; }
 
 ShownBody shown_target(const Session& like, const SimulationOptions& options, double printed_off, Random random) {
   const KnownShape& shape = *like.shape;
-  const double piece_size = 1.2 * size_of(target_points(*like.target).size() > 4 && shape.piece_count() == 1
-                                              ? shape.markers
-                                              : std::vector<Vector3>(shape.markers.begin(), shape.markers.begin() + 4),
-                                          shape.piece_count() == 1 ? middle_of(shape.markers) : Vector3::Zero().eval());
+  const double piece_size =
+      1.2 * measure_size(target_points(*like.target).size() > 4 && shape.piece_count() == 1
+                             ? shape.markers
+                             : std::vector<Vector3>(shape.markers.begin(), shape.markers.begin() + 4),
+                         shape.piece_count() == 1 ? find_middle(shape.markers) : Vector3::Zero().eval());
   const Rigid tcp_from_target =
-      tcp_is_moved(chain_of(like)) ? place_on_hand(piece_size, random) : place_on_table(like, options, random);
+      tcp_is_moved(make_chain(like)) ? place_on_hand(piece_size, random) : place_on_table(like, options, random);
   const std::vector<Rigid> pieces = lay_out(shape, piece_size, random);
   ShownBody body;
   const std::vector<Vector3> lie = really_placed(shape, random);

@@ -32,7 +32,7 @@ std::set<std::size_t> chosen_observations(const SimulatedSession& s, const Simul
 /// A room with the target in it. What stands about must not come between it and cameras that move.
 Scene target_scene(const SimulatedSession& s, const SceneOptions& options) {
   Scene scene = make_scene({}, options);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   const bool on_hand = tcp_is_moved(chain);
   if (!on_hand) {
     scene.solids.clear();

@@ -88,13 +88,13 @@ struct Ends {
   Rigid root_from_tcp, root_from_sensor;
 };
 
-Ends ends_at(const World& world, const Circumstances& c) {
+Ends ends_at(const World& world, const ObservationState& c) {
   const ObservedEnds seen = observed_ends(c, moved_sites(c, world.effects, world.curves));
   return {seen.ends.root_from_tcp, seen.ends.root_from_mount * world.mount_from_sensor * seen.mount_motion};
 }
 
 /// Where the markers are in this observation, with the body's and the markers' own slips.
-std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
+std::vector<Vector3> markers_at(const World& world, const ObservationState& c,
                                 const std::vector<Vector3>& markers_in_tcp) {
   const Sites sites = moved_sites(c, world.effects, world.curves);
   const std::vector<Vector3>& lie =
@@ -109,7 +109,7 @@ std::vector<Vector3> markers_at(const World& world, const Circumstances& c,
 }
 
 /// A marker, or for -1 the TCP, in the frame of what is touched.
-Vector3 place_at_fixture(const World& world, const Session& like, const Circumstances& c, int fixture, int marker,
+Vector3 place_at_fixture(const World& world, const Session& like, const ObservationState& c, int fixture, int marker,
                          const std::vector<Vector3>& markers_in_tcp) {
   World at_fixture = world;
   const Mount& mount = fixture == 0 ? like.mount : like.other_mounts[static_cast<std::size_t>(fixture - 1)];
@@ -186,9 +186,9 @@ void measure_poses(const Session& like, const SimulationOptions& options, Simula
   const double lever = pose_lever(*like.pose_sensor), sigma = s.noise;
   for (std::size_t k = 0; k < s.session.observations.size(); ++k)
     s.session.observations[k].target_pose = measured_pose(s, k, lever, Random(options.seed).child(noise_stream + k));
-  const bool is_told = options.declare_noise && sigma > 0;
+  const bool is_reported = options.declare_noise && sigma > 0;
   s.session.pose_sensor = PoseSensor{};
-  if (is_told) s.session.pose_sensor = PoseSensor{sigma, sigma / lever};
+  if (is_reported) s.session.pose_sensor = PoseSensor{sigma, sigma / lever};
   show_poses(s.session, lever);
 }
 
@@ -229,7 +229,7 @@ void disturb(const Disturbance& d, const World& world, SimulatedSession& s, std:
   }
   Eigen::VectorXd later = o.position;
   later[j] += d.size;
-  const Ends ends = ends_at(world, circumstances_at(world.chain, later));
+  const Ends ends = ends_at(world, states_at(world.chain, later));
   s.later_root_from_tcp[k] = ends.root_from_tcp;
   s.later_root_from_sensor[k] = ends.root_from_sensor;
 }
@@ -255,7 +255,7 @@ void add_observations(const Session& like, const SimulationOptions& options, con
 
 /// Where things truly were in the session's observations.
 void place_observations(const World& world, SimulatedSession& s) {
-  for (const Circumstances& c : circumstances_of(s.session, world.chain)) {
+  for (const ObservationState& c : observation_states(s.session, world.chain)) {
     const Ends ends = ends_at(world, c);
     s.root_from_tcp.push_back(ends.root_from_tcp);
     s.root_from_sensor.push_back(ends.root_from_sensor);
@@ -282,7 +282,7 @@ void add_touches(const Session& like, const SimulationOptions& options, const Wo
   PoseSampler sampler(like, world.chain, body, options);
   Random postures = Random(options.seed).child(pose_stream);
   const TouchSimulation touches{like, world.chain, options,
-                                [&](const Circumstances& c, int fixture, int marker) {
+                                [&](const ObservationState& c, int fixture, int marker) {
                                   return place_at_fixture(world, like, c, fixture, marker, s.markers_in_tcp);
                                 },
                                 [&] { return sampler.next(postures); }};
@@ -307,7 +307,7 @@ void add_touches(const Session& like, const SimulationOptions& options, const Wo
 /// `given`: the observations' postures and times; null: they are drawn.
 SimulatedSession simulated(const Session& like, const SimulationOptions& options,
                            const std::vector<Observation>* given) {
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const World world{chain, options.effects, options.curves, like.mount.mount_from_sensor, like.shape};
   SimulatedSession s;
   s.session = like;
@@ -337,7 +337,7 @@ SimulatedSession simulated(const Session& like, const SimulationOptions& options
   s.normals_in_tcp = body.normals_in_tcp;
 
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size()));
-  if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(circumstances_at(chain, zero), options.effects));
+  if (like.rig) s.true_rig = moved_rig(*like.rig, moved_sites(states_at(chain, zero), options.effects));
   if (given) s.session.observations = *given;
   if (like.is_touch()) {
     add_touches(like, options, world, given, s);

@@ -48,15 +48,15 @@ Limits limits_of(const Chain& chain) {
   return limits;
 }
 
-/// The circumstances of the next touch, but for its posture.
+/// The observation states of the next touch, but for its posture.
 struct Next {
   double elapsed = 0, duration = 0;
   int order = 0;
   std::optional<Eigen::VectorXd> before;  // per joint of the robot
 };
 
-Circumstances circumstances_in(const Chain& part, const Next& next, const Eigen::VectorXd& position) {
-  Circumstances c = circumstances_at(part, position);
+ObservationState states_in(const Chain& part, const Next& next, const Eigen::VectorXd& position) {
+  ObservationState c = states_at(part, position);
   c.elapsed = next.elapsed;
   c.duration = next.duration;
   c.order = next.order;
@@ -65,7 +65,7 @@ Circumstances circumstances_in(const Chain& part, const Next& next, const Eigen:
 }
 
 /// A hand that comes from below a plate cannot.
-bool stands_well(const TouchSimulation& s, FixtureKind kind, const Circumstances& c, int fixture) {
+bool stands_well(const TouchSimulation& s, FixtureKind kind, const ObservationState& c, int fixture) {
   return kind != FixtureKind::plane || s.place(c, fixture, -1).z() > 0;
 }
 
@@ -97,7 +97,7 @@ std::vector<Observation> simulated_touches(const TouchSimulation& s) {
     Random values = root.child(value_stream).child(k), readings = root.child(reading_stream + k);
     const double value = wanted_value(fixture.kind, values);
     const Eigen::VectorXd wanted = errors(fixture.kind, touch_sigma(s.like, s.options, f), readings).array() + value;
-    const auto at = [&](const Eigen::VectorXd& q) { return circumstances_in(part, next, q); };
+    const auto at = [&](const Eigen::VectorXd& q) { return states_in(part, next, q); };
     const TipInFixture tip = [&](const Eigen::VectorXd& q) { return s.place(at(q), static_cast<int>(f), marker); };
     for (int attempt = 0; attempt < most_tries && o.position.size() == 0; ++attempt)
       if (auto q = touching_posture(tip, fixture.kind, wanted, s.posture(), limits.lower, limits.upper);
@@ -124,7 +124,7 @@ void read_touches(const TouchSimulation& s, std::vector<Observation>& given) {
     const Fixture& fixture = s.like.fixtures[f];
     next.elapsed = o.time - given.front().time;
     next.order = static_cast<int>(k);
-    const Circumstances c = circumstances_in(s.chain.parts[f], next, o.position);
+    const ObservationState c = states_in(s.chain.parts[f], next, o.position);
     Random readings = root.child(reading_stream + k);
     const Vector3 place = s.place(c, o.part, 0);
     const Eigen::VectorXd held =

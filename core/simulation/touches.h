@@ -4,14 +4,14 @@
 
 #include <functional>
 
-#include "effects/circumstances.h"
+#include "effects/observation_state.h"
 #include "simulation/random.h"
 #include "simulation/simulation_options.h"
 
 namespace handsight {
 
 /// Where a marker truly is in a fixture's frame (m); marker -1: the TCP.
-using TouchedPlace = std::function<Vector3(const Circumstances& c, int fixture, int marker)>;
+using TouchedPlace = std::function<Vector3(const ObservationState& c, int fixture, int marker)>;
 
 struct TouchSimulation {
   const Session& like;

@@ -29,7 +29,7 @@ void add_motion(tinyxml2::XMLElement& parent, const char* name, const Rigid& mot
 void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated) {
   tinyxml2::XMLElement* effects = parent.InsertNewChildElement("effects");
   for (const EffectTerm& term : simulated.effects) {
-    const Effect* effect = &effect_of(term);
+    const Effect* effect = &term_effect(term);
     tinyxml2::XMLElement* element = effects->InsertNewChildElement("effect");
     element->SetAttribute("id", term.id.c_str());
     for (std::size_t p = 0; p < term.values.size(); ++p) {

@@ -26,7 +26,7 @@ int count_in(const CornerLattice& lattice, int LatticeCell::*line, int number) {
 
 /// Cuts the emptier of the first and the last line, if there are more than `most` and it is half empty.
 bool cut_line(CornerLattice& lattice, int LatticeCell::*line, int most, int full) {
-  const LatticeExtent e = extent_of(lattice);
+  const LatticeExtent e = find_extent(lattice);
   if (lattice.empty() || e.most.*line - e.least.*line + 1 <= most) return false;
   const int first = count_in(lattice, line, e.least.*line), last = count_in(lattice, line, e.most.*line);
   if (2 * std::min(first, last) > full) return false;
@@ -47,7 +47,7 @@ void trim(CornerLattice& lattice, int columns, int rows) {
 void trim_ragged(CornerLattice& lattice) {
   for (std::size_t before = 0; before != lattice.size() && !lattice.empty();) {
     before = lattice.size();
-    const LatticeExtent e = extent_of(lattice);
+    const LatticeExtent e = find_extent(lattice);
     const auto cut = [&](auto is_in, int full) {
       const auto count = std::count_if(lattice.begin(), lattice.end(), [&](const auto& at) { return is_in(at.first); });
       if (5 * count < 3 * full) std::erase_if(lattice, [&](const auto& at) { return is_in(at.first); });
@@ -62,7 +62,7 @@ void trim_ragged(CornerLattice& lattice) {
 /// The board's points by number; those that the detector has missed are nothing yet.
 using BoardPoints = std::vector<std::optional<TargetPixel>>;
 
-LatticePixels pixels_of(const BoardPoints& points, int columns) {
+LatticePixels list_pixels(const BoardPoints& points, int columns) {
   LatticePixels pixels;
   for (const auto& point : points)
     if (point) pixels[{point->number % columns, point->number / columns}] = point->pixel;
@@ -74,7 +74,7 @@ void fill(const Image& image, const PreparedTarget& target, BoardPoints& points,
   const int columns = target.target.columns;
   for (bool is_new = true; is_new;) {
     is_new = false;
-    const LatticePixels pixels = pixels_of(points, columns);
+    const LatticePixels pixels = list_pixels(points, columns);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i]) continue;
       const int number = static_cast<int>(i);
@@ -115,7 +115,7 @@ std::optional<std::vector<TargetPixel>> whole_board(const Image& image, const Pr
                                                     const std::vector<Corner>& corners, const CornerLattice& lattice,
                                                     int& dropped) {
   const Target& t = target.target;
-  const LatticeExtent e = extent_of(lattice);
+  const LatticeExtent e = find_extent(lattice);
   if (e.columns() != t.columns || e.rows() != t.rows) return std::nullopt;
   if (5 * lattice.size() < 4 * static_cast<std::size_t>(t.columns * t.rows)) return std::nullopt;
   BoardPoints points(target.points.size());
@@ -184,7 +184,7 @@ std::optional<std::pair<int, int>> chessboard_size(const Image& image) {
     if (lattice.size() > best.size()) best = std::move(lattice);
   }
   if (best.size() < 6) return std::nullopt;
-  const LatticeExtent e = extent_of(best);
+  const LatticeExtent e = find_extent(best);
   if (10 * best.size() < 9 * static_cast<std::size_t>(e.columns() * e.rows())) return std::nullopt;
   return std::pair(e.columns(), e.rows());
 }

@@ -157,7 +157,8 @@ std::vector<FittedEllipse> fitted(const Image& image, const PreparedTarget& targ
   return ellipses;
 }
 
-std::optional<PlaneMap> map_of(const PreparedTarget& target, const std::vector<Vector2>& pixels, const Image& image) {
+std::optional<PlaneMap> make_column_map(const PreparedTarget& target, const std::vector<Vector2>& pixels,
+                                        const Image& image) {
   std::vector<PlacePixel> pairs;
   for (std::size_t i = 0; i < pixels.size(); ++i) pairs.push_back({target.points[i].position.head<2>(), pixels[i]});
   return fit_plane_map(pairs, image.width, image.height);
@@ -171,7 +172,7 @@ std::vector<TargetPixel> middles(const Image& image, const PreparedTarget& targe
   for (int round = 0; round < 2; ++round) {
     pixels.clear();
     for (std::size_t i = 0; i < ellipses.size(); ++i) pixels.emplace_back(ellipses[i].centre - off[i]);
-    const auto map = map_of(target, pixels, image);
+    const auto map = make_column_map(target, pixels, image);
     for (std::size_t i = 0; map && i < ellipses.size(); ++i)
       off[i] = centre_off_middle(*map, target.points[i].position.head<2>(), 0.5 * target.target.tag).value_or(off[i]);
   }
@@ -191,7 +192,7 @@ TargetSighting detect_circles(const Image& image, const PreparedTarget& target) 
   const std::vector<Vector2> centres = found_by_opencv(image, t);
   if (centres.empty()) return sighting;
   const std::vector<Vector2> pixels = numbered(centres, target);
-  const auto map = pixels.empty() ? std::nullopt : map_of(target, pixels, image);
+  const auto map = pixels.empty() ? std::nullopt : make_column_map(target, pixels, image);
   const auto ellipses = map ? fitted(image, target, *map) : std::vector<FittedEllipse>{};
   if (ellipses.empty()) return sighting;
   sighting.points = middles(image, target, ellipses);

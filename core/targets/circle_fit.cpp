@@ -13,12 +13,12 @@ namespace {
 constexpr double innermost = 0.55, outermost = 1.45;
 
 /// Of the centre, from what the gradients tell of a shift (Cramer and Rao), times what the fit loses against it.
-Eigen::Matrix2d covariance_of(const std::vector<Tangent>& tangents, double noise) {
+Eigen::Matrix2d make_covariance(const std::vector<Tangent>& tangents, double noise) {
   constexpr double loss = 2, least = 5e-3;  // least: px, the grid of pixels
-  Eigen::Matrix2d told = Eigen::Matrix2d::Zero();
-  for (const Tangent& t : tangents) told += t.weight * t.normal * t.normal.transpose();
-  told -= 0.25 * noise * noise * static_cast<double>(tangents.size()) * Eigen::Matrix2d::Identity();  // noise's own
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(told);
+  Eigen::Matrix2d reported = Eigen::Matrix2d::Zero();
+  for (const Tangent& t : tangents) reported += t.weight * t.normal * t.normal.transpose();
+  reported -= 0.25 * noise * noise * static_cast<double>(tangents.size()) * Eigen::Matrix2d::Identity();  // noise's own
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(reported);
   const Vector2 variances = (loss * noise * noise / solver.eigenvalues().array().max(1.0)).matrix();
   return solver.eigenvectors() * variances.asDiagonal() * solver.eigenvectors().transpose() +
          least * least * Eigen::Matrix2d::Identity();
@@ -78,7 +78,7 @@ std::optional<FittedEllipse> ellipse_in(const Image& image, const Vector2& centr
       tangents.push_back({Vector2(u, v), gradient.normalized(), gradient.squaredNorm()});
     }
   auto ellipse = fit_ellipse(tangents, centre, std::sqrt(std::sqrt(shape.determinant())));
-  if (ellipse) ellipse->covariance = covariance_of(tangents, noise);
+  if (ellipse) ellipse->covariance = make_covariance(tangents, noise);
   return ellipse;
 }
 

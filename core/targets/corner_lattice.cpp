@@ -118,7 +118,7 @@ std::optional<LatticeGuess> surface(const std::vector<std::pair<Vector2, Vector2
 
 }  // namespace
 
-LatticeExtent extent_of(const CornerLattice& lattice) {
+LatticeExtent find_extent(const CornerLattice& lattice) {
   LatticeExtent e;
   for (const auto& [cell, corner] : lattice) {
     e.least = {std::min(e.least.column, cell.column), std::min(e.least.row, cell.row)};

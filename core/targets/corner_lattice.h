@@ -25,7 +25,7 @@ struct LatticeExtent {
   int columns() const { return most.column - least.column + 1; }
   int rows() const { return most.row - least.row + 1; }
 };
-LatticeExtent extent_of(const CornerLattice& lattice);
+LatticeExtent find_extent(const CornerLattice& lattice);
 
 /// All lattices of at least `least` corners, the largest first; each corner is in one at most.
 std::vector<CornerLattice> corner_lattices(const Image& image, const std::vector<Corner>& corners, std::size_t least);

@@ -37,7 +37,7 @@ struct Row {
   Eigen::Matrix<double, 2, 10> jacobian;
 };
 
-std::optional<Row> row_of(const PlaneMap& map, const PlacePixel& p) {
+std::optional<Row> find_row(const PlaneMap& map, const PlacePixel& p) {
   const Vector3 place = p.place.homogeneous(), x = map.homography * place;
   if (!(x.z() > 0)) return std::nullopt;
   const Vector2 straight = x.hnormalized();
@@ -63,16 +63,16 @@ struct Normal {
 };
 
 Normal normal_equations(const PlaneMap& map, const std::vector<PlacePixel>& points, bool bends) {
-  constexpr double kUsual = 1.0;  // px: residuals beyond count less and less
-  constexpr double kLost = 100;   // px
+  constexpr double usual = 1.0;    // px: residuals beyond count less and less
+  constexpr double lost_px = 100;  // px
   constexpr double k1_sigma = 0.3, k2_sigma = 0.2;
   Normal n;
   for (const PlacePixel& p : points) {
-    const auto row = row_of(map, p);
-    const double square = row ? row->residual.squaredNorm() / (kUsual * kUsual) : kLost * kLost;
+    const auto row = find_row(map, p);
+    const double square = row ? row->residual.squaredNorm() / (usual * usual) : lost_px * lost_px;
     n.cost += std::log1p(square);
     if (!row) continue;
-    const double weight = 1 / (1 + square) / (kUsual * kUsual);
+    const double weight = 1 / (1 + square) / (usual * usual);
     n.matrix += weight * row->jacobian.transpose() * row->jacobian;
     n.vector -= weight * row->jacobian.transpose() * row->residual;
   }

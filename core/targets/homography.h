@@ -27,8 +27,8 @@ struct PlacePixel {
 /// have a positive third number. Nothing where the points leave more than one answer.
 std::optional<Matrix3> linear_homography(const std::vector<PlacePixel>& points);
 
-/// A homography followed by a radial distortion about the image's centre: enough for the points of a board to be told
-/// from their neighbours, not to calibrate with.
+/// A homography followed by a radial distortion about the image's centre: enough for the points of a board to be
+/// distinguished from their neighbours, not to calibrate with.
 struct PlaneMap {
   Matrix3 homography = Matrix3::Identity();  // to px from the centre, in units of `scale`
   double k1 = 0, k2 = 0;

@@ -55,7 +55,7 @@ Vector2 crossing(const Line& a, const Line& b) {
   return a.point + a.direction * ((between.x() * b.direction.y() - between.y() * b.direction.x()) / sine);
 }
 
-std::array<std::size_t, 4> places_of(const Contour& corners, const Contour& contour) {
+std::array<std::size_t, 4> list_places(const Contour& corners, const Contour& contour) {
   std::array<std::size_t, 4> places{};
   for (std::size_t i = 0; i < 4; ++i)
     places[i] = static_cast<std::size_t>(std::find(contour.begin(), contour.end(), corners[i]) - contour.begin());
@@ -66,7 +66,7 @@ std::array<std::size_t, 4> places_of(const Contour& corners, const Contour& cont
 Quad with_lines(const Contour& corners, const Contour& contour) {
   Quad quad;
   for (std::size_t i = 0; i < 4; ++i) quad[i] = {corners[i].x, corners[i].y};
-  const auto places = places_of(corners, contour);
+  const auto places = list_places(corners, contour);
   const Vector2 centre = (quad[0] + quad[1] + quad[2] + quad[3]) / 4;
   std::array<Line, 4> lines;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -79,8 +79,8 @@ Arrangement several_pieces(const Target& target) {
 }
 
 /// `<target ... />` broken into lines of so many letters.
-std::vector<std::string> told(const Target& target, std::size_t most) {
-  std::vector<std::string> words{"<target"}, lines{description_of(target), ""};
+std::vector<std::string> reported(const Target& target, std::size_t most) {
+  std::vector<std::string> words{"<target"}, lines{describe_target(target), ""};
   for (const auto& [name, text] : target_words(target)) words.push_back(fmt::format("{}=\"{}\"", name, text));
   words.emplace_back("/>");
   for (const std::string& word : words) {
@@ -116,7 +116,7 @@ Sheet paper_for(const Vector2& needed) {
 
 }  // namespace
 
-Sheet sheet_of(const Target& target) {
+Sheet make_sheet(const Target& target) {
   check_target(target, "target");
   const Arrangement a = is_tag_grid(target)               ? grid_of_tags(target)
                         : target.kind == TargetKind::tags ? several_pieces(target)
@@ -136,7 +136,7 @@ Sheet sheet_of(const Target& target) {
   add_ruler(sheet, {rim, top});
   const auto most = static_cast<std::size_t>((sheet.width - 2 * rim) / (text_height * letter_width));
   double y = top + 0.0105;
-  for (const std::string& text : told(target, most)) {
+  for (const std::string& text : reported(target, most)) {
     sheet.texts.push_back({{rim, y}, 0.9 * text_height, text});
     y += 0.95 * text_height;
   }

@@ -29,7 +29,7 @@ struct Sheet {
 /// of 10 mm, or of a sheet of its own size; beneath it a ruler of 100 mm (less where the sheet is narrow) to check the
 /// print with, and what the target is: in words and as <target .../>. Single tags stand side by side, each with its
 /// number; an ArUco grid board is printed as it is.
-Sheet sheet_of(const Target& target);
+Sheet make_sheet(const Target& target);
 
 std::string pdf_text(const Sheet& sheet);
 std::string svg_text(const Sheet& sheet);

@@ -17,9 +17,9 @@ constexpr int unknowns = 11;  // 8 of the corners, level, contrast, blur
 using VectorU = Eigen::Matrix<double, unknowns, 1>;
 using MatrixU = Eigen::Matrix<double, unknowns, unknowns>;
 
-constexpr double kFloor = 0.05;                 // px: what lens, print and surroundings leave unsaid (trial_targets)
+constexpr double floor_px = 0.05;               // px: what lens, print and surroundings leave unsaid (trial_targets)
 constexpr double most_unexplained = 0.25;       // of a large tag, which the lens may bend
-constexpr double most_unexplained_near = 0.12;  // of what a corner is told by
+constexpr double most_unexplained_near = 0.12;  // of what a corner is recognised by
 constexpr double large_side = 48;               // px: from here on each corner is fitted on its own
 constexpr double corner_radius = 24;            // px, of its surroundings
 constexpr int most_pixels = 6000;               // of one fit: beyond it every second, third ... row and column
@@ -194,7 +194,7 @@ double unexplained_share(const Sums& sums, double image_noise) {
 }
 
 /// What the residuals' size says; residuals of a wrong shape are not independent from pixel to pixel.
-MatrixU covariance_of(const Fitted& fitted, double image_noise) {
+MatrixU make_covariance(const Fitted& fitted, double image_noise) {
   const double variance = fitted.sums.squares / std::max(fitted.sums.count - unknowns, 1);
   const double noise = std::max(image_noise * image_noise, 0.09);
   const double enlarged = variance > noise ? noise + 4 * (variance - noise) : noise;
@@ -226,7 +226,7 @@ bool fit_corners(const Image& image, const TagPattern& pattern, const TagFitOpti
     const auto fitted = settle(whole, pattern, pixels, 6, 1, i);
     if (!fitted || unexplained_share(fitted->sums, image_noise) > most_unexplained_near) return false;
     fit.corners[i] = fitted->state.corners[i];
-    fit.covariances[i] = covariance_of(*fitted, image_noise)
+    fit.covariances[i] = make_covariance(*fitted, image_noise)
                              .block<2, 2>(2 * static_cast<Eigen::Index>(i), 2 * static_cast<Eigen::Index>(i));
   }
   return true;
@@ -250,7 +250,7 @@ std::optional<TagFit> fit_tag(const Image& image, const TagPattern& pattern, con
   fit.contrast = fitted->state.contrast;
   fit.unexplained = unexplained_share(fitted->sums, image_noise);
   if (!(fit.unexplained < most_unexplained)) return std::nullopt;
-  const MatrixU covariance = covariance_of(*fitted, image_noise);
+  const MatrixU covariance = make_covariance(*fitted, image_noise);
   for (Eigen::Index i = 0; i < 4; ++i)
     fit.covariances[static_cast<std::size_t>(i)] = covariance.block<2, 2>(2 * i, 2 * i);
   const bool is_large = side > large_side;
@@ -258,7 +258,7 @@ std::optional<TagFit> fit_tag(const Image& image, const TagPattern& pattern, con
   if (is_large && !fit_corners(image, pattern, options, image_noise, fitted->state, fit)) return std::nullopt;
   for (const Vector2& corner : fit.corners)
     if (!is_inside(image, corner)) return std::nullopt;
-  for (Eigen::Matrix2d& one : fit.covariances) one += Eigen::Matrix2d::Identity() * kFloor * kFloor;
+  for (Eigen::Matrix2d& one : fit.covariances) one += Eigen::Matrix2d::Identity() * floor_px * floor_px;
   return fit;
 }
 

@@ -30,7 +30,7 @@ struct TagFitOptions {
 /// are known several times better than from the four lines of its outline. For tags of more than 48 px a side each
 /// corner is then fitted in its own surroundings, so that a lens that bends lines does not matter. Nothing where the
 /// fit runs away by more than 0.7 modules from the start, leaves the image, or is no such tag (what is left
-/// unexplained is more than 0.12 of what a corner is told by, or 0.25 of a large tag).
+/// unexplained is more than 0.12 of what a corner is recognised by, or 0.25 of a large tag).
 /// `image_noise`: grey levels, sigma of a pixel.
 std::optional<TagFit> fit_tag(const Image& image, const TagPattern& pattern, const Quad& start, double image_noise,
                               const TagFitOptions& options = {});

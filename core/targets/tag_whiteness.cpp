@@ -8,7 +8,7 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t kSkewTerms = 5;
+constexpr std::size_t skew_term_count = 5;
 
 /// The normal distribution's integral and density, by tables: exact to 1e-6.
 struct Normal {
@@ -46,13 +46,13 @@ struct Shares {
   int first = 0, count = 0;
   std::array<double, 16> share{}, slope{};  // slope: by the place, per module
   /// Differences of density times Hermite's polynomials over each module: the terms of the skew below.
-  std::array<std::array<double, 16>, kSkewTerms> terms{};
+  std::array<std::array<double, 16>, skew_term_count> terms{};
 };
 
 /// Hermite's polynomials times the density, at x in sigmas.
-std::array<double, kSkewTerms> hermite(double x, double density) {
-  std::array<double, kSkewTerms> h{density, x * density};
-  for (std::size_t n = 2; n < kSkewTerms; ++n) h[n] = x * h[n - 1] - static_cast<double>(n - 1) * h[n - 2];
+std::array<double, skew_term_count> hermite(double x, double density) {
+  std::array<double, skew_term_count> h{density, x * density};
+  for (std::size_t n = 2; n < skew_term_count; ++n) h[n] = x * h[n - 1] - static_cast<double>(n - 1) * h[n - 2];
   return h;
 }
 
@@ -63,13 +63,13 @@ Shares shares_near(double place, double sigma, int side) {
   const int last = std::clamp(static_cast<int>(std::floor(place + reach)), -1, side);
   shares.count = last - shares.first + 1;
   Normal::Value left{0, 0};
-  std::array<double, kSkewTerms> left_terms{};
+  std::array<double, skew_term_count> left_terms{};
   for (int i = 0; i < shares.count; ++i) {
     const bool is_last = i + 1 == shares.count;
     const double x = (shares.first + i + 1 - place) / sigma;
     const Normal::Value right = is_last ? Normal::Value{1, 0} : normal().at(x);
     const auto right_terms = hermite(x, right.density);
-    for (std::size_t n = 0; n < kSkewTerms; ++n)
+    for (std::size_t n = 0; n < skew_term_count; ++n)
       shares.terms[n][static_cast<std::size_t>(i)] = right_terms[n] - left_terms[n];
     left_terms = right_terms;
     shares.share[static_cast<std::size_t>(i)] = right.integral - left.integral;
@@ -88,16 +88,16 @@ Whiteness whiteness(const TagPattern& pattern, const Vector2& place, double sigm
   for (int j = 0; j < y.count; ++j) {
     const int row = y.first + j;
     double sum = 0, slope = 0;
-    std::array<double, kSkewTerms> terms{};
+    std::array<double, skew_term_count> terms{};
     for (int i = 0; i < x.count; ++i) {
       const int column = x.first + i;
       const bool is_outside = row < 0 || column < 0 || row >= pattern.side || column >= pattern.side;
       if (!is_outside && !pattern.is_white(column, row)) continue;
       sum += x.share[static_cast<std::size_t>(i)], slope += x.slope[static_cast<std::size_t>(i)];
-      for (std::size_t n = 0; n < kSkewTerms; ++n) terms[n] += x.terms[n][static_cast<std::size_t>(i)];
+      for (std::size_t n = 0; n < skew_term_count; ++n) terms[n] += x.terms[n][static_cast<std::size_t>(i)];
     }
     double factor = 1;
-    for (std::size_t n = 0; n < kSkewTerms; ++n) {
+    for (std::size_t n = 0; n < skew_term_count; ++n) {
       factor *= correlation / static_cast<double>(n + 1);
       w.value += factor * y.terms[n][static_cast<std::size_t>(j)] * terms[n];
     }

@@ -82,7 +82,7 @@ Message numbers_text(const std::set<int>& ids) {
 }
 
 Message none_of(const std::vector<Image>& images, const Target& described) {
-  return message("None of the {} images that were looked at shows the {}", images.size(), description_of(described));
+  return message("None of the {} images that were looked at shows the {}", images.size(), describe_target(described));
 }
 
 // ---- chessboards

@@ -130,7 +130,7 @@ TEST(Files, WhatAnotherProgramWroteIsNotReplaced) {
   const TemporaryFolder folder;
   const fs::path file = folder.path / "a.txt";
   replace_file(file, "first");
-  const FileDigest read = *digest_of(file);
+  const FileDigest read = *compute_digest(file);
   EXPECT_EQ(read, digest_of_content("first"));
   replace_unchanged_file(file, "second", read);
   EXPECT_THAT(refusal([&] { replace_unchanged_file(file, "third", read); }),
@@ -140,7 +140,7 @@ TEST(Files, WhatAnotherProgramWroteIsNotReplaced) {
   EXPECT_THAT(refusal([&] { replace_unchanged_file(file, "third", read); }), testing::HasSubstr("another program"));
   EXPECT_FALSE(fs::exists(file));
   EXPECT_EQ(count_files(folder.path), 0) << "a temporary file was left";
-  EXPECT_FALSE(digest_of(file));
+  EXPECT_FALSE(compute_digest(file));
 }
 
 TEST(Files, TwoWritersLoseNothingOfEachOther) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The house is in order: of the folders of core, widgets and app, and of their rooms, each uses only those above it,
-// each is told of in its CMakeLists.txt, none is too full to be found through, and no sources include each other in a
+// each is described in its CMakeLists.txt, none is too full to be found through, and no sources include each other in a
 // circle.
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ std::vector<std::filesystem::path> included_sources(const std::filesystem::path&
 }
 
 /// x.h, x.cpp and x.inc are one.
-std::string unit_of(const std::filesystem::path& source) {
+std::string find_unit(const std::filesystem::path& source) {
   return std::filesystem::path(source).replace_extension().string();
 }
 
@@ -175,18 +175,18 @@ TEST(House, NoSourcesIncludeEachOtherInACircle) {
   for (const char* house : {"core", "widgets", "app"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / house)) {
       if (!is_source(entry.path())) continue;
-      auto& used = uses[unit_of(entry.path())];
+      auto& used = uses[find_unit(entry.path())];
       for (const auto& other :
            included_sources(entry.path(), {root / "core", root / "app", root / "app" / "cli", root}))
-        if (unit_of(other) != unit_of(entry.path())) used.insert(unit_of(other));
+        if (find_unit(other) != find_unit(entry.path())) used.insert(find_unit(other));
     }
   ASSERT_GE(uses.size(), 300U);
   std::set<std::string> done;
   for (const auto& [unit, used] : uses) {
     std::vector<std::string> way, circle = circle_from(unit, uses, done, way);
-    std::string told;
-    for (const std::string& one : circle) told += one + "\n";
-    ASSERT_TRUE(circle.empty()) << "include each other:\n" << told;
+    std::string reported;
+    for (const std::string& one : circle) reported += one + "\n";
+    ASSERT_TRUE(circle.empty()) << "include each other:\n" << reported;
   }
 }
 

@@ -16,7 +16,7 @@ using testing::Not;
 std::string refusal(const std::string& text, auto&& read) {
   try {
     const auto document = parse_xml(text, "f.xml");
-    read(root_of(*document, "f.xml", "a"));
+    read(require_root(*document, "f.xml", "a"));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -114,7 +114,7 @@ TEST(Xml, NothingStandsOutsideTheOutermostElement) {
 
 TEST(Xml, NumbersInAttributes) {
   const auto document = parse_xml("<a x=' 1.5 ' v='1 2 3' n='7'/>", "f.xml");
-  const XmlNode a = root_of(*document, "f.xml", "a");
+  const XmlNode a = require_root(*document, "f.xml", "a");
   EXPECT_EQ(required_number(a, "x"), 1.5);
   EXPECT_THAT(required_numbers(a, "v", 3), ElementsAre(1, 2, 3));
   EXPECT_EQ(required_integer(a, "n", 0, 9), 7);
@@ -153,13 +153,13 @@ TEST(Xml, RefusalsSayWhatWasFoundAndExpected) {
 
 TEST(Xml, CommentsDoNotHideNumbers) {
   const auto document = parse_xml("<a>1 <!-- 7 --> 2<![CDATA[ 3 ]]></a>", "f.xml");
-  EXPECT_THAT(inner_numbers(root_of(*document, "f.xml", "a"), 3), ElementsAre(1, 2, 3));
+  EXPECT_THAT(inner_numbers(require_root(*document, "f.xml", "a"), 3), ElementsAre(1, 2, 3));
 }
 
 TEST(Xml, WhatIsUnknownIsCounted) {
   const auto document = parse_xml("<a x='1' y='2'>\n<b/>\n<c/><c/>\nhello</a>", "f.xml");
   Ignored ignored;
-  note_unknown(ignored, root_of(*document, "f.xml", "a"), {"x"}, {"b"});
+  note_unknown(ignored, require_root(*document, "f.xml", "a"), {"x"}, {"b"});
   EXPECT_THAT(ignored_sentences(ignored, "f.xml"),
               ElementsAre("f.xml: attribute y of <a> is not known and is ignored (line 1).",
                           "f.xml: element <c> in <a> is not known and is ignored (2 times, first at line 3).",
@@ -172,7 +172,7 @@ TEST(Xml, TextsReadBack) {
   document.InsertEndChild(document.NewElement("a"));
   document.RootElement()->SetAttribute("x", value.c_str());
   const auto back = parse_xml(xml_text(document), "f.xml");
-  EXPECT_EQ(find_text(root_of(*back, "f.xml", "a"), "x"), value);
+  EXPECT_EQ(find_text(require_root(*back, "f.xml", "a"), "x"), value);
 }
 
 TEST(Xml, AnAttributeThatStandsTwiceIsRefused) { EXPECT_THAT(refusal("<a x='1' x='2'/>"), HasSubstr("stands twice")); }

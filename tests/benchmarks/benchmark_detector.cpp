@@ -12,7 +12,7 @@ namespace {
 
 Image board_scene() {
   std::mt19937 random(1);
-  const auto view = corner_images::view_of({320, 240}, 40, 0.4, 0.7, 0.2);
+  const auto view = corner_images::find_view({320, 240}, 40, 0.4, 0.7, 0.2);
   const auto cells = [=](double u, double v) -> double {
     const Eigen::Vector2d at = view.cells(u, v);
     if (std::abs(at.x()) > 5 || std::abs(at.y()) > 3.5) return 150;
@@ -37,10 +37,10 @@ void opencv_sector_based(benchmark::State& state, const Image& image) {
   for (auto _ : state) cv::findChessboardCornersSB(corner_images::as_mat(image), {9, 6}, corners);
 }
 
-BENCHMARK_CAPTURE(detect, board, board_scene())->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(detect, texture_noise_3, busy_scene(3))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(detect, texture_noise_8, busy_scene(8))->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_sector_based, board, board_scene())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, board, board_scene())->Unit(benchmark::millisecond);
+BENCHMARK_CAPTURE(detect, texture_noise_3, busy_scene(3))->Unit(benchmark::millisecond);
+BENCHMARK_CAPTURE(detect, texture_noise_8, busy_scene(8))->Unit(benchmark::millisecond);
+BENCHMARK_CAPTURE(opencv_sector_based, board, board_scene())->Unit(benchmark::millisecond);
 
 }  // namespace
 }  // namespace handsight

@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "export/exported.h"
+#include "fixtures/robots_with_everything.h"
 #include "fixtures/trial_sessions.h"
-#include "fixtures/ways_fixtures.h"
 
 namespace handsight {
 namespace {
@@ -14,7 +14,8 @@ double microseconds(int robot, bool with_effects) {
   std::mt19937_64 random(5);
   const Session session = trials::robot_session(robot);
   const CalibratedRobot calibrated = fixture::robot_with(
-      session, with_effects ? fixture::everything_wrong(chain_of(session), random) : std::vector<EffectTerm>{}, random);
+      session, with_effects ? fixture::everything_wrong(make_chain(session), random) : std::vector<EffectTerm>{},
+      random);
   const TemporaryFolder folder;
   std::ofstream(folder.path / "hand.cpp") << exported_file(calibrated, "cpp").text;
   std::ofstream(folder.path / "main.cpp") << R"cpp(
@@ -51,7 +52,7 @@ void exported_pose(benchmark::State& state) {
 BENCHMARK(exported_pose)
     ->ArgsProduct({{0, 1, 2}, {0, 1}})
     ->UseManualTime()
-    ->Unit(benchmark::kMicrosecond)
+    ->Unit(benchmark::microsecond)
     ->Iterations(3);
 
 }  // namespace

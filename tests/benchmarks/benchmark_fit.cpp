@@ -163,7 +163,7 @@ struct Prepared {
 };
 
 Prepared prepare(const Session& s) {
-  Prepared p{make_problem(s, chain_of(s)), {}};
+  Prepared p{make_problem(s, make_chain(s)), {}};
   p.start = *start_values(p.problem, s.mount);
   return p;
 }
@@ -200,7 +200,7 @@ void trust_region_prepared(benchmark::State& state, bool estimate_mount) {
 void fit_with_effects(benchmark::State& state, bool estimate_mount) {
   const Session& s = session(static_cast<int>(state.range(0)), estimate_mount);
   FitOptions options;
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   for (const char* id : {"joint_offset", "joint_elasticity"})
     for (const EffectTerm& term : effect_terms(id, chain)) options.estimated.push_back(term);
   int iterations = 0;
@@ -292,7 +292,7 @@ void print_peak_memory() {
 void add(std::string name, auto function, bool mount, const std::vector<std::int64_t>& sizes, bool is_step = false) {
   if (mount) name += "_mount_estimated";
   auto* added_one = benchmark::RegisterBenchmark(name.c_str(), function, mount);
-  added_one->Unit(is_step ? benchmark::kMicrosecond : benchmark::kMillisecond);
+  added_one->Unit(is_step ? benchmark::microsecond : benchmark::millisecond);
   if (is_step) added_one->UseManualTime();
   for (const std::int64_t size : sizes) added_one->Arg(size);
 }

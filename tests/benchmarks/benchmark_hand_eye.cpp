@@ -35,16 +35,16 @@ Session pose_session() {
   return s;
 }
 
-cv::Mat matrix_of(const Matrix3& r) {
+cv::Mat make_matrix(const Matrix3& r) {
   cv::Mat m(3, 3, CV_64F);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) m.at<double>(i, j) = r(i, j);
   return m;
 }
 
-cv::Mat vector_of(const Vector3& t) { return (cv::Mat_<double>(3, 1) << t.x(), t.y(), t.z()); }
+cv::Mat make_vector(const Vector3& t) { return (cv::Mat_<double>(3, 1) << t.x(), t.y(), t.z()); }
 
-Rigid rigid_of(const cv::Mat& r, const cv::Mat& t) {
+Rigid make_rigid(const cv::Mat& r, const cv::Mat& t) {
   Rigid motion;
   for (int i = 0; i < 3; ++i) {
     motion.translation[i] = t.at<double>(i);
@@ -63,19 +63,19 @@ Rigid by_solver(const Poses& p, int solver) {
   for (std::size_t i = 0; i < p.root_from_tcp.size(); ++i) {
     const Rigid hand = solver < 5 ? p.root_from_tcp[i] : inverse(p.root_from_tcp[i]);
     const Rigid target_from_sensor = inverse(p.sensor_from_target[i]);
-    hand_r.push_back(matrix_of(hand.rotation));
-    hand_t.push_back(vector_of(hand.translation));
-    target_r.push_back(matrix_of(target_from_sensor.rotation));
-    target_t.push_back(vector_of(target_from_sensor.translation));
+    hand_r.push_back(make_matrix(hand.rotation));
+    hand_t.push_back(make_vector(hand.translation));
+    target_r.push_back(make_matrix(target_from_sensor.rotation));
+    target_t.push_back(make_vector(target_from_sensor.translation));
   }
   cv::Mat r, t, other_r, other_t;
   if (solver < 5) {
     cv::calibrateHandEye(hand_r, hand_t, target_r, target_t, r, t, static_cast<cv::HandEyeCalibrationMethod>(solver));
-    return rigid_of(r, t);
+    return make_rigid(r, t);
   }
   cv::calibrateRobotWorldHandEye(target_r, target_t, hand_r, hand_t, other_r, other_t, r, t,
                                  static_cast<cv::RobotWorldHandEyeCalibrationMethod>(solver - 5));
-  return inverse(rigid_of(r, t));
+  return inverse(make_rigid(r, t));
 }
 
 constexpr const char* solvers[] = {"Tsai", "Park", "Horaud", "Andreff", "Daniilidis", "Shah", "Li"};

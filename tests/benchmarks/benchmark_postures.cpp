@@ -14,7 +14,7 @@
 namespace handsight {
 namespace {
 
-/// Geometry, springs of joints and links and play at every joint, at about their plausible sizes.
+/// Geometry, springs of joints and links and play at every joint, at about their prior sigmas.
 struct Posed {
   Session session;
   Problem problem;
@@ -22,7 +22,7 @@ struct Posed {
 
   explicit Posed(Session like) : session(std::move(like)) {
     std::vector<EffectTerm> terms;
-    const Chain chain = chain_of(session);
+    const Chain chain = make_chain(session);
     for (const char* id : {"link_geometry", "joint_elasticity", "link_elasticity", "backlash"})
       for (EffectTerm& term : effect_terms(id, chain)) terms.push_back(std::move(term));
     problem = make_problem(session, chain, {}, terms);
@@ -45,7 +45,7 @@ void place(benchmark::State& state, const Session& like, bool derives) {
   const auto observations = static_cast<double>(posed.problem.observations.size());
   state.counters["columns"] = static_cast<double>(posed.problem.effect_count());
   state.counters["an_observation"] =
-      benchmark::Counter(observations, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(observations, benchmark::Counter::is_iteration_invariant_rate | benchmark::Counter::invert);
 }
 
 void squares(benchmark::State& state, bool ours) {
@@ -84,7 +84,7 @@ void add_benchmarks(const std::vector<std::string>& sessions) {
   for (const bool derives : {true, false}) {
     const auto add = [&](std::string name, const Session& like) {
       name += derives ? "/with_derivatives" : "/without";
-      benchmark::RegisterBenchmark(name.c_str(), place, like, derives)->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark(name.c_str(), place, like, derives)->Unit(benchmark::millisecond);
     };
     add("six_axes", of_hundred_poses(fixture::stand_session()));
     add("seven_axes", of_hundred_poses(fixture::seven_axis_session()));
@@ -97,11 +97,11 @@ void add_benchmarks(const std::vector<std::string>& sessions) {
         ->Args({192, 20})
         ->Args({192, 80})
         ->Args({1500, 90})
-        ->Unit(benchmark::kMicrosecond);
+        ->Unit(benchmark::microsecond);
     benchmark::RegisterBenchmark(("products/" + by).c_str(), products, ours)
         ->Args({750, 30, 100})
         ->Args({1500, 90, 300})
-        ->Unit(benchmark::kMicrosecond);
+        ->Unit(benchmark::microsecond);
   }
 }
 

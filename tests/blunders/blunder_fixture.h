@@ -69,7 +69,7 @@ inline Session pose_session(std::uint64_t seed, int count = 24) {
     Observation& o = s.observations.emplace_back();
     o.id = i;
     o.time = i;
-    o.position = position_of(base_from_camera * inverse(flange_from_camera));
+    o.position = make_position(base_from_camera * inverse(flange_from_camera));
     const Rigid noise{rotation_from_vector<double>(three(5e-4)), three(3e-4)};
     o.target_pose = noise * inverse(board_from_camera);
   }
@@ -86,16 +86,16 @@ Session with_target_poses(Session s, const Change& change) {
 }
 template <class Change>
 Session with_flange_poses(Session s, const Change& change) {
-  for (Observation& o : s.observations) o.position = position_of(change(base_from_flange(o.position)));
+  for (Observation& o : s.observations) o.position = make_position(change(base_from_flange(o.position)));
   return s;
 }
 
-/// The names of what is found, as a user would be told.
+/// The names of what is found, as a user would see them.
 inline std::vector<std::string> blunders_in(const Session& s) {
   const Fit f = fit(s);
   if (!may_be_a_blunder(s, f)) return {};
   std::vector<std::string> names;
-  for (const Blunder& b : find_blunders(s, f)) names.push_back(name_of(b));
+  for (const Blunder& b : find_blunders(s, f)) names.push_back(display_name(b));
   return names;
 }
 

@@ -54,7 +54,7 @@ TEST(FieldBlunders, GoodSessionsAreNotAccused) {
       const Fit f = fit(s);
       std::vector<std::string> names;
       for (const Blunder& b : find_blunders(s, f))
-        names.push_back(name_of(b) + fmt::format(" {} -> {}", b.rms_before, b.rms_after));
+        names.push_back(display_name(b) + fmt::format(" {} -> {}", b.rms_before, b.rms_after));
       EXPECT_THAT(names, IsEmpty()) << entry.path();
     } catch (const InputError&) {  // nothing is labelled
     }

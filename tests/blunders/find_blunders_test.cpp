@@ -131,10 +131,10 @@ TEST(FindBlunders, RotationVectorsOfAFlangeBeforeImages) {
   s.tcp = "base";
   s.mount.link = "flange";
   s.mount.known = false;
-  const Chain chain = chain_of(arm);
+  const Chain chain = make_chain(arm);
   for (Observation& o : s.observations) {
     const ChainEnds ends = chain_ends(chain, o.position);
-    o.position = position_of(inverse(ends.root_from_tcp) * ends.root_from_mount);
+    o.position = make_position(inverse(ends.root_from_tcp) * ends.root_from_mount);
   }
   EXPECT_THAT(blunders_in(s), IsEmpty());
   EXPECT_THAT(blunders_in(fixture::with_flange_poses(s, read_as_rpy)),

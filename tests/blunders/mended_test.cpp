@@ -26,17 +26,17 @@ std::string refusal(const Session& s, const std::string& id) {
   return "no refusal";
 }
 
-double rms_of(const Session& s) { return fit(s).residual_rms; }
+double compute_rms(const Session& s) { return fit(s).residual_rms; }
 
 TEST(Mended, PutsRightWhatItsNameSays) {
-  EXPECT_LT(rms_of(mended(turned(six_axes(), "a3"), "joint_sense:a3")), 0.5);
+  EXPECT_LT(compute_rms(mended(turned(six_axes(), "a3"), "joint_sense:a3")), 0.5);
   const Session zero = fixture::with_joint(six_axes(), "a3", [](const auto&, double q) { return q - 0.5; });
-  EXPECT_LT(rms_of(mended(zero, "joint_zero:a3=0.5")), 0.5);
-  EXPECT_LT(rms_of(mended(zero, "joint_zero:a3")), 2) << "its value is found";
+  EXPECT_LT(compute_rms(mended(zero, "joint_zero:a3=0.5")), 0.5);
+  EXPECT_LT(compute_rms(mended(zero, "joint_zero:a3")), 2) << "its value is found";
   const Session poses = fixture::with_flange_poses(fixture::pose_session(1), [](const Rigid& p) {
     return Rigid{rotation_from_rpy(vector_from_rotation(p.rotation)), p.translation};
   });
-  EXPECT_LT(rms_of(mended(poses, "euler_convention:flange")), 2e-3) << "the convention is found";
+  EXPECT_LT(compute_rms(mended(poses, "euler_convention:flange")), 2e-3) << "the convention is found";
 }
 
 TEST(Mended, RefusesWhatIsNotThere) {
@@ -64,8 +64,8 @@ TEST(Mended, IsWrittenAsASessionOfItsOwn) {
   const Session read = read_session(folder.path / "old");
   const Session made = write_mended(read, {"joint_sense:a3", "joint_sense:a5"}, folder.path / "new");
   EXPECT_EQ(made.observations.size(), s.observations.size());
-  EXPECT_LT(rms_of(read_session(folder.path / "new")), 0.5);
-  EXPECT_GT(rms_of(read_session(folder.path / "old")), 10) << "the old one stays as it is";
+  EXPECT_LT(compute_rms(read_session(folder.path / "new")), 0.5);
+  EXPECT_GT(compute_rms(read_session(folder.path / "old")), 10) << "the old one stays as it is";
   EXPECT_THROW(write_mended(read, {"joint_sense:a3"}, folder.path / "new"), InputError);
 }
 

@@ -46,7 +46,7 @@ Vector2 upside_down(const Vector2& p, int width, int height) { return {width - 1
 Vector2 turned_right(const Vector2& p, int, int height) { return {height - 1 - p.y(), p.x()}; }
 Vector2 turned_left(const Vector2& p, int width, int) { return {p.y(), width - 1 - p.x()}; }
 
-double rms_of(const Session& s) { return fit(s).residual_rms; }
+double compute_rms(const Session& s) { return fit(s).residual_rms; }
 
 Session two_cameras(std::uint64_t seed) {
   return fixture::simulated_right(fixture::with_free_mount(fixture::target_session(fixture::charuco(), 2)), seed);
@@ -84,10 +84,10 @@ TEST(PictureBlunders, TurnedImages) {
 TEST(PictureBlunders, AreMendedByName) {
   Session known = six_axes(26);
   known.mount.estimate = false;
-  EXPECT_LT(rms_of(mended(with_pixels(known, -1, mirrored), "image_mirrored")), 0.5);
-  EXPECT_LT(rms_of(mended(with_pixels(known, 1, flipped), "image_mirrored:right=vertical")), 0.5);
-  EXPECT_LT(rms_of(mended(with_pixels(known, -1, upside_down), "image_turned")), 0.5);
-  EXPECT_LT(rms_of(mended(with_pixels(known, -1, turned_left), "image_turned:270")), 0.5);
+  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, mirrored), "image_mirrored")), 0.5);
+  EXPECT_LT(compute_rms(mended(with_pixels(known, 1, flipped), "image_mirrored:right=vertical")), 0.5);
+  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, upside_down), "image_turned")), 0.5);
+  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, turned_left), "image_turned:270")), 0.5);
   EXPECT_THROW(mended(known, "image_turned:45"), InputError);
   EXPECT_THROW(mended(known, "image_turned:middle=90"), InputError);
   EXPECT_THROW(mended(known, "size_swapped:middle"), InputError);
@@ -120,13 +120,13 @@ TEST(SizeSwapped, ShowsInThePointsAndIsMended) {
     }
     const auto found = blunders_in_files(wrong);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(name_of(found[0]), "size_swapped");
+    EXPECT_EQ(display_name(found[0]), "size_swapped");
     EXPECT_FALSE(found[0].is_by_fit);
     EXPECT_THAT(found[0].fix, HasSubstr(fmt::format("width=\"{}\"", six_axes(27).rig->at(0).camera.width)));
     const Session right = mended(wrong, "size_swapped");
     EXPECT_EQ(right.rig->at(0).camera.width, six_axes(27).rig->at(0).camera.width);
     EXPECT_EQ(right.rig->at(1).camera.cx, six_axes(27).rig->at(1).camera.cx);
-    EXPECT_LT(rms_of(right), 0.5);
+    EXPECT_LT(compute_rms(right), 0.5);
     EXPECT_THAT(blunders_in_files(right), IsEmpty());
   }
 }
@@ -137,7 +137,7 @@ TEST(SizeSwapped, OfOneCameraIsTold) {
   std::swap(right.width, right.height);
   const auto found = blunders_in_files(wrong);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(name_of(found[0]), "size_swapped:right");
+  EXPECT_EQ(display_name(found[0]), "size_swapped:right");
 }
 
 TEST(BlundersInFiles, NothingWhereNothingIsWrong) {
@@ -180,10 +180,10 @@ TEST(BlundersInFiles, MirroredImagesOfTagsAreFoundAndPutRight) {
   find_targets(s);
   const auto found = blunders_in_files(s);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(name_of(found[0]), "image_mirrored");
+  EXPECT_EQ(display_name(found[0]), "image_mirrored");
   Session right = write_mended(s, {"image_mirrored"}, folder.path / "mended");
   EXPECT_EQ(find_targets(right).found, 12);
-  EXPECT_LT(rms_of(right), 0.5);
+  EXPECT_LT(compute_rms(right), 0.5);
 }
 
 TEST(BlundersInFiles, ImagesOfTheOtherSizeAreFoundAndPutRight) {
@@ -194,10 +194,10 @@ TEST(BlundersInFiles, ImagesOfTheOtherSizeAreFoundAndPutRight) {
   EXPECT_EQ(find_targets(s).found, 0) << "images of another size are not read";
   const auto found = blunders_in_files(s);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(name_of(found[0]), "size_swapped");
+  EXPECT_EQ(display_name(found[0]), "size_swapped");
   Session right = write_mended(s, {"size_swapped"}, folder.path / "mended");
   EXPECT_EQ(find_targets(right).found, 12);
-  EXPECT_LT(rms_of(right), 0.5);
+  EXPECT_LT(compute_rms(right), 0.5);
 }
 
 /// The arm with soft joints, simulated where gravity pulls along `down`.
@@ -217,14 +217,14 @@ TEST(GravityTurned, IsNamedWhereSpringsShowIt) {
   Session on_the_wall = soft_arm(Vector3::UnitX(), 32);
   on_the_wall.gravity = {0, 0, -9.81};
   EXPECT_THAT(blunders_in(on_the_wall), ElementsAre("gravity_turned:x"));
-  EXPECT_LT(rms_of(mended(on_the_wall, "gravity_turned:x")), 0.5);
+  EXPECT_LT(compute_rms(mended(on_the_wall, "gravity_turned:x")), 0.5);
 }
 
 TEST(GravityTurned, IsNamedWhereMeasuredTorquesShowIt) {
   Session s = fixture::simulated_right(fixture::with_free_mount(fixture::stand_session(4)), 33);
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
-  Chain chain = chain_of(s);
+  Chain chain = make_chain(s);
   chain.gravity = {0, 9.81, 0};  // how it hangs
   for (Observation& o : s.observations) {
     const Posture posture =
@@ -236,7 +236,8 @@ TEST(GravityTurned, IsNamedWhereMeasuredTorquesShowIt) {
   }
   const auto found = blunders_in_files(s);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(name_of(found[0]), AnyOf("gravity_turned:y", "gravity_turned:-y")) << "a driver may count either way";
+  EXPECT_THAT(display_name(found[0]), AnyOf("gravity_turned:y", "gravity_turned:-y"))
+      << "a driver may count either way";
   s.gravity = chain.gravity;
   EXPECT_THAT(blunders_in_files(s), IsEmpty());
 }

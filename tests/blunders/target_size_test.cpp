@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boards that are described much too large or too small are told at once.
+// Boards that are described much too large or too small are reported at once.
 #include "blunders/target_size.h"
 
 #include <gtest/gtest.h>
@@ -29,13 +29,13 @@ Session described_otherwise(Session session, double larger_by) {
   return session;
 }
 
-std::optional<TargetSize> size_of(const Session& session) { return other_target_size(session, fit(session), {}); }
+std::optional<TargetSize> measure_size(const Session& session) { return other_target_size(session, fit(session), {}); }
 
 TEST(TargetSizeAtOnce, IsToldHoweverWrongTheDescription) {
   for (const Session& like : {target_session(fixture::charuco(), 2), eye_in_hand_session()})
     for (const double by : {0.09, 0.31, 1.0, -0.11, -0.4}) {
       const Session session = described_otherwise(simulated(like, 3).session, by);
-      const auto size = size_of(session);
+      const auto size = measure_size(session);
       ASSERT_TRUE(size.has_value()) << by;
       EXPECT_NEAR(size->scale, by, 4 * size->sigma + 0.01 * std::abs(by));
       EXPECT_LT(size->rms_after, 0.2 * size->rms_before);
@@ -45,13 +45,13 @@ TEST(TargetSizeAtOnce, IsToldHoweverWrongTheDescription) {
 
 TEST(TargetSizeAtOnce, IsNotToldOfARightOne) {
   for (const Session& like : {target_session(fixture::charuco(), 2), target_session(), eye_in_hand_session()})
-    EXPECT_FALSE(size_of(simulated(like, 4).session).has_value());
+    EXPECT_FALSE(measure_size(simulated(like, 4).session).has_value());
 }
 
 TEST(TargetSizeAtOnce, IsNotToldWhereItIsInTheModel) {
   const Session session = described_otherwise(simulated(eye_in_hand_session(), 5).session, 0.1);
-  const Chain chain = chain_of(session);
-  const FitOptions with{.estimated = effect_terms("target_scale", chain, own_effects_of(session, chain))};
+  const Chain chain = make_chain(session);
+  const FitOptions with{.estimated = effect_terms("target_scale", chain, list_own_effects(session, chain))};
   EXPECT_FALSE(other_target_size(session, fit(session, with), with).has_value());
 }
 
@@ -60,11 +60,11 @@ TEST(TargetSizeAtOnce, OfSingleTags) {
   Session like = eye_in_hand_session();
   set_target(like, {.kind = TargetKind::tags, .tag = 0.06, .dictionary = "tag36h11", .ids = {0, 1}});
   const SimulatedSession right = simulated(like, 6);
-  EXPECT_FALSE(size_of(right.session).has_value());
+  EXPECT_FALSE(measure_size(right.session).has_value());
   for (const double by : {0.2, -0.15, 0.03}) {
     Session session = right.session;
     set_target(session, scaled(*session.target, 1 / (1 + by)));
-    const auto size = size_of(session);
+    const auto size = measure_size(session);
     ASSERT_TRUE(size.has_value()) << by;
     EXPECT_NEAR(size->scale, by, 4 * size->sigma + 0.01 * std::abs(by));
     EXPECT_NE(size->text.find("its tags are about "), std::string::npos) << size->text;

@@ -117,7 +117,7 @@ TEST(Triangulate, RecoversThePointAndItsCovariance) {
 
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0, 0.3);
-  Matrix3 scatter = Matrix3::Zero();
+  Matrix3 repeatability = Matrix3::Zero();
   const int trials = 4000;
   const Eigen::Matrix2d covariance = 0.09 * Eigen::Matrix2d::Identity();
   for (int i = 0; i < trials; ++i) {
@@ -125,11 +125,11 @@ TEST(Triangulate, RecoversThePointAndItsCovariance) {
     const Vector2 seen_right = right + off(), seen_left = left + off();
     const auto p = triangulate(r, seen_left, seen_right, covariance, covariance);
     ASSERT_TRUE(p);
-    scatter += (p->point - truth) * (p->point - truth).transpose() / trials;
+    repeatability += (p->point - truth) * (p->point - truth).transpose() / trials;
   }
   const auto reported = triangulate(r, left, right, covariance, covariance)->covariance;
   for (int k = 0; k < 3; ++k)  // a sampled variance is good to sqrt(2/4000) = 2.2 %; four of those
-    EXPECT_NEAR(scatter(k, k) / reported(k, k), 1, 0.09) << k;
+    EXPECT_NEAR(repeatability(k, k) / reported(k, k), 1, 0.09) << k;
 }
 
 TEST(Triangulate, RefusesParallelRaysAndPointsBehind) {

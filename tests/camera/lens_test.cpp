@@ -39,7 +39,7 @@ TEST(Lens, ModelsDescribeThemselves) {
     for (const LensNumber& number : model->numbers) {
       EXPECT_FALSE(number.name.empty());
       EXPECT_TRUE(number.unit == "px" || number.unit == "1");
-      EXPECT_GT(number.plausible_sigma, 0);
+      EXPECT_GT(number.prior_sigma_of, 0);
     }
   }
   EXPECT_EQ(lens_models()[0], &brown_lens);
@@ -103,14 +103,15 @@ TEST(Lens, LiftUndoesProjection) {
 
 TEST(Lens, BrownIsTheCameraOfTheRestOfTheProgram) {
   const Lens lens = sample(brown_lens);
-  const auto camera = camera_of(lens);
+  const auto camera = look_up_camera(lens);
   ASSERT_TRUE(camera);
   for (const Vector3& x : points(0.6)) EXPECT_LT((project(lens, x) - project(*camera, x)).norm(), 1e-10);
-  EXPECT_EQ(lens_of(*camera).numbers, lens.numbers);
+  EXPECT_EQ(make_lens(*camera).numbers, lens.numbers);
   for (const LensModel* model : {&rational_lens, &fisheye_lens}) {
     const Lens other = sample(*model);
-    for (const Vector3& x : points(0.6)) EXPECT_LT((project(other, x) - project(*camera_of(other), x)).norm(), 1e-10);
-    EXPECT_EQ(lens_of(*camera_of(other)).numbers, other.numbers);
+    for (const Vector3& x : points(0.6))
+      EXPECT_LT((project(other, x) - project(*look_up_camera(other), x)).norm(), 1e-10);
+    EXPECT_EQ(make_lens(*look_up_camera(other)).numbers, other.numbers);
   }
 }
 

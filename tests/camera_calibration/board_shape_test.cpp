@@ -13,15 +13,15 @@ namespace handsight {
 namespace {
 
 using fixture::board_views;
-using fixture::rig_of;
+using fixture::make_rig;
 
 const Target board{.kind = TargetKind::chessboard, .columns = 9, .rows = 6, .square = 0.03};
 
-std::vector<Vector3> described() { return board_views(rig_of(brown_lens, 1), 1, 0, 1).points; }
+std::vector<Vector3> described() { return board_views(make_rig(brown_lens, 1), 1, 0, 1).points; }
 
 std::vector<Vector3> bent(const Vector3& bend) {
   std::vector<Vector3> points = described();
-  const Vector3 middle = middle_of(points);
+  const Vector3 middle = find_middle(points);
   for (Vector3& point : points) point = bent_point(point, middle, bend);
   return points;
 }
@@ -74,7 +74,7 @@ TEST(BoardShape, ABendKeepsLengthsAndItsDerivativesAreRight) {
 TEST(BoardShape, ABentBoardIsNoFisheye) {
   for (const Vector3& bend : {Vector3(0.25, 0, 0), Vector3(0.1, -0.15, 0.08), Vector3(0, 0.6, 0)})
     for (const std::uint64_t seed : {1, 2, 3}) {
-      const CameraRig truth = rig_of(brown_lens, 1);
+      const CameraRig truth = make_rig(brown_lens, 1);
       const BoardImages images = board_views(truth, 12, 0.05, seed, 0, 1, bent(bend));
       const CameraCalibration c = calibrated(images);
       EXPECT_EQ(c.bundle.rig.lenses[0].model, &brown_lens) << bend.transpose();
@@ -91,7 +91,7 @@ TEST(BoardShape, ABentBoardIsNoFisheye) {
 TEST(BoardShape, AFlatBoardStaysAsDescribed) {
   for (std::uint64_t seed = 10; seed < 14; ++seed)
     for (const LensModel* lens : {&brown_lens, &fisheye_lens}) {
-      const BoardImages images = board_views(rig_of(*lens, 1), 12, 0.1, seed, 0, lens == &fisheye_lens ? 0.35 : 1);
+      const BoardImages images = board_views(make_rig(*lens, 1), 12, 0.1, seed, 0, lens == &fisheye_lens ? 0.35 : 1);
       const CameraCalibration c = calibrated(images);
       EXPECT_EQ(c.bundle.rig.lenses[0].model, lens) << seed;
       EXPECT_EQ(c.bundle.shape, BoardShape::held) << seed;
@@ -103,7 +103,7 @@ TEST(BoardShape, AFlatBoardStaysAsDescribed) {
 
 TEST(BoardShape, PointsElsewhereThanDescribedAreFoundWithTheLens) {
   const std::vector<Vector3> real = badly_printed(3e-4);
-  const CameraRig truth = rig_of(brown_lens, 1);
+  const CameraRig truth = make_rig(brown_lens, 1);
   BoardImages images = board_views(truth, 16, 0.05, 4, 0, 1, real);
   for (const std::optional<double> sigma : {std::optional<double>(0), std::optional<double>(), std::optional(3e-4)}) {
     images.sigma = sigma;
@@ -126,7 +126,7 @@ TEST(BoardShape, PointsElsewhereThanDescribedAreFoundWithTheLens) {
 
 /// The scatter of 40 draws over the covariance: 9 for nine numbers, its standard error sqrt(2 * 9 / 40) = 0.67.
 TEST(BoardShape, CovariancesCountWhatTheShapeLeavesOpen) {
-  const CameraRig truth = rig_of(brown_lens, 1);
+  const CameraRig truth = make_rig(brown_lens, 1);
   double of_bent = 0, of_free = 0;
   constexpr int draws = 40;
   for (int draw = 0; draw < draws; ++draw) {
@@ -145,14 +145,15 @@ TEST(BoardShape, CovariancesCountWhatTheShapeLeavesOpen) {
 }
 
 TEST(BoardShape, OfFourViewsNothingMoreIsAsked) {
-  const CameraCalibration c = calibrated(board_views(rig_of(brown_lens, 1), 4, 0.1, 3, 0, 1, bent(Vector3(0.1, 0, 0))));
+  const CameraCalibration c =
+      calibrated(board_views(make_rig(brown_lens, 1), 4, 0.1, 3, 0, 1, bent(Vector3(0.1, 0, 0))));
   EXPECT_EQ(c.bundle.rig.lenses[0].model, &brown_lens);
 }
 
 TEST(BoardShape, OfASheetWithUnevenFeed) {
   std::vector<Vector3> real = described();
   for (Vector3& point : real) point.x() *= 1.006;
-  const BoardImages images = board_views(rig_of(brown_lens, 1), 14, 0.05, 8, 0, 1, real);
+  const BoardImages images = board_views(make_rig(brown_lens, 1), 14, 0.05, 8, 0, 1, real);
   const CameraCalibration c = calibrated(images);
   const BoardReport report = board_report(images, c, board);
   EXPECT_TRUE(says(report.warnings, "0.6")) << fmt::format("{}", fmt::join(report.warnings, "\n"));

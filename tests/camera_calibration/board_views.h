@@ -9,7 +9,7 @@
 
 namespace handsight::fixture {
 
-inline CameraRig rig_of(const LensModel& model, int cameras) {
+inline CameraRig make_rig(const LensModel& model, int cameras) {
   CameraRig rig;
   for (int i = 0; i < cameras; ++i) {
     Lens lens{&model, 640, 480, std::vector<double>(model.numbers.size(), 0)};

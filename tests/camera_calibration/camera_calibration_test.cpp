@@ -15,7 +15,7 @@ namespace handsight {
 namespace {
 
 using fixture::board_views;
-using fixture::rig_of;
+using fixture::make_rig;
 
 CameraCalibration calibrated(const BoardImages& images, const std::string& model) {
   const auto count = static_cast<std::size_t>(images.camera_count);
@@ -26,7 +26,7 @@ CameraCalibration calibrated(const BoardImages& images, const std::string& model
 
 TEST(CameraCalibration, RecoversWithoutNoise) {
   for (const LensModel* model : {&brown_lens, &fisheye_lens}) {
-    const CameraRig truth = rig_of(*model, 3);
+    const CameraRig truth = make_rig(*model, 3);
     const CameraCalibration c = calibrated(board_views(truth, 14, 0, 1), std::string(model->name));
     EXPECT_LT(c.bundle.rms_pixel, 1e-5) << model->name;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -40,7 +40,7 @@ TEST(CameraCalibration, RecoversWithoutNoise) {
 /// The reported covariance against the scatter of 60 draws: the mean squared error over it is 9 for nine numbers; its
 /// standard error is sqrt(2 * 9 / 60) = 0.55.
 TEST(CameraCalibration, CovariancesAreRight) {
-  const CameraRig truth = rig_of(brown_lens, 2);
+  const CameraRig truth = make_rig(brown_lens, 2);
   double lens = 0, placement = 0;
   constexpr int draws = 60;
   for (int draw = 0; draw < draws; ++draw) {
@@ -60,28 +60,28 @@ TEST(CameraCalibration, CovariancesAreRight) {
 }
 
 TEST(CameraCalibration, WrongCornersDoNotMatterMuch) {
-  const CameraRig truth = rig_of(brown_lens, 2);
+  const CameraRig truth = make_rig(brown_lens, 2);
   const CameraCalibration c = calibrated(board_views(truth, 14, 0.1, 3, 50), "brown");
   // Six of the clean sigmas (0.15 px at this noise, by the test above); plain least squares are off by 3 px and more.
   EXPECT_NEAR(c.bundle.rig.lenses[0].numbers[0], truth.lenses[0].numbers[0], 1.0);
 }
 
 TEST(CameraCalibration, ChoosesTheModelThatPredicts) {
-  const CameraCalibration fisheye = calibrated(board_views(rig_of(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
+  const CameraCalibration fisheye = calibrated(board_views(make_rig(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
   EXPECT_EQ(fisheye.bundle.rig.lenses[0].model, &fisheye_lens)
       << fisheye.tried[0].held_out_rms_pixel << " " << fisheye.tried[1].held_out_rms_pixel << " "
       << fisheye.tried[2].held_out_rms_pixel << fisheye.tried[2].failure;
-  const CameraCalibration brown = calibrated(board_views(rig_of(brown_lens, 1), 14, 0.1, 5), "best");
+  const CameraCalibration brown = calibrated(board_views(make_rig(brown_lens, 1), 14, 0.1, 5), "best");
   EXPECT_EQ(brown.bundle.rig.lenses[0].model, &brown_lens);
   EXPECT_EQ(brown.tried.size(), 3u);
   EXPECT_NEAR(brown.held_out.rms_pixel, 0.1 * std::sqrt(2.0), 0.02);
 }
 
 TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
-  BoardImages images = board_views(rig_of(brown_lens, 1), 14, 0.1, 6);
+  BoardImages images = board_views(make_rig(brown_lens, 1), 14, 0.1, 6);
   EXPECT_TRUE(calibrated(images, "brown").warnings.empty());
   // Only poses that face the camera.
-  const CameraRig rig = rig_of(brown_lens, 1);
+  const CameraRig rig = make_rig(brown_lens, 1);
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   for (BoardImage& image : images.images) {
@@ -103,17 +103,17 @@ TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
 }
 
 TEST(CameraCalibration, CamerasThatShareNoMomentAreRefused) {
-  BoardImages images = board_views(rig_of(brown_lens, 2), 12, 0.1, 7);
+  BoardImages images = board_views(make_rig(brown_lens, 2), 12, 0.1, 7);
   std::erase_if(images.images, [](const BoardImage& image) { return (image.camera == 0) != (image.frame < 6); });
   EXPECT_THROW(calibrated(images, "brown"), InputError);
 }
 
 TEST(CameraCalibration, YamlReadsBackBitForBit) {
-  const CameraRig rig = rig_of(brown_lens, 2);
+  const CameraRig rig = make_rig(brown_lens, 2);
   const StereoRig read = parse_stereo_calibration({{rig_yaml(rig, {"left", "right"}), "rig.yaml"}});
   EXPECT_EQ(read.left.width, 640);
-  EXPECT_EQ(lens_of(read.left).numbers, rig.lenses[0].numbers);
-  EXPECT_EQ(lens_of(read.right).numbers, rig.lenses[1].numbers);
+  EXPECT_EQ(make_lens(read.left).numbers, rig.lenses[0].numbers);
+  EXPECT_EQ(make_lens(read.right).numbers, rig.lenses[1].numbers);
   EXPECT_EQ(read.right_from_left.translation, rig.from_first[1].translation);
   EXPECT_LT((read.right_from_left.rotation - rig.from_first[1].rotation).norm(), 1e-12);
 }
@@ -122,7 +122,7 @@ TEST(CameraCalibration, RigsOfOneToThreeCamerasOfAnyLensReadBack) {
   const std::vector<std::string> names{"front", "side", "rear"};
   for (const LensModel* model : lens_models())
     for (int count = 1; count <= 3; ++count) {
-      CameraRig rig = rig_of(*model, count);
+      CameraRig rig = make_rig(*model, count);
       for (Lens& lens : rig.lenses)
         for (std::size_t k = 9; k < lens.numbers.size(); ++k) lens.numbers[k] = 0.01 * static_cast<double>(k);
       const Rig read = parse_rig_calibration({{rig_yaml(rig, names), "rig.yaml"}});
@@ -139,7 +139,7 @@ TEST(CameraCalibration, RigsOfOneToThreeCamerasOfAnyLensReadBack) {
 }
 
 TEST(CameraCalibration, ARigWithoutTheWayToACameraIsRefused) {
-  std::string text = rig_yaml(rig_of(brown_lens, 3), {"a", "b", "c"});
+  std::string text = rig_yaml(make_rig(brown_lens, 3), {"a", "b", "c"});
   text.replace(text.find("T_3"), 3, "U_3");
   EXPECT_THROW(parse_rig_calibration({{text, "rig.yaml"}}), InputError);
 }

@@ -29,7 +29,7 @@ Session simulated(std::uint64_t seed, int repeats = 0, double noise = 2e-5) {
   options.seed = seed;
   options.noise = noise;
   Session like = fixture::tracker_session();
-  options.effects = wrong(chain_of(like));
+  options.effects = wrong(make_chain(like));
   if (repeats == 0) return simulate_session(like, options).session;
   Session poses = simulate_session(like, options).session;
   std::vector<Observation> all;
@@ -53,13 +53,13 @@ Session simulated(std::uint64_t seed, int repeats = 0, double noise = 2e-5) {
 CertificateRequest request_for(const Session& session, const std::vector<std::string>& effects) {
   FitOptions options;
   for (const std::string& id : effects)
-    for (const EffectTerm& t : effect_terms(id, chain_of(session))) options.estimated.push_back(t);
+    for (const EffectTerm& t : effect_terms(id, make_chain(session))) options.estimated.push_back(t);
   return certificate_request(session, fit(session, options), options, {}, "handsight test", "a test");
 }
 
 TEST(Certificate, TellsTheErrorBeforeAndAfterHeldOut) {
   const Session session = simulated(3);
-  const Certificate c = certificate_of(session, request_for(session, {"joint_offset", "joint_elasticity"}));
+  const Certificate c = make_certificate(session, request_for(session, {"joint_offset", "joint_elasticity"}));
   EXPECT_EQ(c.poses.size(), 80u);
   EXPECT_EQ(c.folds, 5);
   EXPECT_GT(c.before.rms, 1e-3);  // joints that are off by 3 to 4 mrad
@@ -89,15 +89,15 @@ TEST(Certificate, PromisedLimitsHoldAsOftenAsPromised) {
 /// A model that is wrong promises too little where it does not know it: the certificate says what was measured.
 TEST(Certificate, OfAModelThatLacksSomethingIsHonest) {
   const Session session = simulated(4);
-  const Certificate lacking = certificate_of(session, request_for(session, {"joint_elasticity"})),
-                    whole = certificate_of(session, request_for(session, {"joint_offset", "joint_elasticity"}));
+  const Certificate lacking = make_certificate(session, request_for(session, {"joint_elasticity"})),
+                    whole = make_certificate(session, request_for(session, {"joint_offset", "joint_elasticity"}));
   EXPECT_GT(lacking.after.rms, 3 * whole.after.rms);
   EXPECT_NEAR(lacking.before.rms, whole.before.rms, 1e-6);
 }
 
 TEST(Certificate, HasTheStandardsFiguresWhereThePosesAreRepeated) {
   const Session session = simulated(5, iso_cycles);
-  const Certificate c = certificate_of(session, request_for(session, {"joint_offset", "joint_elasticity"}));
+  const Certificate c = make_certificate(session, request_for(session, {"joint_offset", "joint_elasticity"}));
   EXPECT_TRUE(c.iso.has_accuracy);
   EXPECT_TRUE(c.iso.has_distance);
   ASSERT_GE(c.iso.poses.size(), 5u);
@@ -116,7 +116,7 @@ TEST(Certificate, HasTheStandardsFiguresWhereThePosesAreRepeated) {
 
 TEST(Certificate, PlansWhatTheStandardAsksForBeside) {
   const Session session = simulated(6);
-  const Certificate c = certificate_of(session, request_for(session, {"joint_offset"}));
+  const Certificate c = make_certificate(session, request_for(session, {"joint_offset"}));
   EXPECT_TRUE(c.iso.poses.empty());
   EXPECT_EQ(c.iso.lacking.size(), 3u);
   ASSERT_EQ(c.iso.plan.size(), 5u);
@@ -133,8 +133,8 @@ TEST(Certificate, OfACalibrationOfTheSessionItselfIsNotOfWhatItHasSeen) {
   const Session session = simulated(7), other = simulated(8);
   FitOptions options;
   for (const char* id : {"joint_offset", "joint_elasticity"})
-    for (const EffectTerm& t : effect_terms(id, chain_of(session))) options.estimated.push_back(t);
-  const Calibration c = calibration_of(session, fit(session, options), {}, options, "test");
+    for (const EffectTerm& t : effect_terms(id, make_chain(session))) options.estimated.push_back(t);
+  const Calibration c = make_calibration(session, fit(session, options), {}, options, "test");
   EXPECT_TRUE(is_of_session(c, session));
   EXPECT_FALSE(is_of_session(c, other));
   const CertificateRequest own = certificate_request(session, c, "c.xml", "test"),
@@ -143,15 +143,15 @@ TEST(Certificate, OfACalibrationOfTheSessionItselfIsNotOfWhatItHasSeen) {
   EXPECT_TRUE(own.model.options.effects.empty());
   EXPECT_TRUE(foreign.model.options.estimated.empty());
   EXPECT_EQ(foreign.model.options.effects.size(), options.estimated.size());
-  const Certificate told = certificate_of(other, foreign);
-  EXPECT_LT(told.after.rms, 0.1 * told.before.rms);
-  EXPECT_GE(told.coverage.interval.high, 0.9);
+  const Certificate reported = make_certificate(other, foreign);
+  EXPECT_LT(reported.after.rms, 0.1 * reported.before.rms);
+  EXPECT_GE(reported.coverage.interval.high, 0.9);
 }
 
 TEST(Certificate, NeedsTenObservations) {
   Session session = simulated(9);
   session.observations.resize(8);
-  EXPECT_THROW(certificate_of(session, request_for(session, {})), InputError);
+  EXPECT_THROW(make_certificate(session, request_for(session, {})), InputError);
 }
 
 /// A camera on the hand: the hand is what moves, before and after.
@@ -166,13 +166,13 @@ TEST(Certificate, OfASensorOnTheHandIsOfTheHand) {
   for (const int j : {1, 2, 3}) options.effects.push_back({"joint_offset", j, {5e-3}});
   Session session = simulate_session(like, options).session;
   session.mount.estimate = true;
-  const Certificate c = certificate_of(session, request_for(session, {"joint_offset"}));
+  const Certificate c = make_certificate(session, request_for(session, {"joint_offset"}));
   EXPECT_EQ(c.hand, "hand");
   EXPECT_GT(c.before.rms, 5e-4);
   EXPECT_LT(c.after.rms, 0.3 * c.before.rms);
 }
 
-std::size_t count_of(const std::string& text, const std::string& what) {
+std::size_t count_numbers(const std::string& text, const std::string& what) {
   std::size_t count = 0;
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += what.size()) ++count;
   return count;
@@ -182,13 +182,13 @@ TEST(CertificatePdf, HasTwoToFourPages) {
   for (const int repeats : {0, iso_cycles}) {
     const Session session = simulated(10, repeats);
     const Certificate c =
-        certificate_of(session, request_for(session, {"joint_offset", "joint_elasticity", "link_geometry"}));
+        make_certificate(session, request_for(session, {"joint_offset", "joint_elasticity", "link_geometry"}));
     const std::string pdf = certificate_pdf(c);
     EXPECT_EQ(pdf.substr(0, 8), "%PDF-1.4");
-    const std::size_t pages = count_of(pdf, "/Type /Page ");
+    const std::size_t pages = count_numbers(pdf, "/Type /Page ");
     EXPECT_GE(pages, 2u);
     EXPECT_LE(pages, 4u);
-    EXPECT_EQ(count_of(pdf, certificate_number(c)) > pages, true);
+    EXPECT_EQ(count_numbers(pdf, certificate_number(c)) > pages, true);
     // The table of the file's objects says where each of them is.
     const std::size_t table = std::stoul(pdf.substr(pdf.find("startxref\n") + 10));
     EXPECT_EQ(pdf.substr(table, 4), "xref");

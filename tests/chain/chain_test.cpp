@@ -10,7 +10,7 @@ namespace {
 
 TEST(Chain, FramesCancel) {
   const Session session = fixture::stand_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Eigen::VectorXd position(6);
   position << 0.3, 0.8, -0.7, 0.4, 0.9, -0.2;
   const ChainEnds ends = chain_ends(chain, position);
@@ -22,7 +22,7 @@ TEST(Chain, FramesCancel) {
 
 TEST(Chain, AMountOnTheRootDoesNotTurnWithItsSpring) {
   const Session session = fixture::stand_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Sites sites;
   sites.robot.base_compliance = Vector3(3e-5, 0, 3e-5);
   Eigen::VectorXd position = Eigen::VectorXd::Zero(6);
@@ -35,11 +35,11 @@ TEST(Chain, AMountOnTheRootDoesNotTurnWithItsSpring) {
 TEST(Chain, JointsThatAreNotNamedStandAtZero) {
   Session session = fixture::stand_session();
   session.joints = {"a2"};
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Eigen::VectorXd all = Eigen::VectorXd::Zero(6);
   all[1] = 0.7;
   const Rigid named = chain_ends(chain, Eigen::VectorXd::Constant(1, 0.7)).root_from_tcp;
-  const Rigid whole = chain_ends(chain_of(fixture::stand_session()), all).root_from_tcp;
+  const Rigid whole = chain_ends(make_chain(fixture::stand_session()), all).root_from_tcp;
   EXPECT_EQ(named.translation, whole.translation);
 }
 
@@ -50,7 +50,7 @@ TEST(Chain, SaysWhichNameIsNotInTheRobot) {
     if (part == "mount") session.mount.link = "gripper";
     if (part == "joint") session.joints[2] = "gripper";
     try {
-      chain_of(session);
+      make_chain(session);
       ADD_FAILURE() << part;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("\"gripper\""), std::string::npos);

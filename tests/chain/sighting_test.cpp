@@ -120,7 +120,7 @@ TEST(Sighting, IsWeighedByItsOwnSigma) {
   seen_by(s, 0)->sigma = PixelSigma{0.4, 0.3, -0.05};
   s.usual_sigma = 0.2;
   const SightingResidual weighed = sighting_residual(&rig, s, x);
-  const Eigen::Matrix2d inverse = 0.04 * covariance_of(*seen_by(s, 0)->sigma).inverse();
+  const Eigen::Matrix2d inverse = 0.04 * make_covariance(*seen_by(s, 0)->sigma).inverse();
   const auto left = [](const auto& m) { return m.template topRows<2>(); };
   EXPECT_LT((left(weighed.by_point).transpose() * left(weighed.by_point) -
              left(plain.by_point).transpose() * inverse * left(plain.by_point))

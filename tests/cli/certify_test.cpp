@@ -85,18 +85,19 @@ TEST(CertifyCommand, RefusesWhatItCannotCertify) {
 }
 
 /// How far a URDF's link is from where `predict` has the hand, mm, at most over these poses.
-double missed_mm(const std::string& urdf, const std::string& link, const Session& session, const nlohmann::json& told) {
+double missed_mm(const std::string& urdf, const std::string& link, const Session& session,
+                 const nlohmann::json& reported) {
   const Robot robot = parse_urdf(urdf, "calibrated.urdf", nullptr);
   std::vector<int> joints;
   for (const std::string& name : session.joints) joints.push_back(find_joint(robot, name));
   double largest = 0;
-  for (std::size_t i = 0; i < told.size(); ++i) {
+  for (std::size_t i = 0; i < reported.size(); ++i) {
     const Eigen::VectorXd& position = session.observations[i].position;
     const Posture p = solve_posture(robot, joint_values(robot, joints, position), session.gravity);
     const Rigid& hand = p.root_from_link.at(static_cast<std::size_t>(find_link(robot, link)));
     Vector3 wanted;
     for (std::size_t r = 0; r < 3; ++r)
-      wanted[static_cast<Eigen::Index>(r)] = told[i]["root_from_tcp_est"][r][3].get<double>();
+      wanted[static_cast<Eigen::Index>(r)] = reported[i]["root_from_tcp_est"][r][3].get<double>();
     largest = std::max(largest, 1e3 * (hand.translation - wanted).norm());
   }
   return largest;
@@ -128,14 +129,14 @@ TEST(ExportCommand, TheUrdfOfAModelWithMoreIsTheBestAndSaysWhatItMisses) {
     for (const double q : o.position) position += fmt::format("{} ", q);
     arguments.insert(arguments.end(), {"--position", position});
   }
-  const auto told = run_cli(folder.path, arguments);
-  ASSERT_EQ(told.exit_code, 0) << told.errors;
+  const auto reported = run_cli(folder.path, arguments);
+  ASSERT_EQ(reported.exit_code, 0) << reported.errors;
   const auto json = exported.json();
   EXPECT_GT(json["left_mm"].get<double>(), 1e-3);
   EXPECT_LT(json["left_mm"].get<double>(), 0.3 * json["nominal_mm"].get<double>());
   EXPECT_EQ(json["poses"], session.observations.size());
   const std::string urdf = test::read_text(at("calibrated.urdf"));
-  EXPECT_NEAR(missed_mm(urdf, "tool", session, told.json()), json["left_max_mm"].get<double>(), 1e-3);
+  EXPECT_NEAR(missed_mm(urdf, "tool", session, reported.json()), json["left_max_mm"].get<double>(), 1e-3);
   EXPECT_THAT(urdf, HasSubstr(fmt::format("{:.3f} mm rms", json["left_mm"].get<double>())));
 }
 

@@ -102,9 +102,9 @@ TEST_F(CollectionCommands, AMistakeIsThatOfItsSession) {
   EXPECT_EQ(blunders[0]["id"], "joint_sense");
   EXPECT_EQ(blunders[0]["where"], joint());
   EXPECT_EQ(blunders[0]["session"], "wrong");
-  const CliResult told = run({"fit", june, wrong});
-  EXPECT_NE(told.output.find("Session wrong: A mistake explains it"), std::string::npos) << told.output;
-  EXPECT_NE(told.output.find("convert " + wrong + " --fix " + mistake), std::string::npos) << told.output;
+  const CliResult reported = run({"fit", june, wrong});
+  EXPECT_NE(reported.output.find("Session wrong: A mistake explains it"), std::string::npos) << reported.output;
+  EXPECT_NE(reported.output.find("convert " + wrong + " --fix " + mistake), std::string::npos) << reported.output;
   EXPECT_EQ(run({"fit", folder.path.string(), "--json", "-"}).json()["blunders"], Json::array());
 }
 

@@ -45,7 +45,7 @@ class ConvertTwoHands : public testing::Test {
     Eigen::VectorXd q(static_cast<Eigen::Index>(s.joints.size()));
     for (std::size_t j = 0; j < s.joints.size(); ++j)
       q[static_cast<Eigen::Index>(j)] = all[static_cast<std::size_t>(find_joint(robot, s.joints[j]))];
-    return sensor_from_tcp(chain_ends(chain_of(s), q), s.mount.mount_from_sensor);
+    return sensor_from_tcp(chain_ends(make_chain(s), q), s.mount.mount_from_sensor);
   }
 
   static std::string line(const Rigid& p) {

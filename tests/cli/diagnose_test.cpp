@@ -18,7 +18,7 @@ class Diagnose : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_cli(folder.path, arguments);
   }
-  std::filesystem::path copy_of(const std::string& name) {
+  std::filesystem::path make_copy(const std::string& name) {
     const auto copy = folder.path / name;
     std::filesystem::copy(sample_session(name), copy, std::filesystem::copy_options::recursive);
     return copy;
@@ -256,7 +256,7 @@ TEST_F(Diagnose, AFitWithoutWrongPointsIsTheOneThatIsDiagnosed) {
 
 /// One reading of the third joint is written wrong: what is missing in the model is found all the same.
 TEST_F(Diagnose, AReadingThatSlippedIsNamedByFitAndLeftOutByDiagnose) {
-  const auto session = copy_of("hidden_1");
+  const auto session = make_copy("hidden_1");
   std::string text = read_text(session / "session.xml");
   const std::size_t at = text.find("<position>", text.find("<observation id=\"17\"")) + 10;
   const std::size_t third = text.find(' ', text.find(' ', at) + 1) + 1;
@@ -277,7 +277,7 @@ TEST_F(Diagnose, AReadingThatSlippedIsNamedByFitAndLeftOutByDiagnose) {
 }
 
 TEST_F(Diagnose, DeclaredNoiseIsUsedAndUndeclaredNoiseIsEstimated) {
-  const auto session = copy_of("hidden_1");
+  const auto session = make_copy("hidden_1");
   const Json declared = run(session).json();
   EXPECT_EQ(declared["noise_pixel"], 0.2);
   std::string text = read_text(session / "session.xml");
@@ -348,7 +348,7 @@ TEST_F(Diagnose, AFifthOfTheMarkersUnseenChangesNoName) {
 }
 
 TEST_F(Diagnose, ReadsNoTruth) {
-  const auto session = copy_of("hidden_1");
+  const auto session = make_copy("hidden_1");
   const std::string with = run(session).output;
   std::filesystem::remove(session / "truth.xml");
   EXPECT_EQ(run(session).output, with);

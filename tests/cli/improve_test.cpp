@@ -24,7 +24,7 @@ class Improve : public testing::Test {
   TemporaryFolder folder;
 };
 
-Matrix4 matrix_of(const Json& rows) {
+Matrix4 make_matrix(const Json& rows) {
   Matrix4 m;
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) m(r, c) = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
@@ -39,7 +39,7 @@ void expect_body(const Json& result, const HiddenTruth& truth) {
   Eigen::Matrix<double, 6, 6> covariance;
   for (int i = 0; i < 36; ++i)
     covariance(i / 6, i % 6) = body["covariance"][static_cast<std::size_t>(i / 6)][static_cast<std::size_t>(i % 6)];
-  const Matrix4 found = matrix_of(body["matrix"]);
+  const Matrix4 found = make_matrix(body["matrix"]);
   const Vector6 off = small_motion_between(Rigid{hidden.topLeftCorner<3, 3>(), hidden.topRightCorner<3, 1>()},
                                            Rigid{found.topLeftCorner<3, 3>(), found.topRightCorner<3, 1>()});
   EXPECT_LT(off.dot(covariance.inverse() * off), 27.9) << off.transpose();
@@ -294,7 +294,7 @@ TEST_F(Improve, TheExportIsTheLastModelBitForBit) {
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const Json r = result.json();
   const Calibration calibration = read_calibration(file);
-  EXPECT_EQ(matrix_from_rigid(calibration.tcp_from_body.motion), matrix_of(r["tcp_from_body"]["matrix"]));
+  EXPECT_EQ(matrix_from_rigid(calibration.tcp_from_body.motion), make_matrix(r["tcp_from_body"]["matrix"]));
   const std::string text = read_text(file);
   ASSERT_FALSE(r["effects"].empty());
   for (const Json& effect : r["effects"]) {

@@ -16,7 +16,7 @@ using test::run_cli;
 
 class InspectCommand : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const std::string& name) {
+  std::filesystem::path make_copy(const std::string& name) {
     const auto copy = folder.path / name;
     std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
                           std::filesystem::copy_options::recursive);
@@ -26,7 +26,7 @@ class InspectCommand : public testing::Test {
 };
 
 TEST_F(InspectCommand, RejectedObservationsAreLookedAtAgainAndEachHasItsOwnFault) {
-  const auto session = copy_of("hundred_poses").string();
+  const auto session = make_copy("hundred_poses").string();
   ASSERT_EQ(run_cli(folder.path, {"label", session, "--observation", "0", "--left", "519,98", "515,132", "576,113"})
                 .exit_code,
             0);
@@ -50,16 +50,16 @@ TEST_F(InspectCommand, RejectedObservationsAreLookedAtAgainAndEachHasItsOwnFault
   // They are known to be bad, or the robot's: no fresh pose that the model was right about.
   for (const auto& p : json["fresh_poses"]) EXPECT_TRUE(at_fault.contains(p["id"].get<int>()));
 
-  const auto told = run_cli(folder.path, {"inspect", session, "--second-look", "--count", "3"});
-  EXPECT_NE(told.output.find("rejected"), std::string::npos);
-  EXPECT_NE(told.output.find("97 better ones are not shown"), std::string::npos) << told.output;
-  const auto at = [&](int id) { return told.output.find("\n" + std::string(6, ' ') + std::to_string(id) + " "); };
+  const auto reported = run_cli(folder.path, {"inspect", session, "--second-look", "--count", "3"});
+  EXPECT_NE(reported.output.find("rejected"), std::string::npos);
+  EXPECT_NE(reported.output.find("97 better ones are not shown"), std::string::npos) << reported.output;
+  const auto at = [&](int id) { return reported.output.find("\n" + std::string(6, ' ') + std::to_string(id) + " "); };
   // One marker that moved by 12 mm is less in px than an arm that sags by 15; the other two stand on top.
-  for (const int id : {58, 98}) EXPECT_NE(at(id), std::string::npos) << told.output;
+  for (const int id : {58, 98}) EXPECT_NE(at(id), std::string::npos) << reported.output;
 }
 
 TEST_F(InspectCommand, WhatTheFitHasNotSeenIsHeldAgainstItsPrediction) {
-  const auto path = copy_of("hidden_3");
+  const auto path = make_copy("hidden_3");
   Session s = read_session(path);
   for (std::size_t i = 0; i < s.observations.size(); i += 5) s.observations[i].decision = Decision::excluded;
   replace_session(s);
@@ -82,7 +82,7 @@ TEST_F(InspectCommand, WhatTheFitHasNotSeenIsHeldAgainstItsPrediction) {
 }
 
 TEST_F(InspectCommand, ASecondLookNeedsTwoCameras) {
-  const auto result = run_cli(folder.path, {"inspect", copy_of("one_camera").string(), "--second-look"});
+  const auto result = run_cli(folder.path, {"inspect", make_copy("one_camera").string(), "--second-look"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.errors.find("two cameras"), std::string::npos) << result.errors;
 }
@@ -90,10 +90,10 @@ TEST_F(InspectCommand, ASecondLookNeedsTwoCameras) {
 TEST_F(InspectCommand, ATrackersErrorsAreInMillimetres) {
   const auto rig = test::tracker_rig(folder.path).string(), session = (folder.path / "tracked").string();
   ASSERT_EQ(run_cli(folder.path, {"simulate", "--like", rig, "--out", session, "--seed", "31"}).exit_code, 0);
-  const auto told = run_cli(folder.path, {"inspect", session});
-  EXPECT_EQ(told.exit_code, 0) << told.errors;
-  EXPECT_EQ(told.output.find(" px"), std::string::npos) << told.output;
-  EXPECT_NE(told.output.find(" mm"), std::string::npos) << told.output;
+  const auto reported = run_cli(folder.path, {"inspect", session});
+  EXPECT_EQ(reported.exit_code, 0) << reported.errors;
+  EXPECT_EQ(reported.output.find(" px"), std::string::npos) << reported.output;
+  EXPECT_NE(reported.output.find(" mm"), std::string::npos) << reported.output;
   const auto json = run_cli(folder.path, {"inspect", session, "--json", "-"}).json();
   EXPECT_TRUE(json["noise_pixel"].is_null());
   EXPECT_TRUE(json["noise_m"].is_number());

@@ -31,7 +31,7 @@ struct Truth {
   }
 };
 
-Truth truth_of(const std::filesystem::path& session) {
+Truth load_truth(const std::filesystem::path& session) {
   tinyxml2::XMLDocument document;
   document.LoadFile((session / "truth.xml").c_str());
   Truth truth;
@@ -43,7 +43,7 @@ Truth truth_of(const std::filesystem::path& session) {
   return truth;
 }
 
-Matrix4 matrix_of(const nlohmann::json& rows) {
+Matrix4 make_matrix(const nlohmann::json& rows) {
   Matrix4 m;
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) m(r, c) = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
@@ -52,7 +52,7 @@ Matrix4 matrix_of(const nlohmann::json& rows) {
 
 class Story : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const std::string& name) {
+  std::filesystem::path make_copy(const std::string& name) {
     const auto copy = folder.path / name;
     std::filesystem::copy(sample(name), copy, std::filesystem::copy_options::recursive);
     return copy;
@@ -71,7 +71,7 @@ class Story : public testing::Test {
 };
 
 TEST_F(Story, FirstStepsFromImagesToACalibration) {
-  const auto session = copy_of("first_steps");
+  const auto session = make_copy("first_steps");
   ASSERT_EQ(label(session, "first_steps").exit_code, 0);
   const auto online = run_cli(folder.path, {"online", session.string(), "--save", "--json", "-"});
   ASSERT_EQ(online.exit_code, 0) << online.errors;
@@ -99,9 +99,9 @@ TEST_F(Story, FirstStepsFromImagesToACalibration) {
     EXPECT_TRUE(result.contains(key)) << key;
   const Calibration calibration = read_calibration(calibration_file);
   EXPECT_EQ(matrix_from_rigid(calibration.tcp_from_body.motion),
-            matrix_of(result["tcp_from_body"]["matrix"]));  // bit for bit
+            make_matrix(result["tcp_from_body"]["matrix"]));  // bit for bit
 
-  const Vector6 error = small_motion_between(truth_of(session).tcp_from_body(), calibration.tcp_from_body.motion);
+  const Vector6 error = small_motion_between(load_truth(session).tcp_from_body(), calibration.tcp_from_body.motion);
   EXPECT_LT(error.dot(calibration.tcp_from_body.covariance.inverse() * error), 27.9);  // chi-squared of 6, 1 in 10,000
   EXPECT_LT(error.head<3>().norm(), 1e-4);
   for (int i = 0; i < 6; ++i)  // what online said last is what the batch fit says
@@ -112,7 +112,7 @@ TEST_F(Story, FirstStepsFromImagesToACalibration) {
 }
 
 TEST_F(Story, HundredPosesTakesAllButTheThreeBadOnes) {
-  const auto session = copy_of("hundred_poses");
+  const auto session = make_copy("hundred_poses");
   ASSERT_EQ(label(session, "hundred_poses").exit_code, 0);
   const auto online = run_cli(folder.path, {"online", session.string(), "--save"});
   ASSERT_EQ(online.exit_code, 0);
@@ -124,7 +124,7 @@ TEST_F(Story, HundredPosesTakesAllButTheThreeBadOnes) {
 }
 
 TEST_F(Story, SavingKeepsWhatIsNotUnderstood) {
-  const auto session = copy_of("first_steps");
+  const auto session = make_copy("first_steps");
   std::string text = test::read_text(session / "session.xml");
   text.insert(text.find("<markers"), "<lighting lamp=\"left\">dim</lighting>\n  ");
   test::write_text(session / "session.xml", text);
@@ -133,7 +133,7 @@ TEST_F(Story, SavingKeepsWhatIsNotUnderstood) {
 }
 
 TEST_F(Story, ARefusedLabelChangesNothing) {
-  const auto session = copy_of("first_steps");
+  const auto session = make_copy("first_steps");
   const std::string before = test::read_text(session / "session.xml");
   const auto result =
       run_cli(folder.path, {"label", session.string(), "--observation", "0", "--left", "5,5", "408,411", "473,378"});
@@ -177,13 +177,13 @@ TEST_F(Story, EffectiveMassDetectEffectsAndSimulateRun) {
                                                      {"marker_slip", "marker"},
                                                      {"rig", "camera"},
                                                      {"payload", "session"}};
-  std::size_t told = 0;
+  std::size_t reported = 0;
   for (const auto& e : effects)
     if (const auto scope = scopes.find(e["id"]); scope != scopes.end()) {
       EXPECT_EQ(e["scope"], scope->second);
-      ++told;
+      ++reported;
     }
-  EXPECT_EQ(told, scopes.size());
+  EXPECT_EQ(reported, scopes.size());
   const auto out = folder.path / "made";
   const std::vector<std::string> arguments = {"simulate",
                                               "--like",
@@ -215,7 +215,7 @@ TEST_F(Story, ForeignSessionsFitToTheirTruth) {
   const auto truth = nlohmann::json::parse(test::read_text(foreign / "truth.json"));
   std::vector<Vector3> markers;
   for (const auto& m : truth["tcp_from_markers"]) markers.emplace_back(m[0], m[1], m[2]);
-  const Matrix4 matrix = matrix_of(result["tcp_from_body"]["matrix"]);
+  const Matrix4 matrix = make_matrix(result["tcp_from_body"]["matrix"]);
   const Rigid found{matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
   const Vector6 error =
       small_motion_between(body_frame(choose_sides({markers.begin(), markers.end()}), markers).tcp_from_body, found);

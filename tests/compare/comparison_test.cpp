@@ -100,7 +100,7 @@ TEST(Comparison, ResidualsAgainstACalibrationShowWhatChanged) {
     for (const CalibrationResidual& r : all) squares += r.corner.residual.squaredNorm();
     return std::sqrt(squares / (2.0 * static_cast<double>(all.size())));
   };
-  const auto own = residuals_of(robot, before), changed = residuals_of(robot, after);
+  const auto own = compute_residuals(robot, before), changed = compute_residuals(robot, after);
   EXPECT_NEAR(rms(own), f.residual_rms, 0.02 * f.residual_rms) << "the fit itself, evaluated anew";
   EXPECT_GT(rms(changed), 5 * rms(own));
   EXPECT_EQ(changed.back().observation, static_cast<int>(after.observations.size()) - 1);
@@ -124,8 +124,8 @@ TEST(ChangeEvidence, IsThatOfAKnownNormal) {
   // One number with information 100 and score 50: ln BF = mean over scales s of exp(b^2 s^2 / (2 (1 + s^2 A))) / sqrt(1
   // + s^2 A).
   double sum = 0;
-  for (std::size_t i = 0; i < plausible_scales.size(); ++i) {
-    const double s = plausible_scales[i];
+  for (std::size_t i = 0; i < prior_scales.size(); ++i) {
+    const double s = prior_scales[i];
     sum += scale_shares[i] * std::exp(0.5 * 2500 * s * s / (1 + 100 * s * s)) / std::sqrt(1 + 100 * s * s);
   }
   const Eigen::MatrixXd information = Eigen::MatrixXd::Constant(1, 1, 100);

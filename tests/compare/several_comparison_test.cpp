@@ -49,10 +49,10 @@ TEST(SeveralComparison, ATurnOfTheCameraIsToldBetweenTheSessions) {
   const SeveralComparison c = compare(days(31, {{}, {turn}, {turn}}));
   ASSERT_EQ(c.verdict, ComparisonVerdict::changed) << c.sentence;
   const ChangeBetween& b = c.changes.front();
-  EXPECT_EQ(b.told.id, "camera_mount");
-  EXPECT_THAT(b.told.before, ElementsAre("day 1"));
-  EXPECT_THAT(b.told.after, ElementsAre("day 2", "day 3"));
-  EXPECT_GT(b.told.probability, 0.95);
+  EXPECT_EQ(b.reported.id, "camera_mount");
+  EXPECT_THAT(b.reported.before, ElementsAre("day 1"));
+  EXPECT_THAT(b.reported.after, ElementsAre("day 2", "day 3"));
+  EXPECT_GT(b.reported.probability, 0.95);
   EXPECT_NEAR(b.change.terms.front().values[3], 0.002, 4 * b.change.sigma[3]);
   EXPECT_LT(b.change.sigma[3], 5e-4);
   EXPECT_NE(c.sentence.find("between day 1 and day 2, day 3"), std::string::npos) << c.sentence;
@@ -63,10 +63,10 @@ TEST(SeveralComparison, OneDayAloneIsToldAsThat) {
   const std::string joint = fixture::seen_random_session(32).joints.at(2);
   const SeveralComparison c = compare(days(32, {{}, {"joint_offset:" + joint + ".offset=0.003"}, {}}));
   ASSERT_EQ(c.verdict, ComparisonVerdict::changed) << c.sentence;
-  EXPECT_EQ(c.changes.front().told.id, "joint_offset");
-  EXPECT_EQ(c.changes.front().told.where, joint);
-  EXPECT_THAT(c.changes.front().told.before, ElementsAre("day 1", "day 3"));
-  EXPECT_THAT(c.changes.front().told.after, ElementsAre("day 2"));
+  EXPECT_EQ(c.changes.front().reported.id, "joint_offset");
+  EXPECT_EQ(c.changes.front().reported.where, joint);
+  EXPECT_THAT(c.changes.front().reported.before, ElementsAre("day 1", "day 3"));
+  EXPECT_THAT(c.changes.front().reported.after, ElementsAre("day 2"));
   EXPECT_NEAR(c.changes.front().change.terms.front().values[0], 0.003, 4 * c.changes.front().change.sigma[0]);
 }
 
@@ -77,12 +77,13 @@ TEST(SeveralComparison, TwoChangesAreToldEach) {
   ASSERT_EQ(c.verdict, ComparisonVerdict::several) << c.sentence;
   ASSERT_EQ(c.changes.size(), 2u) << c.sentence;
   const auto of = [&](const std::string& id) -> const ChangeBetween* {
-    const auto found = std::find_if(c.changes.begin(), c.changes.end(), [&](const auto& b) { return b.told.id == id; });
+    const auto found =
+        std::find_if(c.changes.begin(), c.changes.end(), [&](const auto& b) { return b.reported.id == id; });
     return found == c.changes.end() ? nullptr : &*found;
   };
   ASSERT_TRUE(of("camera_mount") && of("joint_offset")) << c.sentence;
-  EXPECT_THAT(of("camera_mount")->told.after, ElementsAre("day 2", "day 3"));
-  EXPECT_THAT(of("joint_offset")->told.after, ElementsAre("day 3"));
+  EXPECT_THAT(of("camera_mount")->reported.after, ElementsAre("day 2", "day 3"));
+  EXPECT_THAT(of("joint_offset")->reported.after, ElementsAre("day 3"));
 }
 
 TEST(SeveralComparison, NothingIsToldWhereNothingHasChanged) {
@@ -100,7 +101,7 @@ TEST(SeveralComparison, OfTwoItSaysWhatTheComparisonOfTwoSays) {
   const SeveralComparison several = compare(two);
   ASSERT_EQ(several.verdict, ComparisonVerdict::changed) << several.sentence;
   ASSERT_EQ(pair.verdict, ComparisonVerdict::changed) << pair.sentence;
-  EXPECT_EQ(several.changes.front().told.id, pair.changes.front().id);
+  EXPECT_EQ(several.changes.front().reported.id, pair.changes.front().id);
   EXPECT_NEAR(several.changes.front().change.terms.front().values[0], pair.changes.front().terms.front().values[0],
               0.1 * pair.changes.front().sigma[0]);
   EXPECT_NEAR(several.threshold, pair.threshold, 1e-6);
@@ -118,14 +119,14 @@ TEST(SeveralComparison, AJointIsComparedThroughOtherMountsAndMarkers) {
     o.nearest = 0.2;
     o.farthest = 4;
     o.most_turned = 1.5;
-    if (k == 2) o.effects = {fixture::offset_of(like, "l3", 2e-3)};
+    if (k == 2) o.effects = {fixture::find_offset(like, "l3", 2e-3)};
     members.push_back(fixture::simulated_member(like, o, std::string("day ") + static_cast<char>('1' + k)));
   }
   const SeveralComparison c = compare(members);
   ASSERT_EQ(c.verdict, ComparisonVerdict::changed) << c.sentence;
-  EXPECT_EQ(c.changes.front().told.id, "joint_offset");
-  EXPECT_EQ(c.changes.front().told.where, "l3");
-  EXPECT_THAT(c.changes.front().told.after, ElementsAre("day 3"));
+  EXPECT_EQ(c.changes.front().reported.id, "joint_offset");
+  EXPECT_EQ(c.changes.front().reported.where, "l3");
+  EXPECT_THAT(c.changes.front().reported.after, ElementsAre("day 3"));
   EXPECT_NEAR(c.changes.front().change.terms.front().values[0], 2e-3, 4 * c.changes.front().change.sigma[0]);
   EXPECT_EQ(c.rigs.size(), 3u);
   for (const SharedThing& s : c.shared) EXPECT_NE(s.id, "camera_mount") << "each has its own";

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// The numbers of a rotation, rad; written without the code under test.
-std::vector<double> numbers_of(const Matrix3& m, AngleKind kind) {
+std::vector<double> list_numbers(const Matrix3& m, AngleKind kind) {
   const auto list = [](const Vector3& v) { return std::vector<double>{v.x(), v.y(), v.z()}; };
   switch (kind) {
     case AngleKind::rotation_vector:
@@ -74,19 +74,19 @@ NamedPoses open_poses(const std::vector<Rigid>& poses, AngleKind kind, bool degr
   NamedPoses named{"flange.csv", "", {.poses = poses}};
   double largest = 0;
   for (const Rigid& p : poses) {
-    std::vector<double> n = numbers_of(p.rotation, kind);
+    std::vector<double> n = list_numbers(p.rotation, kind);
     for (double& x : n) x *= degrees ? 180 / pi : 1, largest = std::max(largest, std::abs(x));
     named.turns.numbers.push_back(n);
   }
   named.turns.columns = "the last three columns";
-  named.turns.readings = readings_of(all_kinds, "", false, false, largest);
+  named.turns.readings = list_readings(all_kinds, "", false, false, largest);
   read_turns(named.turns, named.turns.readings[0], named.series);
   return named;
 }
 
 enum class Outcome { right, wrong, asked };
 
-Outcome outcome_of(const Recording& r, AngleKind kind, bool degrees, bool both) {
+Outcome make_outcome(const Recording& r, AngleKind kind, bool degrees, bool both) {
   NamedPoses flange = open_poses(r.flange, kind, degrees), target{"target.csv", "", {.poses = r.target}};
   if (both) target = open_poses(r.target, kind, degrees);
   std::vector<Message> notes;
@@ -110,7 +110,7 @@ TEST(ChooseTurns, NeverWrongAndSeldomAskedOverChanceRecordings) {
     const double turn = std::vector<double>{0.2, 0.4, 0.8}[static_cast<std::size_t>(chance.upto(3))];
     const Recording r = chance.recording(count, turn, chance.upto(2) ? 0.5 : 3);
     const Outcome o =
-        outcome_of(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], chance.upto(2) == 0, chance.upto(3) == 0);
+        make_outcome(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], chance.upto(2) == 0, chance.upto(3) == 0);
     right += o == Outcome::right;
     wrong += o == Outcome::wrong;
     asked += o == Outcome::asked;
@@ -124,7 +124,7 @@ TEST(ChooseTurns, OfFewPosesItAsksRatherThanErr) {
   int wrong = 0;
   for (int trial = 0; trial < 150; ++trial) {
     const Recording r = chance.recording(4 + chance.upto(3), 0.3, 2);
-    wrong += outcome_of(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], false, chance.upto(3) == 0) ==
+    wrong += make_outcome(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], false, chance.upto(3) == 0) ==
              Outcome::wrong;
   }
   EXPECT_LE(wrong, 1);
@@ -136,7 +136,7 @@ TEST(ChooseTurns, AnEighthOfTheRowsMayBeWrong) {
   for (int trial = 0; trial < 40; ++trial) {
     Recording r = chance.recording(24, 0.4, 0.5);
     for (const std::size_t i : {3, 11, 17}) r.target[i] = chance.motion(1, 0.3);
-    right += outcome_of(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], false, false) == Outcome::right;
+    right += make_outcome(r, all_kinds[static_cast<std::size_t>(chance.upto(5))], false, false) == Outcome::right;
   }
   EXPECT_GE(right, 38);
 }

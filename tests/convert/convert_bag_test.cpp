@@ -15,7 +15,7 @@ using testing::HasSubstr;
 TEST_F(Convert, BagsWithTransformsArePairedByTimeWhereTheRobotStands) {
   const Rigid tcp_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
   const std::vector<Rigid> targets = target_poses(truth, tcp_from_target);
-  const Chain chain = chain_of(truth.session);
+  const Chain chain = make_chain(truth.session);
   constexpr double start = 1.7e9, lag = 0.08;
   {
     fixture::BagWriter bag(folder.path / "bag");
@@ -203,7 +203,7 @@ TEST_F(Convert, McapAndRos1BagsComeToTheSameSession) {
         joints.header(t, "").count(6);
         for (const char* name : {"a1", "a2", "a3", "a4", "a5", "a6"}) joints.text(name);
         joints.list({q.data(), q.data() + 6}).list({}).list({});
-        pose.header(t, "camera").fixed(fixture::numbers_of(targets[i]));
+        pose.header(t, "camera").fixed(fixture::list_numbers(targets[i]));
         const auto nanoseconds = static_cast<std::int64_t>(1e9 * t);
         r.messages.push_back({0, nanoseconds, joints.bytes()});
         if (k % 3 == 0) r.messages.push_back({1, nanoseconds, pose.bytes()});

@@ -59,7 +59,7 @@ class ConvertCollection : public testing::Test {
     Eigen::VectorXd q(static_cast<Eigen::Index>(s.joints.size()));
     for (std::size_t j = 0; j < s.joints.size(); ++j)
       q[static_cast<Eigen::Index>(j)] = positions[i][static_cast<std::size_t>(find_joint(robot, s.joints[j]))];
-    return sensor_from_tcp(chain_ends(chain_of(s), q), s.mount.mount_from_sensor);
+    return sensor_from_tcp(chain_ends(make_chain(s), q), s.mount.mount_from_sensor);
   }
 
   /// The robot stands 1.5 s in each posture; a camera in the head tells both tags, a tracker the left hand's body.
@@ -146,7 +146,8 @@ class ConvertCollection : public testing::Test {
   }
 
   Session together() const {
-    return joined_of(read_collection(options.out), [](const std::string& one) { return read_session(fs::path(one)); });
+    return join_collection(read_collection(options.out),
+                           [](const std::string& one) { return read_session(fs::path(one)); });
   }
 
   TemporaryFolder folder;
@@ -171,7 +172,7 @@ TEST_F(ConvertCollection, TwoHandsInABagHaveOneCameraAndABodyEach) {
   EXPECT_THAT(made.notes, Contains(HasSubstr("left_hand, right_hand have one sensor at one place")));
   const Session s = together();
   const Fit f = fit(s);
-  const std::vector<FitPart> parts = parts_of(s, f);
+  const std::vector<FitPart> parts = list_parts(s, f);
   EXPECT_LT(small_motion_between(left_tag, parts[0].tcp_from_body).norm(), 1e-5);
   EXPECT_LT(small_motion_between(right_tag, parts[1].tcp_from_body).norm(), 1e-5);
   EXPECT_EQ(parts[0].mount_from_sensor.translation, parts[1].mount_from_sensor.translation);
@@ -263,7 +264,7 @@ TEST_F(ConvertCollection, BodiesOfOneTakeHaveOneTracker) {
   EXPECT_EQ(made.collection.entries[0].body, "");
   const Session s = together();
   const Fit f = fit(s);
-  const std::vector<FitPart> parts = parts_of(s, f);
+  const std::vector<FitPart> parts = list_parts(s, f);
   EXPECT_LT(small_motion_between(left_tag, parts[0].tcp_from_body).norm(), 1e-5);
   EXPECT_LT(small_motion_between(right_tag, parts[1].tcp_from_body).norm(), 1e-5);
 }
@@ -281,7 +282,7 @@ TEST_F(ConvertCollection, TablesThatNameAHandAreOfItsSession) {
   const Session s = together();
   const Fit f = fit(s);
   EXPECT_LT(f.residual_rms, 1e-6);
-  const std::vector<FitPart> parts = parts_of(s, f);
+  const std::vector<FitPart> parts = list_parts(s, f);
   EXPECT_LT(small_motion_between(fixture::hand_session('l').mount.mount_from_sensor, parts[1].mount_from_sensor).norm(),
             1e-5);
 }

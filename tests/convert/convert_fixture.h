@@ -7,7 +7,7 @@
 #include "convert/convert.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/robot_texts.h"
-#include "fixtures/ways_fixtures.h"
+#include "fixtures/robots_with_everything.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -90,7 +90,7 @@ class Convert : public testing::Test {
 /// The body's pose in the tracker's frame, as mocap gives a rigid body.
 inline std::vector<Rigid> target_poses(const SimulatedSession& truth, const Rigid& tcp_from_target) {
   std::vector<Rigid> poses;
-  const Chain chain = chain_of(truth.session);
+  const Chain chain = make_chain(truth.session);
   for (const Observation& o : truth.session.observations)
     poses.push_back(sensor_from_tcp(chain_ends(chain, o.position), truth.mount_from_sensor) * tcp_from_target);
   return poses;

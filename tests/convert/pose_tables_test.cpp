@@ -79,10 +79,11 @@ TEST_F(HandEyeTables, AnglesBeyondATurnAreDegrees) {
                                   write("target.csv", table("x,y,z,roll,pitch,yaw", target, rpy))});
   expect_right(c.session, "degrees");
   EXPECT_THAT(c.notes, Contains(HasSubstr("can only be degrees")));
-  const Conversion told = converted({write("flange.csv", table("x,y,z,roll [deg],pitch [deg],yaw [deg]", flange, rpy)),
-                                     write("target.csv", quaternions(target))});
-  expect_right(told.session, "told in the header");
-  EXPECT_THAT(told.notes, Not(Contains(HasSubstr("can only be degrees"))));
+  const Conversion reported =
+      converted({write("flange.csv", table("x,y,z,roll [deg],pitch [deg],yaw [deg]", flange, rpy)),
+                 write("target.csv", quaternions(target))});
+  expect_right(reported.session, "told in the header");
+  EXPECT_THAT(reported.notes, Not(Contains(HasSubstr("can only be degrees"))));
 }
 
 TEST_F(HandEyeTables, DegreesAreForPosesToo) {

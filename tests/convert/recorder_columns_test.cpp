@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::string> names_of(const Table& table) {
+std::vector<std::string> list_names(const Table& table) {
   std::vector<std::string> names;
   for (const TableColumn& column : table.columns) names.push_back(column.name);
   return names;
@@ -21,11 +21,11 @@ TEST(RecorderColumns, JointsOfRostopicAreCalledByTheirNames) {
       "1700000000000000000,1,,a1,a2,0.25,0.5\n1700000001000000000,2,,a1,a2,0.5,0.75\n",
       "joints.csv");
   ASSERT_TRUE(table);
-  EXPECT_THAT(names_of(*table), ElementsAre("time", "header.seq", "header.frame_id", "name0", "name1", "a1", "a2"));
+  EXPECT_THAT(list_names(*table), ElementsAre("time", "header.seq", "header.frame_id", "name0", "name1", "a1", "a2"));
   EXPECT_EQ(table->rows[1][6], 0.75);
   for (const TableColumn& column : table->columns) EXPECT_TRUE(column.words.empty()) << column.name;
   std::vector<Message> notes;
-  const std::vector<double> times = times_of(*table, notes);
+  const std::vector<double> times = list_times(*table, notes);
   EXPECT_NEAR(times[1] - times[0], 1, 1e-6);
 }
 
@@ -35,14 +35,14 @@ TEST(RecorderColumns, PosesOfRtdeAreRotationVectors) {
       "actual_TCP_pose_5\n0.1 1 2 3 0.1 0.2 0.3\n",
       "robot_data.csv");
   ASSERT_TRUE(table);
-  EXPECT_THAT(names_of(*table), ElementsAre("timestamp", "x", "y", "z", "rvx", "rvy", "rvz"));
+  EXPECT_THAT(list_names(*table), ElementsAre("timestamp", "x", "y", "z", "rvx", "rvy", "rvz"));
   EXPECT_EQ(table->columns[4].unit, "rad");
 }
 
 TEST(RecorderColumns, OtherTablesStayAsTheyAre) {
   const auto table = parse_recorded_table("time,field.x,actual_TCP_pose_0\n1,2,3\n", "some.csv");
   ASSERT_TRUE(table);
-  EXPECT_THAT(names_of(*table), ElementsAre("time", "field.x", "actual_TCP_pose_0"));
+  EXPECT_THAT(list_names(*table), ElementsAre("time", "field.x", "actual_TCP_pose_0"));
 }
 
 }  // namespace

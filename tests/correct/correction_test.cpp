@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "export/exported.h"
-#include "fixtures/ways_fixtures.h"
+#include "fixtures/robots_with_everything.h"
 
 namespace handsight {
 namespace {
@@ -26,10 +26,10 @@ TEST(Correction, BringsTheHandWhereTheNominalModelPutsIt) {
   std::mt19937_64 random(3);
   for (const Session& session : {fixture::stand_session(), fixture::seven_axis_session(3)}) {
     const CalibratedRobot robot =
-        fixture::robot_with(session, fixture::everything_wrong(chain_of(session), random), random);
+        fixture::robot_with(session, fixture::everything_wrong(make_chain(session), random), random);
     for (int i = 0; i < 10; ++i) {
       const Eigen::VectorXd pose = bent_pose(robot.chain, random);
-      const Circumstances commanded = circumstances_at(robot.chain, pose);
+      const ObservationState commanded = states_at(robot.chain, pose);
       const Rigid wanted = predict_tcp(robot.chain, pose, robot.model).root_from_tcp;
       const Correction c = corrected(commanded, robot.model);
       EXPECT_GT(c.error_before_m, 1e-4);
@@ -46,11 +46,11 @@ TEST(Correction, ArrivesOrComesNearerFromAnywhere) {
   std::mt19937_64 random(33);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot =
-      fixture::robot_with(session, fixture::everything_wrong(chain_of(session), random), random);
+      fixture::robot_with(session, fixture::everything_wrong(make_chain(session), random), random);
   int reached = 0;
   for (int i = 0; i < 100; ++i) {
     const Eigen::VectorXd pose = fixture::random_position(robot.chain, random);
-    const Correction c = corrected(circumstances_at(robot.chain, pose), robot.model);
+    const Correction c = corrected(states_at(robot.chain, pose), robot.model);
     EXPECT_LE(c.error_after_m, c.error_before_m + 0.3 * c.error_before_rad);
     reached += c.reached;
   }
@@ -63,7 +63,7 @@ TEST(Correction, FindsATargetAndTakesTheShortestWayOfManyJoints) {
   const CalibratedRobot robot = fixture::robot_with(session, {{"joint_offset", 2, {0.01}}}, random);
   const Eigen::VectorXd here = Eigen::VectorXd::Constant(7, 0.4), there = Eigen::VectorXd::Constant(7, 0.7);
   const Rigid target = predict_tcp(robot.chain, there, robot.model).root_from_tcp_est;
-  const Correction c = corrected(circumstances_at(robot.chain, here), robot.model, target);
+  const Correction c = corrected(states_at(robot.chain, here), robot.model, target);
   ASSERT_TRUE(c.reached);
   EXPECT_LT(small_motion_between(target, predict_tcp(robot.chain, c.position, robot.model).root_from_tcp_est).norm(),
             1e-8);
@@ -77,14 +77,14 @@ TEST(Correction, RespectsLimitsAndSaysWhatCannotBeReached) {
   const CalibratedRobot robot = fixture::robot_with(session, {{"joint_offset", 1, {-0.02}}}, random);
   Eigen::VectorXd pose = Eigen::VectorXd::Constant(6, 0.3);
   pose[1] = 0.499;  // to correct it the joint would have to go beyond its limit, and six joints have no other way
-  const Correction stopped = corrected(circumstances_at(robot.chain, pose), robot.model);
+  const Correction stopped = corrected(states_at(robot.chain, pose), robot.model);
   EXPECT_FALSE(stopped.reached);
   EXPECT_EQ(stopped.position[1], 0.5);
   EXPECT_EQ(stopped.at_limit, std::vector<int>{1});
   EXPECT_LT(stopped.error_after_m, stopped.error_before_m);
   Rigid far;
   far.translation = {5, 0, 0};
-  const Correction out = corrected(circumstances_at(robot.chain, pose), robot.model, far);
+  const Correction out = corrected(states_at(robot.chain, pose), robot.model, far);
   EXPECT_FALSE(out.reached);
   EXPECT_TRUE(out.position.allFinite());
   for (int i = 0; i < 6; ++i) {
@@ -97,12 +97,11 @@ TEST(Correction, FewerThanSixJointsComeAsNearAsTheyCan) {
   std::mt19937_64 random(6);
   const Session session = fixture::torso_with_all_kinds();
   const CalibratedRobot robot = fixture::robot_with(session, {{"joint_offset", 1, {0.01}}}, random);
-  const Correction c = corrected(circumstances_at(robot.chain, Eigen::VectorXd::Constant(4, 0.3)), robot.model);
+  const Correction c = corrected(states_at(robot.chain, Eigen::VectorXd::Constant(4, 0.3)), robot.model);
   EXPECT_TRUE(c.reached) << "an offset of a joint of its own can be taken back";
   Rigid target = predict_tcp(robot.chain, Eigen::VectorXd::Constant(4, 0.3), robot.model).root_from_tcp;
   target.translation += Vector3(0.01, 0.02, 0.03);
-  const Correction near =
-      corrected(circumstances_at(robot.chain, Eigen::VectorXd::Constant(4, 0.3)), robot.model, target);
+  const Correction near = corrected(states_at(robot.chain, Eigen::VectorXd::Constant(4, 0.3)), robot.model, target);
   EXPECT_FALSE(near.reached);
   EXPECT_LT(near.error_after_m, near.error_before_m);
 }
@@ -111,7 +110,7 @@ TEST(Correction, FilesCommandWhatTheCoreCommands) {
   std::mt19937_64 random(7);
   for (const Session& session : {fixture::stand_session(), fixture::seven_axis_session(3)}) {
     const CalibratedRobot robot =
-        fixture::robot_with(session, fixture::everything_wrong(chain_of(session), random), random);
+        fixture::robot_with(session, fixture::everything_wrong(make_chain(session), random), random);
     std::vector<Eigen::VectorXd> poses;
     for (int i = 0; i < 5; ++i) poses.push_back(bent_pose(robot.chain, random));
     const TemporaryFolder folder;
@@ -123,7 +122,7 @@ TEST(Correction, FilesCommandWhatTheCoreCommands) {
       const std::vector<fixture::Answer> found = fixture::answers(folder.path, command, poses);
       ASSERT_EQ(found.size(), poses.size()) << command << fixture::text_of_file(folder.path / "errors.txt");
       for (std::size_t i = 0; i < poses.size(); ++i) {
-        const Correction c = corrected(circumstances_at(robot.chain, poses[i]), robot.model);
+        const Correction c = corrected(states_at(robot.chain, poses[i]), robot.model);
         EXPECT_EQ(found[i].word, c.reached ? "good" : "bad");
         const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(found[i].numbers.data(),
                                                                     static_cast<Eigen::Index>(found[i].numbers.size()));

@@ -41,12 +41,12 @@ Calibrated calibrated_wrist_camera() {
 
 /// Where the hand really is.
 Rigid true_hand(const Chain& of_hand, const Eigen::VectorXd& position) {
-  const Circumstances c = circumstances_at(of_hand, position);
+  const ObservationState c = states_at(of_hand, position);
   return observed_ends(c, moved_sites(c, {wrong_zero})).ends.root_from_tcp;
 }
 
 TEST(MovedHand, IsTheLinkThatCarriesTheSensor) {
-  const Chain wrist = chain_of(fixture::eye_in_hand_session()), stand = chain_of(fixture::target_session());
+  const Chain wrist = make_chain(fixture::eye_in_hand_session()), stand = make_chain(fixture::target_session());
   EXPECT_TRUE(hand_carries_sensor(wrist));
   EXPECT_FALSE(hand_carries_sensor(stand));
   EXPECT_EQ(chain_of_hand(wrist).tcp_link, wrist.mount_link);
@@ -73,7 +73,7 @@ TEST(MovedHand, IsCorrectedByWhatIsKnown) {
   const Calibrated c = calibrated_wrist_camera();
   const Eigen::VectorXd pose = c.simulated.session.observations[3].position;
   const Rigid wanted = predict_tcp(c.hand.chain, pose, c.hand.model).root_from_tcp;
-  const Correction corrected_pose = corrected(circumstances_at(c.hand.chain, pose), c.hand.model);
+  const Correction corrected_pose = corrected(states_at(c.hand.chain, pose), c.hand.model);
   ASSERT_TRUE(corrected_pose.reached);
   const double before = (true_hand(c.hand.chain, pose).translation - wanted.translation).norm();
   const double after = (true_hand(c.hand.chain, corrected_pose.position).translation - wanted.translation).norm();
@@ -109,12 +109,13 @@ TEST(MovedHand, IsTheHandOfTheUrdf) {
   Session calibrated = c.simulated.session;
   calibrated.robot = parse_urdf(file.text, "calibrated.urdf", nullptr);
   calibrated.mount.link = file.hand_link;
-  const Chain chain = chain_of_hand(chain_of(calibrated));
+  const Chain chain = chain_of_hand(make_chain(calibrated));
   for (int i = 0; i < 5; ++i) {
     const Eigen::VectorXd& pose = c.simulated.session.observations[static_cast<std::size_t>(i)].position;
-    const Rigid told = predict_tcp(c.hand.chain, pose, c.hand.model).root_from_tcp_est;
-    const Rigid there = observed_ends(circumstances_at(chain, pose), {}).ends.root_from_tcp;
-    EXPECT_LT(small_motion_between(told, there).norm(), 1e-9) << "an offset of a joint's zero is all that was found";
+    const Rigid reported = predict_tcp(c.hand.chain, pose, c.hand.model).root_from_tcp_est;
+    const Rigid there = observed_ends(states_at(chain, pose), {}).ends.root_from_tcp;
+    EXPECT_LT(small_motion_between(reported, there).norm(), 1e-9)
+        << "an offset of a joint's zero is all that was found";
   }
 }
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "diagnosis/attribution/inspection.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "simulated_stand.h"
 
 namespace handsight {
@@ -41,11 +41,11 @@ TEST(LongSession, IsFittedAndInspectedInFewCopies) {
   malloc_trim(0);
   const double before = memory("VmRSS");
   if (!forget_the_most()) GTEST_SKIP() << "the system does not tell what was held at most";
-  CleanFit clean = clean_model(session, {});
-  const FitReport told = report(clean.session, clean.fit, {});
+  CleanFit clean = fit_without_outliers(session, {});
+  const FitReport reported = report(clean.session, clean.fit, {});
   clean.session = {};
   clean.fit.problem.observations.resize(3000);  // as the window keeps it
-  const Inspection all = inspect(session, clean.fit, told, {});
+  const Inspection all = inspect(session, clean.fit, reported, {});
   const double copies = (memory("VmHWM") - before) / size;
   RecordProperty("copies", std::to_string(copies));
   EXPECT_EQ(all.rows.size(), 20000u);

@@ -18,15 +18,15 @@ Session touched(int count, std::uint64_t seed) {
   return fixture::simulated_touches(like, count, seed).session;
 }
 
-std::vector<EffectTerm> zero_of(const Session& s, const std::string& joint) {
+std::vector<EffectTerm> find_zero(const Session& s, const std::string& joint) {
   return {term_of(*find_effect("joint_offset"), find_joint(s.robot, joint))};
 }
 
 /// The tip by a fit, in the frame of the fixture that a planned posture touches.
 Vector3 tip_there(const Session& s, const Fit& f, const PlannedPose& pose) {
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   const Chain& part = chain.parts[static_cast<std::size_t>(pose.fixture)];
-  const Circumstances c = circumstances_at(part, pose.position);
+  const ObservationState c = states_at(part, pose.position);
   const ObservedEnds seen = observed_ends(c, moved_sites(c, f.problem.terms));
   return inverse(seen.ends.root_from_mount * estimate(f).mount(pose.fixture)) *
          (seen.ends.root_from_tcp * estimate(f).markers_in_tcp[0]);
@@ -36,7 +36,7 @@ TEST(PlanTouch, EveryPostureTouchesItsFixtureAndTeaches) {
   const Session s = touched(40, 7);
   PlanOptions options;
   options.count = 6;
-  options.estimated = zero_of(s, "a2");
+  options.estimated = find_zero(s, "a2");
   const Plan p = plan(s, options);
   ASSERT_EQ(p.poses.size(), 6u);
   FitOptions fitting;
@@ -55,7 +55,7 @@ TEST(PlanTouch, WhatIsPlannedIsWorthMoreThanWhatIsNot) {
   const Session s = touched(25, 9);
   PlanOptions best;
   best.count = 5;
-  best.estimated = zero_of(s, "a3");
+  best.estimated = find_zero(s, "a3");
   double planned = 0;
   for (const PlannedPose& pose : plan(s, best).poses) planned += pose.gain;
   // One pose at random, five times: the pool is one of a single posture a fixture.
@@ -70,7 +70,7 @@ TEST(PlanTouch, TwoCausesAreToldApart) {
   const Session s = touched(40, 11);
   PlanOptions options;
   options.count = 4;
-  options.between = RivalEffects{"joint_offset:a2", "joint_offset:a3", zero_of(s, "a2"), zero_of(s, "a3")};
+  options.between = CompetingEffects{"joint_offset:a2", "joint_offset:a3", find_zero(s, "a2"), find_zero(s, "a3")};
   const Plan p = plan(s, options);
   ASSERT_FALSE(p.poses.empty());
   EXPECT_TRUE(p.ln_bayes_factor_before.has_value());

@@ -2,7 +2,7 @@
 // What is missing is named with one camera and with three as it is with two.
 #include <gtest/gtest.h>
 
-#include "diagnosis/attribution/blame.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
@@ -13,9 +13,9 @@ namespace {
 
 Session seen_by(int cameras, const std::vector<std::string>& values, std::uint64_t seed, int observations = 60) {
   const Session like = fixture::rig_session(cameras);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   SimulationOptions o;
-  for (const std::string& text : values) add_effect_value(text, like.robot, o.effects, own_effects_of(like, chain));
+  for (const std::string& text : values) add_effect_value(text, like.robot, o.effects, list_own_effects(like, chain));
   o.seed = seed;
   o.observations = observations;
   o.declare_noise = false;
@@ -86,10 +86,10 @@ TEST(RigDiagnosis, AWrongPointIsThatCameras) {
   EXPECT_EQ(clean.wrong[0].id, o.id);
   EXPECT_EQ(clean.wrong[0].marker, o.sightings[1].marker);
   EXPECT_EQ(clean.wrong[0].camera, wrong->camera);
-  const std::vector<ObservationBlame> all = blame_observations(s, clean.fit);
-  for (const ObservationBlame& b : all)
+  const std::vector<ObservationAttribution> all = attribute_observations(s, clean.fit);
+  for (const ObservationAttribution& b : all)
     if (b.id == o.id) {
-      EXPECT_EQ(b.blame.letter, 'C');
+      EXPECT_EQ(b.attribution.letter, 'C');
       EXPECT_EQ(b.change.camera, wrong->camera);
       EXPECT_NE(change_text(b.change, &*s.rig).find(s.rig->at(wrong->camera).name + " image"), std::string::npos);
     }

@@ -26,7 +26,7 @@ SimulatedSession simulated(const Session& like, const std::vector<std::string>& 
   SimulationOptions o;
   o.observations = observations;
   o.seed = seed;
-  const OwnEffects own = own_effects_of(like, chain_of(like));
+  const OwnEffects own = list_own_effects(like, make_chain(like));
   for (const std::string& text : values) add_effect_value(text, like.robot, o.effects, own);
   return simulate_session(like, o);
 }
@@ -41,8 +41,8 @@ SimulatedSession printed_larger(const Session& like, double by, std::uint64_t se
 }
 
 Fit fitted(const Session& session, const std::string& effects) {
-  const Chain chain = chain_of(session);
-  return fit(session, {.estimated = effect_terms(effects, chain, own_effects_of(session, chain))});
+  const Chain chain = make_chain(session);
+  return fit(session, {.estimated = effect_terms(effects, chain, list_own_effects(session, chain))});
 }
 
 double error_of_body(const SimulatedSession& s, const Fit& f) {

@@ -21,20 +21,20 @@ Chain chain() {
   session.tcp = "hand";
   session.mount.link = "base";
   session.joints = {"t1", "t2", "arm_1", "arm_2"};
-  return chain_of(session);
+  return make_chain(session);
 }
 
-Circumstances moving(const Chain& c) {
+ObservationState moving(const Chain& c) {
   Eigen::VectorXd position(4);
   position << 0.3, 0.8, -0.7, 0.4;
-  Circumstances here = circumstances_at(c, position);
+  ObservationState here = states_at(c, position);
   here.velocity = Eigen::VectorXd::LinSpaced(here.sensor.size(), 0.1, 0.3);
   here.approach.setOnes();
   return here;
 }
 
 /// Everything that a camera could see of what an effect does: motions of hand, mount, rig, body, markers, numbers.
-Eigen::VectorXd seen_change(const Circumstances& c, const Sites& sites) {
+Eigen::VectorXd seen_change(const ObservationState& c, const Sites& sites) {
   const ObservedEnds nominal = observed_ends(c, Sites{}), moved = observed_ends(c, sites);
   const Rig rig = *c.chain->rig, moved_one = moved_rig(rig, sites);
   Eigen::VectorXd all(6 + 6 + 6 + 6 + 16 + 9);
@@ -65,7 +65,7 @@ TEST(Catalogue, EveryEffectDescribesItself) {
 
 TEST(Catalogue, NominalMovesNothing) {
   const Chain c = chain();
-  const Circumstances here = moving(c);
+  const ObservationState here = moving(c);
   for (const Effect& e : catalogue())
     for (const int place : effect_places(e, c))
       EXPECT_LT(
@@ -76,7 +76,7 @@ TEST(Catalogue, NominalMovesNothing) {
 
 TEST(Catalogue, EveryParameterMovesSomethingAndStaysFinite) {
   const Chain c = chain();
-  const Circumstances here = moving(c);
+  const ObservationState here = moving(c);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_effects_test.cpp
     if (has_no_target(e)) continue;                // of targets: target_effects_test.cpp
@@ -98,7 +98,7 @@ TEST(Catalogue, EveryParameterMovesSomethingAndStaysFinite) {
 
 TEST(Catalogue, EffectsAddAndAreLinearInTheirSites) {
   const Chain c = chain();
-  const Circumstances here = moving(c);
+  const ObservationState here = moving(c);
   for (const Effect& e : catalogue()) {
     if (effect_places(e, c).empty()) continue;  // of rigs of three cameras and more
     std::vector<double> once = term_of(e, 0).values, twice = once;
@@ -116,7 +116,7 @@ TEST(Catalogue, EffectsAddAndAreLinearInTheirSites) {
 
 TEST(Catalogue, EffectsOfJointScopeMoveTheirOwnJointAlone) {
   const Chain c = chain();
-  const Circumstances here = moving(c);
+  const ObservationState here = moving(c);
   for (const Effect& e : catalogue()) {
     if (!moves_one_joint(e)) continue;
     for (const int place : effect_places(e, c)) {
@@ -132,7 +132,7 @@ TEST(Catalogue, EffectsOfJointScopeMoveTheirOwnJointAlone) {
 
 TEST(Catalogue, SlipsBeginAtTheirObservation) {
   const Chain c = chain();
-  Circumstances here = moving(c);
+  ObservationState here = moving(c);
   const EffectTerm body{"body_slip", -1, {1e-3, 0, 0, 0, 0, 0, 40}}, marker{"marker_slip", 1, {0, 1e-3, 0, 40}};
   for (const int order : {39, 40, 41}) {
     here.order = order;
@@ -153,8 +153,8 @@ TEST(Catalogue, ApproachIsTheSignOfTheLastMotion) {
     if (k == 2) o.velocity = (Eigen::VectorXd(6) << 0.2, 0, 0, 0, 0, 0).finished();
     session.observations.push_back(o);
   }
-  const Chain c = chain_of(session);
-  const auto all = circumstances_of(session, c);
+  const Chain c = make_chain(session);
+  const auto all = observation_states(session, c);
   EXPECT_EQ(all[0].approach[0], 0);
   EXPECT_EQ(all[1].approach[0], 1);
   EXPECT_EQ(all[2].approach[0], 1);   // its velocity says so

@@ -95,8 +95,8 @@ SimulationOptions sixty(std::vector<EffectTerm> effects) {
 
 TEST(OwnEffect, IsAbsentWhereItsNumbersAreZeroAndAddsInThem) {
   const Session session = simulate_session(stand(), sixty({})).session;
-  const Chain chain = chain_of(session);
-  const Circumstances here = circumstances_of(session, chain)[20];
+  const Chain chain = make_chain(session);
+  const ObservationState here = observation_states(session, chain)[20];
   for (const EffectTerm& term : all_samples(session, 1)) {
     EffectTerm none = term, twice = term;
     for (double& v : none.values) v = 0;
@@ -121,7 +121,7 @@ TEST(OwnEffect, IsAbsentWhereItsNumbersAreZeroAndAddsInThem) {
 TEST(OwnEffect, HasExactDerivatives) {
   const Session session = simulate_session(stand(), sixty(all_samples(stand(), 0.5))).session;
   for (const EffectTerm& term : all_samples(session, 0.7)) {
-    Problem problem = make_problem(session, chain_of(session), {}, {term});
+    Problem problem = make_problem(session, make_chain(session), {}, {term});
     Unknowns u;
     u.markers_in_tcp = {{0.03, 0.01, 0.05}, {-0.02, 0.03, 0.05}, {0, -0.03, 0.04}};
     u.mount_from_sensor = session.mount.mount_from_sensor;
@@ -174,11 +174,11 @@ TEST(OwnEffect, TravelsWithTheCalibration) {
   FitOptions o;
   o.estimated = {sample_term(like, "cable", -1, 0), sample_term(like, "soft_when_loaded", 1, 0)};
   const Fit f = fit(session, o);
-  const std::string text = calibration_text(calibration_of(session, f, report(session, f, o), o, "test"));
+  const std::string text = calibration_text(make_calibration(session, f, report(session, f, o), o, "test"));
   const Calibration read = parse_calibration(text, "calibration.xml");
   ASSERT_EQ(read.definitions.size(), 2u);
   const PredictionModel here = prediction_model(f), there = prediction_model(read, session.robot);
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   for (const Observation& observation : session.observations) {
     const TcpPrediction a = predict_tcp(chain, observation.position, here),
                         b = predict_tcp(chain, observation.position, there);
@@ -219,22 +219,22 @@ TEST(OwnEffect, IsRefusedWithFileLineAndWhatWasExpected) {
 
 TEST(OwnEffect, MustBeFiniteAtEveryObservationAndNotInTheCatalogue) {
   Session session = simulate_session(stand(), sixty({})).session;
-  const auto refusal_of = [&](const std::string& id, const std::string& formula) -> std::string {
+  const auto find_refusal = [&](const std::string& id, const std::string& formula) -> std::string {
     session.effect_definitions =
         parse_effect_definitions("<handsight_effects version=\"1\"><effect id=\"" + id +
                                      "\"><parameter name=\"a\" sigma=\"1e-3\"/><moves site=\"angle\" by=\"" + formula +
                                      "\"/></effect></handsight_effects>",
                                  "effects.xml");
     try {
-      own_effects_of(session, chain_of(session));
+      list_own_effects(session, make_chain(session));
     } catch (const InputError& error) {
       return error.what();
     }
     return "accepted";
   };
-  EXPECT_NE(refusal_of("root", "a*log(q)").find("not a finite number at observation"), std::string::npos);
-  EXPECT_NE(refusal_of("backlash", "a*q").find("the catalogue has an effect \"backlash\""), std::string::npos);
-  EXPECT_EQ(refusal_of("fine", "a*q^3"), "accepted");
+  EXPECT_NE(find_refusal("root", "a*log(q)").find("not a finite number at observation"), std::string::npos);
+  EXPECT_NE(find_refusal("backlash", "a*q").find("the catalogue has an effect \"backlash\""), std::string::npos);
+  EXPECT_EQ(find_refusal("fine", "a*q^3"), "accepted");
 }
 
 TEST(EffectDefinitions, AreWrittenAsTheyAreRead) {

@@ -26,8 +26,8 @@ TEST(RigEffects, OfLeftAndRightAreThoseOfTheCatalogue) {
 
 TEST(RigEffects, OfAnotherPairHaveItsNames) {
   const Session s = fixture::rig_session(2);
-  const Chain chain = chain_of(s);
-  const OwnEffects own = own_effects_of(s, chain);
+  const Chain chain = make_chain(s);
+  const OwnEffects own = list_own_effects(s, chain);
   const Effect& intrinsics = effect_in(own, "camera_intrinsics");
   EXPECT_EQ(intrinsics.scope, EffectScope::session);
   EXPECT_EQ(intrinsics.parameters[4].name, "cam_1_fx");
@@ -38,8 +38,8 @@ TEST(RigEffects, OfAnotherPairHaveItsNames) {
 TEST(RigEffects, OfOneCameraAndOfManySitAtEachCamera) {
   for (const int cameras : {1, 3, 8}) {
     const Session s = fixture::rig_session(cameras);
-    const Chain chain = chain_of(s);
-    const OwnEffects own = own_effects_of(s, chain);
+    const Chain chain = make_chain(s);
+    const OwnEffects own = list_own_effects(s, chain);
     for (const char* id : {"camera_intrinsics", "lens_distortion"}) {
       const Effect& e = effect_in(own, id);
       EXPECT_EQ(e.parameters.size(), 4u);
@@ -53,14 +53,14 @@ TEST(RigEffects, OfOneCameraAndOfManySitAtEachCamera) {
 
 TEST(RigEffects, MoveTheirOwnCameraAlone) {
   const Session s = fixture::rig_session(3);
-  const Chain chain = chain_of(s);
-  const OwnEffects own = own_effects_of(s, chain);
+  const Chain chain = make_chain(s);
+  const OwnEffects own = list_own_effects(s, chain);
   std::vector<EffectTerm> terms;
   for (const char* text : {"rig:cam_2.x=0.001", "camera_intrinsics:cam_1.cx=2", "lens_distortion:cam_0.p2=1e-3"})
     add_effect_value(text, s.robot, terms, own);
   ASSERT_EQ(terms.size(), 3u);
-  const Rig moved = moved_rig(*s.rig, moved_sites(circumstances_at(chain, Eigen::VectorXd::Zero(6)), terms));
-  EXPECT_EQ(place_name(effect_of(terms[0]), terms[0].joint, s.robot), "cam_2");
+  const Rig moved = moved_rig(*s.rig, moved_sites(states_at(chain, Eigen::VectorXd::Zero(6)), terms));
+  EXPECT_EQ(place_name(term_effect(terms[0]), terms[0].joint, s.robot), "cam_2");
   EXPECT_NEAR(moved.at(2).camera_from_first.translation.x(), s.rig->at(2).camera_from_first.translation.x() + 1e-3,
               1e-15);
   EXPECT_EQ(moved.at(1).camera_from_first.translation, s.rig->at(1).camera_from_first.translation);
@@ -72,9 +72,9 @@ TEST(RigEffects, MoveTheirOwnCameraAlone) {
 TEST(RigEffects, WhatARigHasNotIsRefusedByName) {
   const auto refusal = [](int cameras, const std::string& text) {
     const Session s = fixture::rig_session(cameras);
-    const Chain chain = chain_of(s);
+    const Chain chain = make_chain(s);
     try {
-      effect_terms(text, chain, own_effects_of(s, chain));
+      effect_terms(text, chain, list_own_effects(s, chain));
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -96,9 +96,9 @@ TEST(RigEffects, OwnFormulasNameTheCamerasOfTheSession) {
   d.moves = {{"cam_2_fx", "a", 0}};
   const auto effect = own_effect(d, s.robot, *s.rig);
   Sites sites;
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   const std::vector<double> three{3.0};
-  effect->move(circumstances_at(chain, Eigen::VectorXd::Zero(6)), -1, three, sites);
+  effect->move(states_at(chain, Eigen::VectorXd::Zero(6)), -1, three, sites);
   EXPECT_EQ(sites.cameras[2].numbers[0], 3);
   d.moves[0].site = "left_fx";
   EXPECT_THROW(own_effect(d, s.robot, *s.rig), InputError);

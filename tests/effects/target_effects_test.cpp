@@ -11,19 +11,19 @@ namespace handsight {
 namespace {
 
 std::vector<Vector3> shifts(const Session& s, const std::string& id, std::vector<double> values) {
-  const Chain chain = chain_of(s);
-  const OwnEffects own = own_effects_of(s, chain);
+  const Chain chain = make_chain(s);
+  const OwnEffects own = list_own_effects(s, chain);
   const auto found = std::find_if(own.begin(), own.end(), [&](const auto& e) { return e->id == id; });
   if (found == own.end()) return {};
   EffectTerm term = term_of(**found, -1, *found);
   term.values = std::move(values);
   const auto count = static_cast<Eigen::Index>(chain.joints.size());
-  return moved_sites(circumstances_at(chain, Eigen::VectorXd::Constant(count, 0.3)), {term}).markers;
+  return moved_sites(states_at(chain, Eigen::VectorXd::Constant(count, 0.3)), {term}).markers;
 }
 
 bool has_place(const Session& s, const std::string& id) {
-  const Chain chain = chain_of(s);
-  return !effect_places(*find_effect(id, own_effects_of(s, chain)), chain).empty();
+  const Chain chain = make_chain(s);
+  return !effect_places(*find_effect(id, list_own_effects(s, chain)), chain).empty();
 }
 
 TEST(TargetScale, TakesEveryPointAwayFromTheBodysOrigin) {
@@ -51,7 +51,7 @@ TEST(TargetScale, HasAPlaceOnlyWhereTheShapeIsKnown) {
   EXPECT_FALSE(has_place(fixture::stand_session(), "target_bend"));
   std::vector<EffectTerm> terms;
   EXPECT_THROW(add_effect_value("target_scale:scale=0.02", s.robot, terms), InputError);
-  EXPECT_THROW(effect_terms("target_scale", chain_of(s), own_effects_of(s, chain_of(s))), InputError);
+  EXPECT_THROW(effect_terms("target_scale", make_chain(s), list_own_effects(s, make_chain(s))), InputError);
 }
 
 TEST(TargetBend, LiftsTheEdgesAcrossTheTarget) {
@@ -71,7 +71,7 @@ TEST(TargetBend, LiftsTheEdgesAcrossTheTarget) {
 
 TEST(JointCoupling, CountsJointsAlongTheChain) {
   const Session s = fixture::stand_session();
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   const auto& j = chain.joints;
   EXPECT_EQ(coupled_joint(chain, j[2], 1), j[1]);
   EXPECT_EQ(coupled_joint(chain, j[2], 2), j[0]);
@@ -83,7 +83,7 @@ TEST(JointCoupling, CountsJointsAlongTheChain) {
 
 TEST(JointCoupling, TurnsTheJointByAShareOfTheOthersAngle) {
   const Session s = fixture::stand_session();
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   Eigen::VectorXd position(6);
   position << 0.1, -0.5, 0.3, 0.7, 0.2, -0.4;
   std::vector<EffectTerm> terms;
@@ -91,10 +91,10 @@ TEST(JointCoupling, TurnsTheJointByAShareOfTheOthersAngle) {
   add_effect_value("joint_coupling:" + name + ".ratio=0.02", s.robot, terms);
   ASSERT_EQ(terms.size(), 1u);
   EXPECT_EQ(terms[0].values[1], 1) << "with the joint before it, where nothing is said";
-  EXPECT_NEAR(moved_sites(circumstances_at(chain, position), terms).robot.joints[2].angle, 0.02 * -0.5, 1e-15);
+  EXPECT_NEAR(moved_sites(states_at(chain, position), terms).robot.joints[2].angle, 0.02 * -0.5, 1e-15);
   add_effect_value("joint_coupling:" + name + ".from=-1", s.robot, terms);
   EXPECT_EQ(terms[0].values[1], -1) << "a choice is set, not added to";
-  EXPECT_NEAR(moved_sites(circumstances_at(chain, position), terms).robot.joints[2].angle, 0.02 * 0.7, 1e-15);
+  EXPECT_NEAR(moved_sites(states_at(chain, position), terms).robot.joints[2].angle, 0.02 * 0.7, 1e-15);
 }
 
 }  // namespace

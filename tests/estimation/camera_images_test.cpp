@@ -62,8 +62,8 @@ Case few_poses(int cameras, std::uint64_t seed) {
   o.observations = 8;
   o.seed = seed;
   Session like = fixture::rig_session(cameras);
-  const Chain chain = chain_of(like);
-  const OwnEffects own = own_effects_of(like, chain);
+  const Chain chain = make_chain(like);
+  const OwnEffects own = list_own_effects(like, chain);
   const std::string of = cameras == 2 ? "cam_0_" : "cam_0.";
   for (const char* number : {"fx=3", "fy=3.4", "cx=-4", "cy=2"})
     add_effect_value("camera_intrinsics:" + of + number, like.robot, o.effects, own);
@@ -74,7 +74,7 @@ Case few_poses(int cameras, std::uint64_t seed) {
 }
 
 std::vector<double> true_values(const SimulatedSession& s, const Session& session, const FittedEffect& fitted) {
-  const Effect& effect = effect_of(fitted.term);
+  const Effect& effect = term_effect(fitted.term);
   std::vector<double> values;
   for (const EffectParameter& p : effect.parameters) {
     double value = 0;
@@ -182,11 +182,11 @@ TEST(CameraImages, OfAnotherCameraAreRefused) {
             std::string::npos);
   GroupedImages three;
   for (const char* name : {"a", "b", "c"}) three.cameras.push_back({name, {}, {}});
-  EXPECT_NE(refusal([&] { by_cameras_of(three, *session.rig); }).find("3 cameras (a, b, c)"), std::string::npos);
+  EXPECT_NE(refusal([&] { group_by_cameras(three, *session.rig); }).find("3 cameras (a, b, c)"), std::string::npos);
   three.cameras.pop_back();
-  EXPECT_EQ(by_cameras_of(three, *session.rig).notes.size(), 2U) << "by their order, which is said";
+  EXPECT_EQ(group_by_cameras(three, *session.rig).notes.size(), 2U) << "by their order, which is said";
   three.cameras[0].name = "cam_1", three.cameras[1].name = "cam_0";
-  EXPECT_EQ(by_cameras_of(three, *session.rig).cameras[0].name, "cam_0");
+  EXPECT_EQ(group_by_cameras(three, *session.rig).cameras[0].name, "cam_0");
   FitOptions nothing_moves;
   nothing_moves.camera_images =
       std::make_shared<CameraKnowledge>(board_knowledge(board_before(*session.rig, 1.3, 14, 0.2, 1), *session.rig));

@@ -33,7 +33,7 @@ std::vector<EffectTerm> every_effect(const Chain& chain, double size, std::mt199
 
 /// The gradient of the cost by the columns against its central differences.
 void expect_gradient(const Session& session, const std::vector<EffectTerm>& terms) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Problem problem = make_problem(session, chain, {}, terms);
   problem.tcp_from_slip = {rotation_from_rpy({0.3, -0.4, 1.0}), {0.02, 0.01, 0.03}};
   place_observations(problem);
@@ -81,7 +81,7 @@ TEST(EffectColumns, AreTheSlopesOfTheCostOverTheWholeCatalogue) {
       if (o.id % 3 == 0) o.sightings.pop_back();
       if (!tracker && o.id % 4 == 1) forget(o.sightings[0], 0);
     }
-    expect_gradient(session, every_effect(chain_of(session), 0.3, random));
+    expect_gradient(session, every_effect(make_chain(session), 0.3, random));
   }
 }
 
@@ -98,7 +98,7 @@ Recovery recover(const Session& like, const std::vector<EffectTerm>& truth, std:
   Session session = simulate_session(like, options).session;
   std::vector<EffectTerm> start = truth;
   for (EffectTerm& term : start) {
-    const Effect& e = effect_of(term);
+    const Effect& e = term_effect(term);
     for (std::size_t p = 0; p < term.values.size(); ++p)
       if (!e.parameters[p].is_choice) term.values[p] = 0;
   }
@@ -115,7 +115,7 @@ Recovery recover(const Session& like, const std::vector<EffectTerm>& truth, std:
 
 TEST(EffectFit, RecoversEveryEffectOfTheCatalogue) {
   const Session like = fixture::torso_session();
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rigs_test.cpp
     if (has_no_target(e)) continue;                // target_size_test.cpp
@@ -215,7 +215,7 @@ TEST(EffectFit, CountsAsUnknownsWhatTheMeasurementsKnow) {
   SimulationOptions options;
   options.observations = 40;
   const Session session = simulate_session(fixture::torso_session(), options).session;
-  const Fit f = fit(session, {.estimated = effect_terms("link_elasticity", chain_of(session))});
+  const Fit f = fit(session, {.estimated = effect_terms("link_elasticity", make_chain(session))});
   double known_by_priors = 0;
   for (const FittedEffect& e : f.effects)
     for (std::size_t p = 0; p < e.sigmas.size(); ++p)

@@ -19,7 +19,7 @@ namespace {
 using fixture::ErringRig;
 
 /// In the camera's own frame, as the covariance.
-Vector6 error_of(const fixture::HandEye& h, const Fit& f) {
+Vector6 compute_error(const fixture::HandEye& h, const Fit& f) {
   return small_motion_between(inverse(estimate(f).mount_from_sensor), inverse(h.flange_from_camera));
 }
 
@@ -46,7 +46,7 @@ TEST(FlangeError, WeighsTheRobotAsItErrs) {
     const fixture::HandEye h = fixture::hand_eye({.seed = seed});
     const Fit f = fit(h.session);
     ASSERT_TRUE(f.converged());
-    const Vector6 off = error_of(h, f);
+    const Vector6 off = compute_error(h, f);
     weighed += off.head<3>().squaredNorm();
     const Eigen::Index mount = f.problem.mount_column();
     for (int i = 0; i < 6; ++i) {
@@ -77,7 +77,7 @@ TEST(FlangeError, EliminatedIsAsSolvedFor) {
   complete(plain);
   add_without_flange_error(problem, o, estimate(f), plain, eliminated);
   // The cost is the least of all motions: no motion that is tried lies below it.
-  const Matrix6 covariance = covariance_of(flange_error_shares(problem, o), problem.flange_error);
+  const Matrix6 covariance = make_covariance(flange_error_shares(problem, o), problem.flange_error);
   const Matrix6 weights = problem.noise * problem.noise * covariance.inverse();
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;

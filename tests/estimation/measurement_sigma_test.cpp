@@ -14,8 +14,9 @@ namespace {
 
 constexpr double sure = 0.2, unsure = 2;  // px
 
-/// Marker 0 is labelled by hand, ten times worse than the others; sigmas are told as `told` times what they are.
-SimulatedSession mixed(std::uint64_t seed, double told) {
+/// Marker 0 is labelled by hand, ten times worse than the others; sigmas are reported as `reported` times what they
+/// are.
+SimulatedSession mixed(std::uint64_t seed, double reported) {
   SimulationOptions options;
   options.seed = seed;
   options.observations = 40;
@@ -29,8 +30,8 @@ SimulatedSession mixed(std::uint64_t seed, double told) {
       const bool by_hand = one.marker == 0;
       for (Vector2* pixel : {&seen_by(one, 0)->pixel, &seen_by(one, 1)->pixel})
         if (by_hand) *pixel += fixture::drawn_2([&] { return normal(random); });
-      const double sigma = told * (by_hand ? unsure : sure);
-      if (told > 0) seen_by(one, 0)->sigma = seen_by(one, 1)->sigma = PixelSigma{sigma, sigma, 0};
+      const double sigma = reported * (by_hand ? unsure : sure);
+      if (reported > 0) seen_by(one, 0)->sigma = seen_by(one, 1)->sigma = PixelSigma{sigma, sigma, 0};
     }
   return s;
 }

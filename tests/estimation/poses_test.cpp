@@ -128,7 +128,7 @@ TEST(Poses, ARobotOfFlangePosesNeedsNoUrdf) {
   EXPECT_TRUE(f.converged());
   const Vector6 xi = small_motion_between(true_target(s), f.tcp_from_body);
   EXPECT_LT(xi.dot(f.covariance.ldlt().solve(xi)), 25);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   for (const Effect& e : catalogue())
     if (moves_one_joint(e)) {
       EXPECT_TRUE(effect_places(e, chain).empty()) << e.id;

@@ -34,10 +34,10 @@ double error_of_body(const SimulatedSession& s, const Fit& f) {
   return xi.dot(f.covariance.ldlt().solve(xi));
 }
 
-std::vector<EffectTerm> terms_of(const Session& session, const std::vector<std::string>& values) {
+std::vector<EffectTerm> list_terms(const Session& session, const std::vector<std::string>& values) {
   std::vector<EffectTerm> terms;
-  const Chain chain = chain_of(session);
-  for (const std::string& text : values) add_effect_value(text, session.robot, terms, own_effects_of(session, chain));
+  const Chain chain = make_chain(session);
+  for (const std::string& text : values) add_effect_value(text, session.robot, terms, list_own_effects(session, chain));
   return terms;
 }
 
@@ -96,9 +96,9 @@ TEST(Rigs, EffectsOfEachCameraAreRecovered) {
                                                            {5, "rig:cam_4.rz=1e-3"},
                                                            {2, "camera_intrinsics:cam_1_fx=3"}};
   for (const auto& [cameras, text] : hidden) {
-    const std::vector<EffectTerm> truth = terms_of(fixture::rig_session(cameras), {text});
+    const std::vector<EffectTerm> truth = list_terms(fixture::rig_session(cameras), {text});
     const SimulatedSession s = seen_by(cameras, 5, truth);
-    EffectTerm free = terms_of(s.session, {text}).front();
+    EffectTerm free = list_terms(s.session, {text}).front();
     std::fill(free.values.begin(), free.values.end(), 0.0);
     const Fit f = fit(s.session, {.estimated = {free}});
     EXPECT_EQ(f.covariance_kind, CovarianceKind::noise) << text << " leaves more than the noise";
@@ -108,17 +108,17 @@ TEST(Rigs, EffectsOfEachCameraAreRecovered) {
 }
 
 TEST(Rigs, AnExportedCalibrationIsReadBackWithTheEffectsOfItsCameras) {
-  const std::vector<EffectTerm> truth = terms_of(
+  const std::vector<EffectTerm> truth = list_terms(
       fixture::rig_session(3), {"rig:cam_2.x=1e-3", "camera_intrinsics:cam_0.fx=2", "joint_offset:a2.offset=1e-3"});
   const SimulatedSession s = seen_by(3, 6, truth);
   std::vector<EffectTerm> free =
-      terms_of(s.session, {"rig:cam_2.x=0", "camera_intrinsics:cam_0.fx=0", "joint_offset:a2.offset=0"});
+      list_terms(s.session, {"rig:cam_2.x=0", "camera_intrinsics:cam_0.fx=0", "joint_offset:a2.offset=0"});
   const FitOptions options{.estimated = free};
   const Fit f = fit(s.session, options);
   const PredictionModel here = prediction_model(f);
-  const Calibration written =
-      parse_calibration(calibration_text(calibration_of(s.session, f, report(s.session, f, options), options, "test")),
-                        "calibration.xml");
+  const Calibration written = parse_calibration(
+      calibration_text(make_calibration(s.session, f, report(s.session, f, options), options, "test")),
+      "calibration.xml");
   const PredictionModel there = prediction_model(written, s.session.robot);
   ASSERT_EQ(here.effects.size(), there.effects.size());
   for (std::size_t t = 0; t < here.effects.size(); ++t) {

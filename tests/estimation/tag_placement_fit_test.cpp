@@ -16,8 +16,8 @@ using fixture::tag_cube;
 using fixture::target_session;
 
 Fit fitted(const Session& session, const std::string& effects) {
-  const Chain chain = chain_of(session);
-  return fit(session, {.estimated = effect_terms(effects, chain, own_effects_of(session, chain))});
+  const Chain chain = make_chain(session);
+  return fit(session, {.estimated = effect_terms(effects, chain, list_own_effects(session, chain))});
 }
 
 TEST(TagPlacement, IsFoundWithTheBodyInItsPlace) {
@@ -38,13 +38,14 @@ TEST(TagPlacement, IsFoundWithTheBodyInItsPlace) {
 
 TEST(TagPlacement, HasAPlaceForEveryTagOfABody) {
   const Session s = target_session(tag_cube());
-  const Chain chain = chain_of(s);
-  const OwnEffects own = own_effects_of(s, chain);
+  const Chain chain = make_chain(s);
+  const OwnEffects own = list_own_effects(s, chain);
   EXPECT_EQ(effect_terms("tag_placement", chain, own).size(), 5u);
   EXPECT_EQ(effect_terms("tag_placement:3+4", chain, own).size(), 2u);
   EXPECT_THROW(effect_terms("tag_placement:9", chain, own), InputError);
   const Session board = target_session();
-  EXPECT_THROW(effect_terms("tag_placement", chain_of(board), own_effects_of(board, chain_of(board))), InputError);
+  EXPECT_THROW(effect_terms("tag_placement", make_chain(board), list_own_effects(board, make_chain(board))),
+               InputError);
 }
 
 TEST(TagPlacement, WithoutItNothingFits) {

@@ -10,7 +10,7 @@
 #include "estimation/problem/target_pose.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
-#include "estimation/start/half_turns.h"
+#include "estimation/start/target_symmetry.h"
 #include "session/calibration_xml.h"
 
 namespace handsight {
@@ -71,10 +71,10 @@ TEST(Targets, TheBodyIsWhereItIsAndAsSureAsIsSaid) {
         const Fit f = fit(s.session);
         EXPECT_TRUE(f.converged());
         EXPECT_EQ(f.covariance_kind, CovarianceKind::noise);
-        EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows)) << name_of(target.kind);
+        EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows)) << display_name(target.kind);
         squares += error_of_body(s, f);
       }
-      EXPECT_LT(squares, 18 + 4.5 * std::sqrt(36.0)) << name_of(target.kind) << mount_is_known;
+      EXPECT_LT(squares, 18 + 4.5 * std::sqrt(36.0)) << display_name(target.kind) << mount_is_known;
     }
 }
 
@@ -119,10 +119,10 @@ TEST(Targets, OnTheTableWithTheCameraOnTheHand) {
 TEST(Targets, OneCameraSaysErrorsInMetresToo) {
   const SimulatedSession s = simulated(target_session(), 7);
   const Fit f = fit(s.session);
-  const FitReport told = report(s.session, f);
-  ASSERT_TRUE(told.fitted.rms_m);
-  EXPECT_GT(*told.fitted.rms_m, 1e-5);
-  EXPECT_LT(*told.fitted.rms_m, 1e-2) << "a board of 17 cm at a metre: 0.2 px of 140 px are its depth's error";
+  const FitReport reported = report(s.session, f);
+  ASSERT_TRUE(reported.fitted.rms_m);
+  EXPECT_GT(*reported.fitted.rms_m, 1e-5);
+  EXPECT_LT(*reported.fitted.rms_m, 1e-2) << "a board of 17 cm at a metre: 0.2 px of 140 px are its depth's error";
 }
 
 TEST(Targets, PartsOfABoardAreEnough) {
@@ -206,7 +206,7 @@ TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
     for (std::size_t k = 0; k < s.session.observations.size(); k += 3)
       turn_by_half(s.session.observations[k].sightings, s.session.marker_count);
     Session online_session = s.session;
-    EXPECT_EQ(undo_half_turns(s.session), 10);
+    EXPECT_EQ(undo_target_symmetry(s.session), 10);
     const Fit f = fit(s.session);
     EXPECT_LT(small_motion_between(f.tcp_from_body, truth.tcp_from_body).norm(), 1e-9);
     OnlineCalibration online(online_session);
@@ -223,8 +223,8 @@ TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
 TEST(Targets, AreExportedAndReadBack) {
   const SimulatedSession s = simulated(target_session(fixture::charuco(12, 9, 0.015)), 11, {}, 20);
   const Fit f = fit(s.session);
-  const FitReport told = report(s.session, f);
-  const std::string text = calibration_text(calibration_of(s.session, f, told, {}, "test"));
+  const FitReport reported = report(s.session, f);
+  const std::string text = calibration_text(make_calibration(s.session, f, reported, {}, "test"));
   const Calibration again = parse_calibration(text, "calibration.xml");
   EXPECT_EQ(again.markers.size(), 88u);
 }

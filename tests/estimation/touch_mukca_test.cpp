@@ -51,9 +51,9 @@ class Mukca : public testing::TestWithParam<Set> {};
 TEST_P(Mukca, HeldOutNoWorseThanTheAuthorsOptimiser) {
   if (!std::filesystem::exists(sets / GetParam().name)) GTEST_SKIP() << "the measurements are not here";
   const Session s = as_touches(GetParam().name);
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   FitOptions o;
-  o.estimated = effect_terms("link_geometry", chain, own_effects_of(s, chain));
+  o.estimated = effect_terms("link_geometry", chain, list_own_effects(s, chain));
   const Fit f = fit(s, o);
   ASSERT_TRUE(f.converged());
   const FitReport r = report(s, f, o);
@@ -71,8 +71,8 @@ INSTANTIATE_TEST_SUITE_P(All, Mukca,
 
 /// Where the fitted robot has the ball in the root's frame.
 Vector3 ball(const Session& s, const Observation& o, const std::vector<EffectTerm>& terms, const Vector3& tip) {
-  const Chain chain = chain_of(s);
-  const Circumstances c = circumstances_at(chain, o.position);
+  const Chain chain = make_chain(s);
+  const ObservationState c = states_at(chain, o.position);
   const ObservedEnds seen = observed_ends(c, moved_sites(c, terms));
   return seen.ends.root_from_tcp * tip;
 }
@@ -80,9 +80,9 @@ Vector3 ball(const Session& s, const Observation& o, const std::vector<EffectTer
 TEST(MukcaElsewhere, ARobotLearnedAtOneFixtureIsRightAtTheOthers) {
   if (!std::filesystem::exists(sets / "mukca_panda_2_sockets")) GTEST_SKIP() << "the measurements are not here";
   const Session s = as_touches("mukca_panda_2");
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   FitOptions o;
-  o.estimated = effect_terms("link_geometry", chain, own_effects_of(s, chain));
+  o.estimated = effect_terms("link_geometry", chain, list_own_effects(s, chain));
   const Fit f = fit(s, o);
   // There the sockets ride on the base as markers and the ball is the sensor.
   Session elsewhere = read_session(sets / "mukca_panda_2_sockets");
@@ -91,7 +91,7 @@ TEST(MukcaElsewhere, ARobotLearnedAtOneFixtureIsRightAtTheOthers) {
     Observation moved = from;
     ASSERT_EQ(elsewhere.joints, s.joints);
     at[static_cast<std::size_t>(from.sightings.front().marker)].push_back(
-        ball(s, moved, terms_of(f), estimate(f).markers_in_tcp.front()));
+        ball(s, moved, list_terms(f), estimate(f).markers_in_tcp.front()));
   }
   double sum = 0;
   int count = 0;

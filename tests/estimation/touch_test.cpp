@@ -14,7 +14,7 @@
 namespace handsight {
 namespace {
 
-using fixture::offset_of;
+using fixture::find_offset;
 
 const Vector3 tip(0.01, -0.02, 0.15);  // m, in the TCP's frame
 constexpr double sigma = 2e-5;         // m, of one reading
@@ -46,7 +46,7 @@ void add(Bench& b, FixtureKind kind, const std::string& id, const Rigid& truly, 
   b.frames.push_back(truly);
 }
 
-Bench bench() {
+Bench workbench() {
   Bench b;
   b.session = fixture::tracker_session(1);
   b.session.observations.clear();
@@ -55,7 +55,7 @@ Bench bench() {
 }
 
 Rigid root_from_tcp(const Chain& chain, const Eigen::VectorXd& q, const std::vector<EffectTerm>& terms) {
-  const Circumstances c = circumstances_at(chain, q);
+  const ObservationState c = states_at(chain, q);
   return observed_ends(c, moved_sites(c, terms)).ends.root_from_tcp;
 }
 
@@ -73,7 +73,7 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::normal_distribution<double> normal;
-  const Chain chain = chain_of(b.session);
+  const Chain chain = make_chain(b.session);
   const FixtureKind kind = b.session.fixtures[fixture].kind;
   const Rigid frame_from_root = inverse(b.frames[fixture]);
   for (int made = 0; made < count;) {
@@ -93,10 +93,10 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
         beside[j] += 1e-6;
         by.col(j) = (off_at(beside) - e) / 1e-6;
       }
-      const Eigen::VectorXd step_of =
+      const Eigen::VectorXd find_step =
           by.transpose() *
           Eigen::MatrixXd(by * by.transpose() + 1e-9 * Eigen::MatrixXd::Identity(e.size(), e.size())).ldlt().solve(-e);
-      q += step_of.cwiseMin(0.3).cwiseMax(-0.3);
+      q += find_step.cwiseMin(0.3).cwiseMax(-0.3);
     }
     const Vector3 there = root_from_tcp(chain, q, b.truth) * tip;
     if (off_at(q).norm() > 1e-9 || q.cwiseAbs().maxCoeff() > 2.5 || there.z() < -0.5) continue;
@@ -136,13 +136,13 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
 Rigid at(const Vector3& place, const Vector3& rpy = Vector3::Zero()) { return {rotation_from_rpy(rpy), place}; }
 
 std::vector<EffectTerm> estimated(const Session& s, const std::string& text) {
-  const Chain chain = chain_of(s);
-  return effect_terms(text, chain, own_effects_of(s, chain));
+  const Chain chain = make_chain(s);
+  return effect_terms(text, chain, list_own_effects(s, chain));
 }
 
 TEST(Touch, APlateInThreePlacesTellsJointZeros) {
-  Bench b = bench();
-  b.truth = {offset_of(b.session, "a2", 2e-3), offset_of(b.session, "a3", -1.5e-3)};
+  Bench b = workbench();
+  b.truth = {find_offset(b.session, "a2", 2e-3), find_offset(b.session, "a3", -1.5e-3)};
   const std::vector<Rigid> plates{at({0.45, 0, 0.25}), at({0.4, 0.3, 0.4}, {0.6, 0.2, 0}),
                                   at({0.6, -0.2, 0.5}, {0, -0.9, 0})};
   for (std::size_t f = 0; f < plates.size(); ++f) {
@@ -161,8 +161,8 @@ TEST(Touch, APlateInThreePlacesTellsJointZeros) {
 }
 
 TEST(Touch, EveryKindOfFixtureIsFittedToItsNoise) {
-  Bench b = bench();
-  b.truth = {offset_of(b.session, "a2", 2e-3)};
+  Bench b = workbench();
+  b.truth = {find_offset(b.session, "a2", 2e-3)};
   add(b, FixtureKind::plane, "table", at({0.45, 0, 0.25}), std::nullopt);
   add(b, FixtureKind::point, "socket", at({0.5, 0.2, 0.3}), std::nullopt);
   add(b, FixtureKind::line, "edge", at({0.4, -0.3, 0.4}, {0.7, 0.5, 0}), at({0.41, -0.29, 0.41}, {0.72, 0.48, 0}));
@@ -178,12 +178,12 @@ TEST(Touch, EveryKindOfFixtureIsFittedToItsNoise) {
   EXPECT_NEAR(*found.chi2_per_dof, 1, 0.4);
   EXPECT_NEAR((estimate(found).markers_in_tcp[0] - tip).norm(), 0, 3e-4);
   EXPECT_NEAR((estimate(found).mount(4).translation - b.frames[4].translation).norm(), 0, 3e-4) << "the bar's centre";
-  const FitReport told = report(b.session, found, options);
-  EXPECT_NEAR(*told.fitted.rms_m, sigma, sigma);
+  const FitReport reported = report(b.session, found, options);
+  EXPECT_NEAR(*reported.fitted.rms_m, sigma, sigma);
 }
 
 TEST(Touch, TwoSocketsOfKnownDistanceTellTheRobotsScale) {
-  Bench b = bench();
+  Bench b = workbench();
   EffectTerm longer = term_of(*find_effect("link_geometry"), find_joint(b.session.robot, "a4"));
   longer.values[0] = 1e-3;
   b.truth = {longer};
@@ -206,8 +206,8 @@ TEST(Touch, TwoSocketsOfKnownDistanceTellTheRobotsScale) {
 }
 
 TEST(Touch, WhatIsHiddenIsNamed) {
-  Bench b = bench();
-  b.truth = {offset_of(b.session, "a3", 1.5e-3)};
+  Bench b = workbench();
+  b.truth = {find_offset(b.session, "a3", 1.5e-3)};
   add(b, FixtureKind::point, "socket_1", at({0.45, 0.2, 0.3}), std::nullopt);
   add(b, FixtureKind::point, "socket_2", at({0.5, -0.2, 0.35}), std::nullopt);
   add(b, FixtureKind::plane, "table", at({0.45, 0, 0.25}), std::nullopt);

@@ -17,7 +17,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-EffectTerm zero_of(const Session& s, const std::string& joint, double value) {
+EffectTerm find_zero(const Session& s, const std::string& joint, double value) {
   EffectTerm term = term_of(*find_effect("joint_offset"), find_joint(s.robot, joint));
   term.values[0] = value;
   return term;
@@ -25,8 +25,8 @@ EffectTerm zero_of(const Session& s, const std::string& joint, double value) {
 
 JoinedMember touched(Session like, int count, std::uint64_t seed, const std::string& title, const std::string& body) {
   JoinedMember m;
-  m.session =
-      fixture::simulated_touches(like, count, seed, {zero_of(like, "a2", 2e-3), zero_of(like, "a3", -1e-3)}).session;
+  m.session = fixture::simulated_touches(like, count, seed, {find_zero(like, "a2", 2e-3), find_zero(like, "a3", -1e-3)})
+                  .session;
   m.session.title = m.title = title;
   m.body = body;
   return m;
@@ -39,9 +39,9 @@ Session plate_session(const Vector3& place, const Vector3& rpy) {
 }
 
 Fit fit_zeros(const Session& s) {
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   FitOptions o;
-  o.estimated = effect_terms("joint_offset:a2+a3", chain, own_effects_of(s, chain));
+  o.estimated = effect_terms("joint_offset:a2+a3", chain, list_own_effects(s, chain));
   return fit(s, o);
 }
 
@@ -62,7 +62,7 @@ TEST(TouchTogether, BesideATrackerOfTheSameRobot) {
   o.observations = 30;
   o.seed = 4;
   o.noise = 1e-4;
-  o.effects = {zero_of(like, "a2", 2e-3), zero_of(like, "a3", -1e-3)};
+  o.effects = {find_zero(like, "a2", 2e-3), find_zero(like, "a3", -1e-3)};
   tracked.session = simulate_session(fixture::tracker_session(3), o).session;
   tracked.title = "tracker";
   const Session all = joined({tracked, touches}, "both");
@@ -84,7 +84,7 @@ TEST(TouchTogether, APlateHereAndAPlateThere) {
   SimulationOptions o;
   o.observations = 40;
   o.seed = 6;
-  o.effects = {zero_of(here.session, "a2", 2e-3), zero_of(here.session, "a3", -1e-3)};
+  o.effects = {find_zero(here.session, "a2", 2e-3), find_zero(here.session, "a3", -1e-3)};
   o.markers_in_tcp = fixture::simulated_touches(plate_session({0.45, 0, 0.25}, {}), 40, 5).markers_in_tcp;
   JoinedMember again = there;
   again.session = simulate_session(plate_session({0.4, 0.3, 0.4}, {0.6, 0.2, 0}), o).session;

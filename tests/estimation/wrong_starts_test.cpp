@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/fit/sure_fit.h"
-#include "estimation/start/competition.h"
+#include "estimation/start/multi_start.h"
 
 namespace handsight {
 namespace {
@@ -16,7 +16,7 @@ TEST(WrongStarts, LeadToTheMinimumThatTheTruthLeadsTo) {
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
       Fit found;
       const fixture::WrongStart w = fixture::wrong_start(rig, seed);
-      EXPECT_EQ(fixture::outcome_of(w, &found), fixture::Outcome::reached) << rig.name << ", seed " << seed;
+      EXPECT_EQ(fixture::make_outcome(w, &found), fixture::Outcome::reached) << rig.name << ", seed " << seed;
       EXPECT_LT(found.residual_rms, 0.23) << rig.name << ", seed " << seed << ": the noise is 0.2 px";
     }
 }
@@ -26,7 +26,7 @@ TEST(WrongStarts, AGoodStartIsNotExchanged) {
   options.observations = 30;
   Session session = simulate_session(fixture::stand_session(), options).session;
   session.mount.estimate = session.mount.known = true;
-  const Problem problem = make_problem(session, chain_of(session));
+  const Problem problem = make_problem(session, make_chain(session));
   EXPECT_FALSE(looks_lost(problem, fit(session).solution));
 }
 
@@ -36,7 +36,7 @@ TEST(WrongStarts, AMountThatIsWrongAndHeldEndsNoHigherThanItBegan) {
   Session session = simulate_session(fixture::stand_session(), options).session;
   session.mount.mount_from_sensor =
       session.mount.mount_from_sensor * Rigid{rotation_from_rpy({0, 1.2, 0}), {0.5, 0, 0}};
-  const Fit f = fit(session, {.estimated = effect_terms("link_geometry", chain_of(session))});
+  const Fit f = fit(session, {.estimated = effect_terms("link_geometry", make_chain(session))});
   EXPECT_LE(f.solution.normal.cost, f.solution.start_cost);
   EXPECT_TRUE(std::isfinite(f.residual_rms));
   if (!f.solution.normal.in_front) {
@@ -49,7 +49,7 @@ TEST(WrongStarts, AnImpossibleStartIsGivenBackUnconverged) {
   SimulationOptions options;
   options.observations = 5;
   const Session session = simulate_session(fixture::stand_session(), options).session;
-  const Problem problem = make_problem(session, chain_of(session));
+  const Problem problem = make_problem(session, make_chain(session));
   Unknowns start = {std::vector<Vector3>(3, Vector3::Constant(std::nan(""))), session.mount.mount_from_sensor, {}};
   const Solution s = solve(problem, start);
   EXPECT_FALSE(s.converged);

@@ -78,7 +78,7 @@ TEST_F(DriverFaults, EveryKindStopsWithASentenceAndWhatWasMeasuredIsThere) {
 
 TEST_F(DriverFaults, ALieShowsInWhatIsSeenNotInWhatIsSaid) {
   const auto result = experiment("--fault lies@3", {"--until", "count=10"});
-  // It cannot be told by the driver's word; the observations are rejected or stand out of the fit, and are whole.
+  // It cannot be seen from the driver's word; the observations are rejected or stand out of the fit, and are whole.
   EXPECT_THAT(result.exit_code, AnyOf(0, 1, 2)) << result.errors;
   EXPECT_GE(observations(), 5U);
 }

@@ -25,7 +25,7 @@ ExperimentOptions in_memory(const std::string& until) {
   return options;
 }
 
-SimulationOptions truth_of(const Session& like, const std::string& effect, std::uint64_t seed = 11) {
+SimulationOptions load_truth(const Session& like, const std::string& effect, std::uint64_t seed = 11) {
   SimulationOptions truth;
   truth.seed = seed;
   if (!effect.empty()) add_effect_value(effect, like.robot, truth.effects);
@@ -40,7 +40,7 @@ struct Experiments : testing::Test {
 
 TEST_F(Experiments, AHiddenCauseIsNamedAndItSaysWhyItEnds) {
   const Session like = fixture::stand_session();
-  const SimulationOptions truth = truth_of(like, "joint_offset:a3.offset=0.004");
+  const SimulationOptions truth = load_truth(like, "joint_offset:a3.offset=0.004");
   SimulatedRobot robot(like, {.truth = truth});
   const ExperimentResult result = run_experiment(rough_start(like, truth, 2), robot, in_memory("odds=20|count=45"));
   EXPECT_EQ(result.end, ExperimentEnd::reached) << result.reason;
@@ -55,7 +55,7 @@ TEST_F(Experiments, AHiddenCauseIsNamedAndItSaysWhyItEnds) {
 
 TEST_F(Experiments, TheHandIsKnownAsWellAsItWasAskedFor) {
   const Session like = fixture::tracker_session();
-  const SimulationOptions truth = truth_of(like, "");
+  const SimulationOptions truth = load_truth(like, "");
   SimulatedRobot robot(like, {.truth = truth});
   const ExperimentResult result = run_experiment(rough_start(like, truth, 1), robot, in_memory("hand=0.2mm|count=60"));
   EXPECT_EQ(result.end, ExperimentEnd::reached) << result.reason;
@@ -70,7 +70,7 @@ TEST_F(Experiments, TheHandIsKnownAsWellAsItWasAskedFor) {
 
 TEST_F(Experiments, ACountEndsItAndNoPoseIsFartherThanTheLimitsLet) {
   const Session like = fixture::seven_axis_session();
-  const SimulationOptions truth = truth_of(like, "");
+  const SimulationOptions truth = load_truth(like, "");
   SimulatedRobot robot(like, {.truth = truth});
   int slow = 0;
   ExperimentOptions options = in_memory("count=12");
@@ -81,7 +81,7 @@ TEST_F(Experiments, ACountEndsItAndNoPoseIsFartherThanTheLimitsLet) {
   EXPECT_EQ(result.session.observations.size(), 14U);
   EXPECT_GE(slow, 12);
   EXPECT_GE(result.accepted, 10);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   for (const Observation& o : result.session.observations)
     for (Eigen::Index j = 0; j < o.position.size(); ++j) {
       const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
@@ -90,7 +90,7 @@ TEST_F(Experiments, ACountEndsItAndNoPoseIsFartherThanTheLimitsLet) {
     }
 }
 
-/// Records what it is told.
+/// Records what it is given.
 struct Recorder : SimulatedRobot {
   using SimulatedRobot::SimulatedRobot;
   MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) override {
@@ -107,8 +107,8 @@ struct Recorder : SimulatedRobot {
 
 TEST_F(Experiments, TheFirstMoveIsSlow) {
   const Session like = fixture::tracker_session();
-  Recorder robot(like, {.truth = truth_of(like, "")});
-  run_experiment(rough_start(like, truth_of(like, ""), 2), robot, in_memory("count=4"));
+  Recorder robot(like, {.truth = load_truth(like, "")});
+  run_experiment(rough_start(like, load_truth(like, ""), 2), robot, in_memory("count=4"));
   ASSERT_EQ(robot.speeds.size(), 4U);
   EXPECT_DOUBLE_EQ(robot.speeds[0], 0.02);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_DOUBLE_EQ(robot.speeds[i], 0.2);
@@ -117,11 +117,11 @@ TEST_F(Experiments, TheFirstMoveIsSlow) {
 TEST_F(Experiments, ARobotThatStandsMoreThanADegreeElsewhereIsStopped) {
   const Session like = fixture::tracker_session();
   for (const double by : {0.016, 0.019}) {
-    Recorder robot(like, {.truth = truth_of(like, "")});
+    Recorder robot(like, {.truth = load_truth(like, "")});
     robot.wrong_at = 2;
     robot.wrong_by = by;
     const ExperimentResult result =
-        run_experiment(rough_start(like, truth_of(like, ""), 2), robot, in_memory("count=4"));
+        run_experiment(rough_start(like, load_truth(like, ""), 2), robot, in_memory("count=4"));
     EXPECT_EQ(result.end, by > M_PI / 180 ? ExperimentEnd::fault : ExperimentEnd::count) << result.reason;
     EXPECT_EQ(robot.stops, by > M_PI / 180 ? 1 : 0);
     EXPECT_EQ(result.session.observations.size(), by > M_PI / 180 ? 3U : 6U);
@@ -130,13 +130,13 @@ TEST_F(Experiments, ARobotThatStandsMoreThanADegreeElsewhereIsStopped) {
 
 TEST_F(Experiments, WithoutAWordNothingMoves) {
   const Session like = fixture::tracker_session();
-  Recorder robot(like, {.truth = truth_of(like, "")});
+  Recorder robot(like, {.truth = load_truth(like, "")});
   ExperimentOptions options = in_memory("count=4");
   options.confirm = [](const std::vector<PlannedMove>& moves) {
     EXPECT_FALSE(moves.empty());
     return false;
   };
-  const ExperimentResult result = run_experiment(rough_start(like, truth_of(like, ""), 2), robot, options);
+  const ExperimentResult result = run_experiment(rough_start(like, load_truth(like, ""), 2), robot, options);
   EXPECT_EQ(result.end, ExperimentEnd::not_confirmed);
   EXPECT_TRUE(robot.speeds.empty());
 }
@@ -146,8 +146,9 @@ TEST_F(Experiments, ADriverOfOtherJointsIsRefused) {
   Session other = like;
   other.joints = {"a1", "a2", "a3", "a4", "a5"};
   other.observations[0].position.conservativeResize(5);
-  SimulatedRobot robot(other, {.truth = truth_of(like, "")});
-  const ExperimentResult result = run_experiment(rough_start(like, truth_of(like, ""), 2), robot, in_memory("count=4"));
+  SimulatedRobot robot(other, {.truth = load_truth(like, "")});
+  const ExperimentResult result =
+      run_experiment(rough_start(like, load_truth(like, ""), 2), robot, in_memory("count=4"));
   EXPECT_EQ(result.end, ExperimentEnd::fault);
   EXPECT_THAT(result.reason, HasSubstr("not those of the session"));
 }

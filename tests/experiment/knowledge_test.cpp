@@ -22,8 +22,8 @@ Session seen_in(int observations) {
 TEST(Knowledge, TheHandHasNoLimitWhileItIsNotDetermined) {
   const Session many = seen_in(12);
   const std::vector<Eigen::VectorXd> poses{many.observations[0].position};
-  EXPECT_FALSE(known_of(seen_in(1), {}, false, poses).hand_limit);
-  const Knowledge known = known_of(many, {}, false, poses);
+  EXPECT_FALSE(assess_knowledge(seen_in(1), {}, false, poses).hand_limit);
+  const Knowledge known = assess_knowledge(many, {}, false, poses);
   ASSERT_TRUE(known.hand_limit);
   EXPECT_GT(*known.hand_limit, 1e-6);
 }

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "experiment/paths/ways.h"
+#include "experiment/paths/joint_paths.h"
 #include "experiment/written_session.h"
 #include "robot/posture.h"
 #include "temporary_folder.h"
@@ -18,7 +18,7 @@ struct Paths : testing::Test {
     if (what_paths_need()) GTEST_SKIP() << *what_paths_need();
   }
   static CollisionWorld world_of(const Session& session, const Cell& cell = {}) {
-    return {chain_of(session), robot_solids(session), cell, {session.observations[0].position}};
+    return {make_chain(session), robot_solids(session), cell, {session.observations[0].position}};
   }
   static Eigen::VectorXd drawn(const JointRanges& ranges, std::mt19937_64& random) {
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -33,7 +33,7 @@ Cell post_beside_the_arm() { return {{{{0.1, 0.1, 1.2}, {Matrix3::Identity(), {0
 TEST_F(Paths, AtTwiceFinerStepsNothingTouches) {
   int ways = 0, round = 0;
   for (const Session& session : {fixture::stand_session(), fixture::seven_axis_session()}) {
-    const Chain chain = chain_of(session);
+    const Chain chain = make_chain(session);
     const CollisionWorld world = world_of(session, post_beside_the_arm());
     const JointRanges ranges = joint_ranges(chain, {session.observations[0].position});
     std::mt19937_64 random(3);
@@ -59,7 +59,7 @@ TEST_F(Paths, WhatStandsInTheWayIsNamed) {
   Session session = fixture::stand_session();
   Cell cell;
   cell.boxes.push_back({{0.3, 0.3, 0.3}, {Matrix3::Identity(), {0.55, 0, 0.85}}});
-  const CollisionWorld free_world = world_of(session), world(chain_of(session), robot_solids(session), cell, {});
+  const CollisionWorld free_world = world_of(session), world(make_chain(session), robot_solids(session), cell, {});
   EXPECT_FALSE(free_world.touching(session.observations[0].position));
   const auto touching = world.touching(session.observations[0].position);
   ASSERT_TRUE(touching);
@@ -90,7 +90,7 @@ TEST_F(Paths, LinesOfSightEndAtLinksBetween) {
 
 TEST_F(Paths, NoPointMovesFartherThanItIsSaid) {
   const Session session = fixture::seven_axis_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const CollisionWorld world = world_of(session);
   std::mt19937_64 random(5);
   const JointRanges ranges = joint_ranges(chain, {});
@@ -114,7 +114,7 @@ TEST(RobotSolids, BoxesHoldEveryPointOfAMesh) {
       mesh.points.emplace_back(corner + off);
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  const auto boxes = boxes_of(mesh, {0.5, 0.5, 0.5}, 0, {rotation_from_rpy({0.3, 0.2, 0.1}), {1, 2, 3}});
+  const auto boxes = make_boxes(mesh, {0.5, 0.5, 0.5}, 0, {rotation_from_rpy({0.3, 0.2, 0.1}), {1, 2, 3}});
   EXPECT_GE(boxes.size(), 2U);
   EXPECT_LE(boxes.size(), 8U);
   for (const Eigen::Vector3f& point : mesh.points) {

@@ -21,7 +21,7 @@ RecheckEntry entry() {
           .numbers = {{"joint_offset", "a.3", "offset", 2e-4, 1e-5, "rad"}, {"body_slip", "", "x", -3e-4, 2e-4, "m"}}};
 }
 
-std::string refusal_of(const std::filesystem::path& csv) {
+std::string find_refusal(const std::filesystem::path& csv) {
   try {
     (void)read_recheck_log(csv);
   } catch (const InputError& error) {
@@ -81,13 +81,13 @@ TEST(RecheckLog, WhatIsNoLogIsRefusedWithItsLine) {
   const TemporaryFolder folder;
   const auto csv = folder.path / "recheck.csv";
   replace_file(csv, "a,b\n");
-  EXPECT_THAT(refusal_of(csv), HasSubstr("line 1"));
+  EXPECT_THAT(find_refusal(csv), HasSubstr("line 1"));
   add_to_log(folder.path / "other.csv", entry());
   const std::string good = read_file(folder.path / "other.csv");
   replace_file(csv, good + "2026-11-26T05:09:00Z,7,nan,0,a,b,c\n");
-  EXPECT_THAT(refusal_of(csv), HasSubstr("line 3"));
+  EXPECT_THAT(find_refusal(csv), HasSubstr("line 3"));
   replace_file(csv, good + "2026-11-26T05:09:00Z,7\n");
-  EXPECT_THAT(refusal_of(csv), HasSubstr("2 columns"));
+  EXPECT_THAT(find_refusal(csv), HasSubstr("2 columns"));
 }
 
 TEST(RecheckLog, AFolderThatIsNotThereIsSaid) {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "effects/formula.h"
-#include "fixtures/ways_fixtures.h"
+#include "fixtures/robots_with_everything.h"
 
 namespace handsight {
 namespace {

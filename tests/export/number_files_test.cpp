@@ -20,7 +20,7 @@ using fixture::urdf_text;
 /// Fills the numbers of a calibration as a fit would: what files of numbers are written from.
 void write_down(CalibratedRobot& robot) {
   for (const EffectTerm& t : robot.model.effects) {
-    const Effect& e = effect_of(t);
+    const Effect& e = term_effect(t);
     CalibrationEffect written{e.id, {}};
     for (std::size_t p = 0; p < t.values.size(); ++p)
       written.parameters.push_back(
@@ -68,11 +68,11 @@ TEST(UrdfFile, SaysOffsetsGeometryMountAndBody) {
   for (const char* tcp : {"flange", "hand"}) {
     session.tcp = tcp;
     session.robot = parse_urdf(urdf_text(session.robot), "robot.urdf", nullptr);
-    const std::vector<EffectTerm> terms = sayable_terms(chain_of(session), random);
+    const std::vector<EffectTerm> terms = sayable_terms(make_chain(session), random);
     expect_urdf(robot_from(session, terms, random), random);
   }
   const Session arm = fixture::stand_session();
-  expect_urdf(robot_from(arm, sayable_terms(chain_of(arm), random), random), random);
+  expect_urdf(robot_from(arm, sayable_terms(make_chain(arm), random), random), random);
 }
 
 TEST(UrdfFile, SaysDenavitHartenbergJointsSoThatAnyReaderOpensThem) {
@@ -91,7 +91,7 @@ TEST(UrdfFile, SaysDenavitHartenbergJointsSoThatAnyReaderOpensThem) {
   session.mount.link = "l1";
   session.joints = {"j1", "j2", "j3"};
   session.observations[0].position = Eigen::VectorXd::Zero(3);
-  CalibratedRobot robot = fixture::robot_with(session, sayable_terms(chain_of(session), random), random);
+  CalibratedRobot robot = fixture::robot_with(session, sayable_terms(make_chain(session), random), random);
   robot.urdf_text = text;
   EXPECT_EQ(urdf_file(robot).text.find("<dh"), std::string::npos);
   expect_urdf(robot, random);
@@ -100,7 +100,7 @@ TEST(UrdfFile, SaysDenavitHartenbergJointsSoThatAnyReaderOpensThem) {
 TEST(UrdfFile, NamesWhatItCannotSay) {
   std::mt19937_64 random(4);
   const Session arm = fixture::stand_session();
-  const Chain chain = chain_of(arm);
+  const Chain chain = make_chain(arm);
   const std::vector<EffectTerm> terms = {{"joint_offset", chain.joints[0], {0.01}},
                                          {"joint_elasticity", chain.joints[1], {2e-4}},
                                          {"encoder_eccentricity", chain.joints[2], {1e-3, 2e-3}},
@@ -126,7 +126,7 @@ TEST(UrdfFile, LinksOfTheSameNameAreNotDoubled) {
   expect_urdf(robot_from(arm, {}, random), random);
 }
 
-Rigid motion_of(const std::vector<double>& xyz, const std::vector<double>& q) {
+Rigid make_motion(const std::vector<double>& xyz, const std::vector<double>& q) {
   return {Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix(), Vector3(xyz[0], xyz[1], xyz[2])};
 }
 
@@ -152,13 +152,13 @@ std::vector<EffectTerm> one_of_each(const Chain& chain, std::mt19937_64& random)
 TEST(NumberFiles, YamlSaysEverything) {
   std::mt19937_64 random(6);
   const Session session = fixture::torso_with_all_kinds();
-  CalibratedRobot robot = fixture::robot_with(session, one_of_each(chain_of(session), random), random);
+  CalibratedRobot robot = fixture::robot_with(session, one_of_each(make_chain(session), random), random);
   write_down(robot);
   const YAML::Node yaml = YAML::Load(exported_file(robot, "yaml").text);
   Calibration read;
   const YAML::Node body = yaml["tcp_from_body"];
   read.tcp_from_body.motion =
-      motion_of(body["xyz"].as<std::vector<double>>(), body["quaternion_xyzw"].as<std::vector<double>>());
+      make_motion(body["xyz"].as<std::vector<double>>(), body["quaternion_xyzw"].as<std::vector<double>>());
   EXPECT_EQ(body["matrix"].as<std::vector<double>>().size(), 16u);
   EXPECT_EQ(body["covariance"].as<std::vector<double>>().size(), 36u);
   for (const YAML::Node& e : yaml["effects"]) {
@@ -196,7 +196,7 @@ std::vector<std::string> fields(const std::string& line) {
 TEST(NumberFiles, CsvSaysEverything) {
   std::mt19937_64 random(7);
   const Session session = fixture::torso_with_all_kinds();
-  CalibratedRobot robot = fixture::robot_with(session, one_of_each(chain_of(session), random), random);
+  CalibratedRobot robot = fixture::robot_with(session, one_of_each(make_chain(session), random), random);
   write_down(robot);
   std::istringstream lines(exported_file(robot, "csv").text);
   std::string line;
@@ -216,7 +216,7 @@ TEST(NumberFiles, CsvSaysEverything) {
     read.effects.back().parameters.push_back({f[1], f[2], std::stod(f[3]), std::stod(f[4]), f[5]});
   }
   read.tcp_from_body.motion =
-      motion_of({body["x"], body["y"], body["z"]}, {body["qx"], body["qy"], body["qz"], body["qw"]});
+      make_motion({body["x"], body["y"], body["z"]}, {body["qx"], body["qy"], body["qz"], body["qw"]});
   expect_same_predictions(robot, read, random);
 }
 
@@ -271,7 +271,7 @@ TEST(NumberFiles, LaunchFilePublishesBodyAndMount) {
   ASSERT_EQ(found.size(), 2u) << fixture::text_of_file(folder.path / "errors.txt");
   const auto read = [&](std::size_t i) {
     const std::vector<double>& n = found[i].numbers;
-    return motion_of({n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]});
+    return make_motion({n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]});
   };
   EXPECT_EQ(found[0].word, "hand/handsight_body");
   EXPECT_LT(small_motion_between(read(0), robot.model.tcp_from_body).norm(), 1e-9);

@@ -5,7 +5,7 @@
 #include "export/cpp_file.h"
 #include "export/exported.h"
 #include "export/python_file.h"
-#include "fixtures/ways_fixtures.h"
+#include "fixtures/robots_with_everything.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -54,7 +54,7 @@ TEST(Programs, HoldEveryEffectOfTheCatalogueOwnEffectsAndCurves) {
   std::mt19937_64 random(3);
   const Session session = fixture::torso_with_all_kinds();
   for (int draw = 0; draw < 3; ++draw) {
-    const Chain chain = chain_of(session);
+    const Chain chain = make_chain(session);
     const CalibratedRobot robot = fixture::robot_with(session, fixture::everything_wrong(chain, random), random);
     EXPECT_GT(moved_by_effects(robot, random), 1e-4);
     expect_programs_agree(robot, random, "torso " + std::to_string(draw));
@@ -64,7 +64,7 @@ TEST(Programs, HoldEveryEffectOfTheCatalogueOwnEffectsAndCurves) {
 TEST(Programs, HoldEachEffectAlone) {
   std::mt19937_64 random(31);
   const Session session = fixture::torso_with_all_kinds();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const std::vector<EffectTerm> all = fixture::everything_wrong(chain, random);
   const TemporaryFolder folder;
   std::vector<Eigen::VectorXd> positions;
@@ -85,7 +85,7 @@ TEST(Programs, AreRightForRobotsOfManyKinds) {
   for (int i = 0; i < 2; ++i) sessions.push_back(fixture::random_session(random));
   for (const Session& session : sessions) {
     const CalibratedRobot robot =
-        fixture::robot_with(session, fixture::everything_wrong(chain_of(session), random), random);
+        fixture::robot_with(session, fixture::everything_wrong(make_chain(session), random), random);
     expect_programs_agree(robot, random, session.robot.name);
     expect_programs_agree(fixture::robot_with(session, {}, random), random, session.robot.name + ", nominal");
   }
@@ -120,7 +120,7 @@ TEST(Programs, KnowHowTheRobotComesThere) {
   std::mt19937_64 random(8);
   const Session session = fixture::torso_with_all_kinds();
   const CalibratedRobot robot =
-      fixture::robot_with(session, fixture::everything_wrong(chain_of(session), random), random);
+      fixture::robot_with(session, fixture::everything_wrong(make_chain(session), random), random);
   DrivenPose before{fixture::random_position(robot.chain, random), {}, 12.0}, there = before;
   there.position = fixture::random_position(robot.chain, random);
   there.velocity = fixture::random_position(robot.chain, random);
@@ -128,7 +128,7 @@ TEST(Programs, KnowHowTheRobotComesThere) {
   there.time = 25.0;
   std::vector<double> times;
   for (int i = 0; i < 12; ++i) times.push_back(10 + 3 * i);
-  const TcpPrediction wanted = predict_tcp(circumstances_at(robot.chain, {before, there}, times)[1], robot.model);
+  const TcpPrediction wanted = predict_tcp(states_at(robot.chain, {before, there}, times)[1], robot.model);
   const TemporaryFolder folder;
   write(folder.path / "hand.cpp", cpp_file(hand_program(robot)));
   write(folder.path / "hand.py", python_file(hand_program(robot)));

@@ -53,14 +53,14 @@ TEST(ProofAndUrdf, SayTheSameOfAxesInEveryDirection) {
   for (int j = 1; j < 5; ++j) simulation.effects.push_back({"link_geometry", j, {9e-4, 7e-4, 3e-3, -4e-3}});
   const Session session = simulate_session(like, simulation).session;
   FitOptions options;
-  options.estimated = effect_terms("link_geometry", chain_of(session));
+  options.estimated = effect_terms("link_geometry", make_chain(session));
   const Fit fitted = fit(session, options);
   CalibratedRobot robot = calibrated_robot(session, fitted, {}, options, "test");
   robot.urdf_text = fixture::urdf_text(like.robot);
   robot.urdf_file = "robot.urdf";
   const Robot calibrated = parse_urdf(urdf_file(robot).text, "calibrated.urdf", nullptr);
   int compared = 0;
-  for (const ProofPlot& plot : proof_of(session, fitted, terms_of(fitted))) {
+  for (const ProofPlot& plot : make_proof(session, fitted, list_terms(fitted))) {
     const std::string text = proof_text(plot);
     const std::optional<Said> one = said(text);
     ASSERT_TRUE(one) << text;

@@ -31,12 +31,12 @@ std::vector<EffectTerm> drawn_terms(const Chain& chain, int observations, std::m
   return terms;
 }
 
-/// With what the same effects really are: half a plausible size each.
+/// With what the same effects really are: half a prior sigma each.
 std::vector<EffectTerm> hidden(std::vector<EffectTerm> terms, std::mt19937_64& random) {
   for (EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!effect_of(t).parameters[p].is_choice)
-        t.values[p] = (random() % 2 ? 0.5 : -0.5) * effect_of(t).parameters[p].sigma;
+      if (!term_effect(t).parameters[p].is_choice)
+        t.values[p] = (random() % 2 ? 0.5 : -0.5) * term_effect(t).parameters[p].sigma;
   return terms;
 }
 
@@ -52,7 +52,7 @@ FitOptions drawn_options(const Chain& chain, int observations, std::mt19937_64& 
   return options;
 }
 
-std::string names_of(const FitOptions& options) {
+std::string list_names(const FitOptions& options) {
   std::string names;
   for (const EffectTerm& t : options.estimated) names += fmt::format(" {}@{}", t.id, t.joint);
   return names;
@@ -66,12 +66,12 @@ std::optional<std::string> trouble_of_a_draw(const Session& like, const std::str
   simulation.seed = seed;
   simulation.farthest = 3;
   simulation.declare_noise = random() % 2 == 0;
-  const FitOptions options = drawn_options(chain_of(like), simulation.observations, random);
+  const FitOptions options = drawn_options(make_chain(like), simulation.observations, random);
   simulation.effects = hidden(options.estimated, random);
   // Half of them lack something that makes the covariance one of the observations' scatter.
   if (random() % 2)
     simulation.effects.push_back(
-        {"joint_offset", effect_places(*find_effect("joint_offset"), chain_of(like))[1], {5e-3}});
+        {"joint_offset", effect_places(*find_effect("joint_offset"), make_chain(like))[1], {5e-3}});
   Session session;
   try {
     session = simulate_session(like, simulation).session;
@@ -80,7 +80,7 @@ std::optional<std::string> trouble_of_a_draw(const Session& like, const std::str
   }
   session.mount.estimate = random() % 3 > 0;
   const std::string trouble = fixture::trouble_with_file_of(session, urdf, fit(session, options), {}, options);
-  return trouble.empty() ? trouble : trouble + names_of(options);
+  return trouble.empty() ? trouble : trouble + list_names(options);
 }
 
 TEST(WrittenCalibrations, OfRandomRobotsAreReadPredictedCorrectedAndExported) {

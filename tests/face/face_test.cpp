@@ -18,7 +18,7 @@ TEST(Face, FitsByAModelAsByItsTerms) {
   const Session session = sample("hidden_1");
   const Model model = named_model(session, {"joint_offset", "joint_elasticity:" + session.joints[1],
                                             "joint_offset:" + session.joints[2] + ".offset=0.001"});
-  const ModelTerms terms = terms_of(model, session);
+  const ModelTerms terms = list_terms(model, session);
   ASSERT_EQ(terms.held.size(), 1U);
   EXPECT_EQ(terms.held[0].values[0], 0.001);
   FitOptions options;
@@ -29,7 +29,7 @@ TEST(Face, FitsByAModelAsByItsTerms) {
   EXPECT_EQ(by_terms.covariance, by_model.covariance);
   EXPECT_EQ(report(session, by_terms, options).held_out.rms_pixel, report(session, by_model, model).held_out.rms_pixel);
 
-  const Model found = model_of(by_model);
+  const Model found = make_model(by_model);
   ASSERT_EQ(found.effects.size(), model.effects.size());
   EXPECT_FALSE(found.effects[0].is_estimated);
   for (std::size_t i = 1; i < found.effects.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(Face, SimulatesTheTruthThatAModelSays) {
   const SimulatedSession simulated = simulate(like, truth);
   const Model model = named_model(simulated.session, {"joint_offset:" + like.joints[2]});
   const Fit found = fit(simulated.session, model);
-  EXPECT_NEAR(model_of(found).effects[0].values[0], 0.004, 5 * found.effects[0].sigmas[0]);
+  EXPECT_NEAR(make_model(found).effects[0].values[0], 0.004, 5 * found.effects[0].sigmas[0]);
   EXPECT_EQ(compare(simulated.session, simulated.session, model).verdict, ComparisonVerdict::unchanged);
 }
 

@@ -176,7 +176,7 @@ Rigid look_at(const Vector3& eye, const Vector3& target) {
   return {r, eye};
 }
 
-std::vector<Vector3> markers_of(const Plan& plan, double size, std::mt19937& random) {
+std::vector<Vector3> count_markers(const Plan& plan, double size, std::mt19937& random) {
   std::uniform_real_distribution<double> side(-0.06 * size, 0.06 * size);
   std::vector<Vector3> markers;
   for (int m = 0; m < plan.markers; ++m) {
@@ -206,8 +206,8 @@ void draw_positions(Session& s, const Plan& plan, std::mt19937& random) {
 
 /// What the sensor sees of the markers, from where it sees the hand whatever the robot does.
 void see(Session& s, const Plan& plan, double size, std::mt19937& random) {
-  const Chain chain = chain_of(s);
-  const std::vector<Vector3> markers = markers_of(plan, size, random);
+  const Chain chain = make_chain(s);
+  const std::vector<Vector3> markers = count_markers(plan, size, random);
   std::vector<Rigid> root_from_tcp;
   Vector3 middle = Vector3::Zero();
   for (const Observation& o : s.observations) {
@@ -219,7 +219,7 @@ void see(Session& s, const Plan& plan, double size, std::mt19937& random) {
   s.mount.mount_from_sensor = look_at(middle + 3 * spread * Vector3(0.8, 0.5, 0.3), middle);
   const Camera camera{.width = 1024, .height = 768, .fx = 900, .fy = 900, .cx = 512, .cy = 384};
   const StereoRig rig{camera, camera, {Matrix3::Identity(), Vector3(-0.4 * spread, 0, 0)}};
-  if (!plan.tracker) s.rig = rig_of(rig);
+  if (!plan.tracker) s.rig = make_rig(rig);
   std::normal_distribution<double> normal(0, plan.exact ? 0 : 1);
   const auto noise = [&](double sigma) { return sigma * normal(random); };
   for (std::size_t k = 0; k < s.observations.size(); ++k)

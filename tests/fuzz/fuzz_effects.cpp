@@ -39,7 +39,7 @@ void read_line(const std::string& line) {
   }
   for (EffectTerm& term : terms)
     for (double& value : term.values) value = std::min(std::max(value, -1.0), 1.0);
-  const Circumstances c = circumstances_at(chain(), Eigen::VectorXd(Eigen::VectorXd::Constant(1, 0.3)));
+  const ObservationState c = states_at(chain(), Eigen::VectorXd(Eigen::VectorXd::Constant(1, 0.3)));
   demand(moved_sites(c, terms).body.allFinite(), "sites are finite", line);
 }
 

@@ -4,7 +4,7 @@
 #include "vision/image/image_header.cpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto told = handsight::image_size({reinterpret_cast<const char*>(data), size});
-  handsight::demand(!told || (told->width > 0 && told->height > 0), "a size is above nothing");
+  const auto reported = handsight::image_size({reinterpret_cast<const char*>(data), size});
+  handsight::demand(!reported || (reported->width > 0 && reported->height > 0), "a size is above nothing");
   return 0;
 }

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-#include "fixtures/ways_fixtures.h"
+#include "fixtures/robots_with_everything.h"
 #include "session/pose_points.h"
 
 namespace handsight {

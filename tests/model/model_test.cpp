@@ -19,7 +19,7 @@ Session sample(const char* name) {
 
 std::string refusal(const Model& model, const Session& session) {
   try {
-    (void)terms_of(model, session);
+    (void)list_terms(model, session);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -32,7 +32,7 @@ TEST(Model, IsTheEnginesTerms) {
                      {"joint_elasticity", session.joints[2]},
                      {"marker_slip", "marker 1"},
                      {"base_tilt"}}};
-  const ModelTerms terms = terms_of(model, session);
+  const ModelTerms terms = list_terms(model, session);
   ASSERT_EQ(terms.held.size(), 1U);
   EXPECT_EQ(terms.held[0].id, "joint_offset");
   EXPECT_EQ(terms.held[0].joint, find_joint(session.robot, session.joints[1]));
@@ -42,7 +42,7 @@ TEST(Model, IsTheEnginesTerms) {
   EXPECT_EQ(terms.estimated[1].joint, 1);
   EXPECT_EQ(terms.estimated[2].joint, -1);
   for (const EffectTerm& term : terms.estimated) {
-    EXPECT_EQ(term.values.size(), effect_of(term).parameters.size()) << term.id;
+    EXPECT_EQ(term.values.size(), term_effect(term).parameters.size()) << term.id;
     for (const double value : term.values) EXPECT_EQ(value, 0) << term.id;
   }
 }
@@ -51,7 +51,7 @@ TEST(Model, ComesBackFromItsTerms) {
   const Session session = sample("hidden_1");
   Model model{
       {{"joint_offset", session.joints[1], {0.01}, false}, {"base_tilt", "", {1e-3, -2e-3}, true, {true, false}}}};
-  const Model back = model_of(terms_of(model, session), session.robot);
+  const Model back = make_model(list_terms(model, session), session.robot);
   ASSERT_EQ(back.effects.size(), model.effects.size());
   for (std::size_t i = 0; i < back.effects.size(); ++i) {
     EXPECT_EQ(back.effects[i].id, model.effects[i].id);
@@ -65,8 +65,8 @@ TEST(Model, ComesBackFromItsTerms) {
 TEST(Model, TakesEveryEffectOfTheCatalogueWhereverItMaySit) {
   for (const char* name : {"hidden_1", "hidden_3", "one_camera"}) {
     const Session session = sample(name);
-    const Chain chain = chain_of(session);
-    const OwnEffects own = own_effects_of(session, chain);
+    const Chain chain = make_chain(session);
+    const OwnEffects own = list_own_effects(session, chain);
     ModelTerms all;
     std::vector<const Effect*> effects = catalogue_beside(own);
     for (const auto& effect : own) effects.push_back(effect.get());
@@ -74,7 +74,7 @@ TEST(Model, TakesEveryEffectOfTheCatalogueWhereverItMaySit) {
       if (!effect_places(*effect, chain).empty())
         for (const EffectTerm& term : effect_terms(effect->id, chain, own)) all.estimated.push_back(term);
     ASSERT_GE(all.estimated.size(), 30U);
-    const ModelTerms back = terms_of(model_of(all, session.robot), session);
+    const ModelTerms back = list_terms(make_model(all, session.robot), session);
     ASSERT_EQ(back.estimated.size(), all.estimated.size());
     for (std::size_t i = 0; i < back.estimated.size(); ++i) {
       EXPECT_EQ(back.estimated[i].id, all.estimated[i].id);
@@ -92,7 +92,7 @@ TEST(Model, KeepsACurveThatTheSessionDoesNotDefine) {
   curve.moves = {{"angle", "size*sin(q)"}};
   const auto effect = own_effect(curve, session.robot, *session.rig);
   const ModelTerms terms{{}, {term_of(*effect, find_joint(session.robot, session.joints[0]), effect)}};
-  const ModelTerms back = terms_of(model_of(terms, session.robot), session);
+  const ModelTerms back = list_terms(make_model(terms, session.robot), session);
   ASSERT_EQ(back.estimated.size(), 1U);
   ASSERT_TRUE(back.estimated[0].own);
   EXPECT_EQ(back.estimated[0].own->definition->moves[0].formula, "size*sin(q)");

@@ -17,7 +17,7 @@ namespace {
 
 Target read(const std::string& text) {
   const auto document = parse_xml(text, "session.xml");
-  return read_target(root_of(*document, "session.xml", "target"));
+  return read_target(require_root(*document, "session.xml", "target"));
 }
 
 const char* const samples[] = {

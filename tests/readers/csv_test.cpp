@@ -17,7 +17,7 @@ using testing::IsEmpty;
 const std::vector<std::string> joints{"j1", "j2"};
 
 std::string refusal(const std::string& text) {
-  return refusal_of([&] { parse_poses(text, "poses.csv", joints); });
+  return find_refusal([&] { parse_poses(text, "poses.csv", joints); });
 }
 
 TEST(Csv, EverySeparator) {
@@ -61,7 +61,7 @@ TEST(Csv, FilesAreRead) {
   const TemporaryFolder temporary;
   replace_file(temporary.path / "poses.csv", "1,2");
   EXPECT_EQ(read_poses(temporary.path / "poses.csv", joints).size(), 1u);
-  EXPECT_THAT(refusal_of([&] { read_poses(temporary.path / "none.csv", joints); }), HasSubstr("cannot be opened"));
+  EXPECT_THAT(find_refusal([&] { read_poses(temporary.path / "none.csv", joints); }), HasSubstr("cannot be opened"));
 }
 
 TEST(Csv, TimesAndVelocitiesAreReadWhereTheyHaveColumns) {
@@ -77,8 +77,8 @@ TEST(Csv, TimesAndVelocitiesAreReadWhereTheyHaveColumns) {
   EXPECT_THAT(notes, ElementsAre(HasSubstr("1 columns are no joints")));
   const PoseTable plain = parse_pose_table("a,b\n1,2\n", "p.csv", names);
   EXPECT_TRUE(plain.velocities.empty() && plain.times.empty());
-  EXPECT_THAT(refusal_of([&] { parse_pose_table("a,b,time,time\n1,2,3,4\n", "p.csv", names); }), HasSubstr("twice"));
-  EXPECT_THAT(refusal_of([&] { parse_pose_table("a,b\n1,1e160\n", "p.csv", names); }),
+  EXPECT_THAT(find_refusal([&] { parse_pose_table("a,b,time,time\n1,2,3,4\n", "p.csv", names); }), HasSubstr("twice"));
+  EXPECT_THAT(find_refusal([&] { parse_pose_table("a,b\n1,1e160\n", "p.csv", names); }),
               HasSubstr("p.csv, line 2: \"1e160\" stands in column 2, expected a number from"));
 }
 

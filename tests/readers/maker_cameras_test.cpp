@@ -76,13 +76,13 @@ TEST(MakerCameras, OstHoldsOneCameraOrTwo) {
   EXPECT_EQ(cameras[0].camera.k1, -0.2);
   EXPECT_EQ(cameras[0].camera.p2, -0.002);
   EXPECT_EQ(cameras[1].camera.width, 640);
-  const StereoRig rig = rig_of(cameras[0], cameras[1]);
+  const StereoRig rig = make_rig(cameras[0], cameras[1]);
   EXPECT_NEAR(rig.right_from_left.translation.x(), -0.12, 1e-12);
   const auto one = read_ost(stereo_ost.substr(0, stereo_ost.find("[narrow_stereo/right]")), "ost.ini");
   EXPECT_EQ(one.size(), 1u);
-  EXPECT_THAT(refusal_of([&] { read_ost("[image]\nwidth\n640\n[a]\ncamera matrix\n1 2 3\n", "ost.ini"); }),
+  EXPECT_THAT(find_refusal([&] { read_ost("[image]\nwidth\n640\n[a]\ncamera matrix\n1 2 3\n", "ost.ini"); }),
               HasSubstr("3 numbers; expected 9"));
-  EXPECT_THAT(refusal_of([&] { read_ost("[image]\nwidth\n640x\n", "ost.ini"); }), HasSubstr("line 3"));
+  EXPECT_THAT(find_refusal([&] { read_ost("[image]\nwidth\n640x\n", "ost.ini"); }), HasSubstr("line 3"));
 }
 
 TEST(MakerCameras, TheFirstEchoedMessageCounts) {
@@ -97,7 +97,7 @@ TEST(MakerCameras, TheFirstEchoedMessageCounts) {
   const std::string shortened_text =
       "height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd: '<sequence type: double, length: 5>'\nk: [500, 0, "
       "320]\n";
-  EXPECT_THAT(refusal_of([&] { read_echoed_camera_info(parse_yaml(shortened_text, "e"), "echo.yaml"); }),
+  EXPECT_THAT(find_refusal([&] { read_echoed_camera_info(parse_yaml(shortened_text, "e"), "echo.yaml"); }),
               HasSubstr("--full-length"));
 }
 
@@ -115,7 +115,7 @@ TEST(MakerCameras, RealSenseAsJsonAndAsListed) {
   EXPECT_EQ(json("distortion.inverse_brown_conrady", "-0.05,0.06,0.001,0.002,-0.02").camera.p1, 0.001);
   EXPECT_THAT(notes, Contains(HasSubstr("as librealsense projects with them")));
   EXPECT_TRUE(json("distortion.kannala_brandt4", "0.1,0.2,0.3,0.4,0").camera.is_fisheye);
-  EXPECT_THAT(refusal_of([&] { json("distortion.ftheta", "0.1,0,0,0,0"); }), HasSubstr("ftheta"));
+  EXPECT_THAT(find_refusal([&] { json("distortion.ftheta", "0.1,0,0,0,0"); }), HasSubstr("ftheta"));
   const std::string listed =
       "Device info:\n Name : Intel RealSense D435\n\n Intrinsic of \"Color\" / 640x480 / {YUYV/RGB8}\n"
       "  Width:      \t640\n  Height:     \t480\n  PPX:        \t321.5\n  PPY:        \t238.25\n  Fx:         \t600\n"
@@ -125,7 +125,7 @@ TEST(MakerCameras, RealSenseAsJsonAndAsListed) {
   const RosCamera camera = read_realsense_listing(listed, "rs.txt", notes);
   EXPECT_EQ(camera.camera.fx, 600);
   EXPECT_EQ(camera.camera.k3, 0.5);
-  EXPECT_THAT(refusal_of([&] { read_realsense_listing(listed + listed, "rs.txt", notes); }),
+  EXPECT_THAT(find_refusal([&] { read_realsense_listing(listed + listed, "rs.txt", notes); }),
               HasSubstr("lists 2 streams"));
 }
 
@@ -147,7 +147,7 @@ TEST(MakerCameras, CamodocalsPinholeAndFisheye) {
   EXPECT_EQ(wide.camera.k4, 0.04);
   EXPECT_EQ(wide.camera.fy, 301);
   EXPECT_THAT(
-      refusal_of([&] { read_camodocal(head + "MEI" + size + "projection_parameters:\n  u0: 1\n", "camera.yaml"); }),
+      find_refusal([&] { read_camodocal(head + "MEI" + size + "projection_parameters:\n  u0: 1\n", "camera.yaml"); }),
       HasSubstr("KANNALA_BRANDT"));
 }
 
@@ -165,13 +165,13 @@ TEST(MakerCameras, KalibrsTargets) {
   const Target chess = read_kalibr_target(parse_yaml(board + "0.06\n", "t"), "checker.yaml");
   EXPECT_EQ(chess.kind, TargetKind::chessboard);
   EXPECT_EQ(point_count(chess), 42);
-  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml(board + "0.05\n", "t"), "checker.yaml"); }),
+  EXPECT_THAT(find_refusal([&] { read_kalibr_target(parse_yaml(board + "0.05\n", "t"), "checker.yaml"); }),
               HasSubstr("expected squares"));
   const std::string circles =
       "target_type: circlegrid\ntargetCols: 6\ntargetRows: 7\nspacingMeters: 0.02\nasymmetricGrid: true\n";
-  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml(circles, "t"), "circles.yaml"); }),
+  EXPECT_THAT(find_refusal([&] { read_kalibr_target(parse_yaml(circles, "t"), "circles.yaml"); }),
               HasSubstr("--target circles columns=6 rows=7 spacing=0.02 diameter=METRES layout=asymmetric"));
-  EXPECT_THAT(refusal_of([&] { read_kalibr_target(parse_yaml("target_type: balls\n", "t"), "balls.yaml"); }),
+  EXPECT_THAT(find_refusal([&] { read_kalibr_target(parse_yaml("target_type: balls\n", "t"), "balls.yaml"); }),
               HasSubstr("handsight-cli target"));
 }
 

@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string refusal_of(auto&& act) {
+std::string find_refusal(auto&& act) {
   try {
     act();
   } catch (const InputError& error) {
@@ -28,7 +28,7 @@ std::string refusal_of(auto&& act) {
 const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 std::string refused_obj(const std::string& faces) {
-  return refusal_of([&] { parse_obj(three_points + faces, "link.obj"); });
+  return find_refusal([&] { parse_obj(three_points + faces, "link.obj"); });
 }
 
 std::string bytes_of(float number) {
@@ -38,9 +38,9 @@ std::string bytes_of(float number) {
 }
 
 /// A binary STL file of triangles with corners (0, 0, 0), (1, 0, 0), (0, 1, i) whose head speaks of `told`.
-std::string binary_stl(std::uint32_t triangles, std::uint32_t told) {
+std::string binary_stl(std::uint32_t triangles, std::uint32_t reported) {
   std::string bytes(80, 's');
-  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(told >> (8 * i) & 0xff);
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(reported >> (8 * i) & 0xff);
   for (std::uint32_t t = 0; t < triangles; ++t) {
     const auto height = static_cast<float>(t);
     for (const float number : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, height})
@@ -90,9 +90,9 @@ TEST(Mesh, StlFilesAreReadInBothForms) {
 }
 
 TEST(Mesh, StlFilesThatAreNotWholeAreRefused) {
-  EXPECT_THAT(refusal_of([] { parse_stl(binary_stl(1, 400000000), "a.stl"); }), HasSubstr("whole STL"));
-  EXPECT_THAT(refusal_of([] { parse_stl("", "a.stl"); }), HasSubstr("0 bytes"));
-  EXPECT_THAT(refusal_of([] { parse_stl("solid\nvertex 0 0 0\n", "a.stl"); }), HasSubstr("cut off"));
+  EXPECT_THAT(find_refusal([] { parse_stl(binary_stl(1, 400000000), "a.stl"); }), HasSubstr("whole STL"));
+  EXPECT_THAT(find_refusal([] { parse_stl("", "a.stl"); }), HasSubstr("0 bytes"));
+  EXPECT_THAT(find_refusal([] { parse_stl("solid\nvertex 0 0 0\n", "a.stl"); }), HasSubstr("cut off"));
 }
 
 TEST(Mesh, OnlyFilesInTheRobotsOrTheSessionsFolderAreFound) {
@@ -120,9 +120,10 @@ TEST(Mesh, OnlyFilesInTheRobotsOrTheSessionsFolderAreFound) {
 TEST(Mesh, KindsThatAreNotReadSaySo) {
   const TemporaryFolder folder;
   replace_file(folder.path / "a.ply", "x");
-  EXPECT_THAT(refusal_of([&] { read_mesh(folder.path / "a.ply"); }), HasSubstr("expected an STL, an OBJ or a Collada"));
+  EXPECT_THAT(find_refusal([&] { read_mesh(folder.path / "a.ply"); }),
+              HasSubstr("expected an STL, an OBJ or a Collada"));
   replace_file(folder.path / "a.OBJ", three_points);
-  EXPECT_THAT(refusal_of([&] { read_mesh(folder.path / "a.OBJ"); }), HasSubstr("no triangle"));
+  EXPECT_THAT(find_refusal([&] { read_mesh(folder.path / "a.OBJ"); }), HasSubstr("no triangle"));
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ RobotChangeT<Jet> as_jets(const RobotChange& c) {
 Vector6 motion_by_jets(const Arm& arm, const Eigen::VectorXd& q, const RobotChangeT<Jet>& change, const Vector3& g) {
   const PostureT<Jet> p = solve_posture<Jet>(arm.robot, q, change, g);
   EXPECT_TRUE(p.converged);
-  auto motion_of = [&](int link) {
+  auto make_motion = [&](int link) {
     const RigidT<Jet>& pose = p.root_from_link[static_cast<std::size_t>(link)];
     Matrix3 r, dr;
     Vector3 t, dt;
@@ -127,7 +127,7 @@ Vector6 motion_by_jets(const Arm& arm, const Eigen::VectorXd& q, const RobotChan
     motion << dt - turn.cross(t), turn;
     return motion;
   };
-  return motion_of(arm.moved) - motion_of(arm.reference);
+  return make_motion(arm.moved) - make_motion(arm.reference);
 }
 
 void expect_all_numbers_agree(const Arm& arm, const RobotChange& change, const Eigen::VectorXd& q) {

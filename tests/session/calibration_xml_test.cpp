@@ -46,7 +46,7 @@ Calibration some_calibration() {
   calibration.gravity = Vector3(0.1, 0, -9.81);
   calibration.positions = {Eigen::Vector2d(0.1, -1.0 / 3), Eigen::Vector2d(2, 5e-324)};
   calibration.mount_from_sensor = some_motion(2);
-  calibration.tcp_scatter = some_motion(3).covariance;
+  calibration.tcp_repeatability = some_motion(3).covariance;
   Eigen::MatrixXd root = Eigen::MatrixXd::Identity(9, 9);  // xi, two compliances, a tilt that was held
   root.topLeftCorner<6, 6>() = some_motion(4).covariance;
   root.row(8).setZero();
@@ -98,7 +98,7 @@ void expect_same(const Calibration& a, const Calibration& b) {
   EXPECT_EQ(a.joints, b.joints);
   EXPECT_EQ(a.gravity, b.gravity);
   ASSERT_EQ(a.mount_from_sensor.has_value(), b.mount_from_sensor.has_value());
-  EXPECT_EQ(a.tcp_scatter, b.tcp_scatter);
+  EXPECT_EQ(a.tcp_repeatability, b.tcp_repeatability);
   EXPECT_EQ(a.model_covariance, b.model_covariance);
   if (a.mount_from_sensor) expect_same(*a.mount_from_sensor, *b.mount_from_sensor);
 }
@@ -115,7 +115,7 @@ const std::string small_calibration =
 )";
 
 std::string refusal(const std::string& piece, const std::string& by) {
-  return refusal_of([&] { parse_calibration(changed(small_calibration, piece, by), "calibration.xml"); });
+  return find_refusal([&] { parse_calibration(changed(small_calibration, piece, by), "calibration.xml"); });
 }
 
 TEST(Calibration, ReadsBackBitForBit) {
@@ -160,14 +160,14 @@ TEST(Calibration, NumbersThatAreNotFiniteAreNotWritten) {
   Calibration calibration = some_calibration();
   calibration.effects[0].parameters[0].value = NAN;
   EXPECT_THROW(calibration_text(calibration), BrokenPromise);
-  EXPECT_EQ(refusal_of([&] { require_finite(calibration); }),
+  EXPECT_EQ(find_refusal([&] { require_finite(calibration); }),
             "The calibration cannot be written: compliance of joint_elasticity is not finite; the observations do not "
             "determine it. Look at the session with check and diagnose.");
   calibration = some_calibration();
-  EXPECT_EQ(refusal_of([&] { require_finite(calibration); }), "nothing was refused");
+  EXPECT_EQ(find_refusal([&] { require_finite(calibration); }), "nothing was refused");
   calibration.tcp_from_body.covariance(2, 2) = INFINITY;
   const TemporaryFolder temporary;
-  EXPECT_THAT(refusal_of([&] { write_calibration(temporary.path / "c.xml", calibration); }),
+  EXPECT_THAT(find_refusal([&] { write_calibration(temporary.path / "c.xml", calibration); }),
               HasSubstr("TCP->Body or its covariance is not finite"));
   EXPECT_FALSE(std::filesystem::exists(temporary.path / "c.xml"));
 }
@@ -191,7 +191,7 @@ TEST(Calibration, FilesAreReplacedAndRead) {
   const TemporaryFolder temporary;
   write_calibration(temporary.path / "calibration.xml", some_calibration());
   expect_same(some_calibration(), read_calibration(temporary.path / "calibration.xml"));
-  EXPECT_THAT(refusal_of([&] { write_calibration(temporary.path / "no" / "c.xml", some_calibration()); }),
+  EXPECT_THAT(find_refusal([&] { write_calibration(temporary.path / "no" / "c.xml", some_calibration()); }),
               HasSubstr("cannot be written"));
 }
 
@@ -248,7 +248,7 @@ TEST(Calibration, XyzAndRpyDoWithoutAMatrix) {
 TEST(CalibrationRefuses, WhatIsWrong) {
   EXPECT_THAT(refusal("version=\"1\"", "version=\"2\""),
               HasSubstr("line 1: <handsight_calibration> has version=\"2\""));
-  EXPECT_THAT(refusal_of([] { parse_calibration("<handsight_session/>", "c.xml"); }),
+  EXPECT_THAT(find_refusal([] { parse_calibration("<handsight_session/>", "c.xml"); }),
               HasSubstr("expected <handsight_calibration>"));
   EXPECT_THAT(refusal("<matrix>1 0 0 0.1", "<matrix>2 0 0 0.1"), HasSubstr("line 2: <matrix> is no rigid motion"));
   EXPECT_THAT(refusal("<matrix>1 0 0 0.1", "<matrix>-1 0 0 0.1"), HasSubstr("no rigid motion"));

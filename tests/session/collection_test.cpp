@@ -39,7 +39,7 @@ TEST_F(CollectionFile, SaysWhatIsSharedAndWhatIsOwn) {
   EXPECT_EQ(c.entries[0].body, "right_hand");
   EXPECT_EQ(c.entries[1].title, "left hand");
   EXPECT_EQ(c.entries[1].own, (std::vector<std::string>{"joint_offset:arm_3", "joint_scale"}));
-  EXPECT_EQ(folder_of(c, c.entries[1]), folder_.path / "left");
+  EXPECT_EQ(find_folder(c, c.entries[1]), folder_.path / "left");
   replace_file(file(), collection_text(c));
   EXPECT_EQ(collection_text(read_collection(file())), collection_text(c));
 }

@@ -23,7 +23,7 @@ class FilesInAFolder : public testing::Test {
     refusals.clear();
     std::vector<std::string> lines;
     const std::vector<std::filesystem::path> folders(cameras.size(), folder.path);
-    for (const InstantImages& instant : find_images_of(cameras, folders, is_old, refusals)) {
+    for (const InstantImages& instant : find_camera_folders(cameras, folders, is_old, refusals)) {
       lines.push_back(std::to_string(instant.number) + ":");
       for (const auto& file : instant.files) lines.back() += " " + (file.empty() ? "-" : file.filename().string());
     }

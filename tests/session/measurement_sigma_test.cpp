@@ -53,19 +53,19 @@ TEST(MeasurementSigma, OfATrackersPoint) {
       read_text(folder, changed(small_tracker_session, R"(point="1 2 3")", R"(point="1 2 3" sigma="1e-4")"));
   EXPECT_EQ(*session.observations[0].sightings[0].point_sigma, 1e-4);
   const std::string negative = changed(small_tracker_session, R"(point="1 2 3")", R"(point="1 2 3" sigma="-1")");
-  EXPECT_THAT(refusal_of([&] { read_text(folder, negative); }), HasSubstr("sigma"));
+  EXPECT_THAT(find_refusal([&] { read_text(folder, negative); }), HasSubstr("sigma"));
 }
 
 TEST(MeasurementSigma, ThatIsNoneIsRefusedInASentence) {
   const TemporaryFolder folder;
   for (const std::string wrong : {"0 0.2 0", "0.1 -0.2 0", "0.1 0.2 0.021", "0.1 0.2"}) {
     const std::string text = changed(small_session, R"(left="10 20")", R"(left="10 20" left_sigma=")" + wrong + "\"");
-    const std::string why = refusal_of([&] { read_text(folder, text); });
+    const std::string why = find_refusal([&] { read_text(folder, text); });
     EXPECT_THAT(why, HasSubstr("left_sigma")) << wrong;
     EXPECT_THAT(why, HasSubstr("line 21")) << wrong;
   }
   const std::string unseen = changed(small_session, R"(left="10 20")", R"(left="10 20" right_sigma="0.1 0.1 0")");
-  EXPECT_THAT(refusal_of([&] { read_text(folder, unseen); }), HasSubstr("did not see the marker"));
+  EXPECT_THAT(find_refusal([&] { read_text(folder, unseen); }), HasSubstr("did not see the marker"));
 }
 
 }  // namespace

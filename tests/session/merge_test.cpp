@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two have changed of one session, put together: what does not collide is all there, what does is told.
+// What two have changed of one session, put together: what does not collide is all there, what does is reported.
 #include "session/merge.h"
 
 #include <gtest/gtest.h>

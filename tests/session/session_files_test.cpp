@@ -26,7 +26,7 @@ class SessionFolder : public testing::Test {
     replace_file(home / "session.xml", changed(small_session, piece, by));
   }
   std::string refused() {
-    return refusal_of([&] { read_session(home); });
+    return find_refusal([&] { read_session(home); });
   }
 
   TemporaryFolder temporary;
@@ -43,7 +43,7 @@ TEST_F(SessionFolder, IsReadByItsFolderOrItsFile) {
 }
 
 TEST_F(SessionFolder, WhatIsNotThereIsRefused) {
-  EXPECT_THAT(refusal_of([&] { read_session(home / "nowhere"); }), HasSubstr("no such file"));
+  EXPECT_THAT(find_refusal([&] { read_session(home / "nowhere"); }), HasSubstr("no such file"));
   std::filesystem::remove(home / "session.xml");
   EXPECT_THAT(refused(), HasSubstr("holds no session.xml"));
   write("robot.urdf", "other.urdf");
@@ -98,7 +98,7 @@ TEST_F(SessionFolder, ARobotOutsideTheFolderIsNotRead) {
   std::filesystem::create_directories(collection / "rigs" / "one");
   replace_file(collection / "rigs" / "one" / "session.xml",
                changed(small_session, "robot.urdf", "../../robots/robot.urdf"));
-  EXPECT_EQ(refusal_of([&] { read_session(collection / "rigs" / "one"); }), "nothing was refused");
+  EXPECT_EQ(find_refusal([&] { read_session(collection / "rigs" / "one"); }), "nothing was refused");
   std::filesystem::remove(home / "robot.urdf");
   std::filesystem::create_symlink(outside.path / "robot.urdf", home / "robot.urdf");
   write("robot.urdf", "robot.urdf");
@@ -129,7 +129,7 @@ TEST_F(SessionFolder, WhatAnotherProgramSavedIsNotReplaced) {
   theirs.observations.front().reason = "theirs";
   theirs.observations.front().decision = Decision::rejected;
   replace_session(theirs);
-  EXPECT_THAT(refusal_of([&] { replace_session(mine); }), HasSubstr("another program has changed the file"));
+  EXPECT_THAT(find_refusal([&] { replace_session(mine); }), HasSubstr("another program has changed the file"));
   EXPECT_EQ(read_session(home).observations.front().reason, "theirs");
   mine.file = home / "copy.xml";
   save_session(mine);
@@ -138,11 +138,11 @@ TEST_F(SessionFolder, WhatAnotherProgramSavedIsNotReplaced) {
 
 TEST_F(SessionFolder, NoResultGoesOverItsFiles) {
   const Session session = read_session(home);
-  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / "session.xml"); }),
+  EXPECT_THAT(find_refusal([&] { require_no_session_file(session, home / "session.xml"); }),
               HasSubstr("belongs to the session"));
-  EXPECT_THAT(refusal_of([&] { require_no_file_of(session, home / ".." / home.filename() / "robot.urdf"); }),
+  EXPECT_THAT(find_refusal([&] { require_no_session_file(session, home / ".." / home.filename() / "robot.urdf"); }),
               HasSubstr("belongs to the session"));
-  EXPECT_EQ(refusal_of([&] { require_no_file_of(session, home / "calibration.xml"); }), "nothing was refused");
+  EXPECT_EQ(find_refusal([&] { require_no_session_file(session, home / "calibration.xml"); }), "nothing was refused");
 }
 
 TEST(SessionFiles, SharedSessionsAreRead) {

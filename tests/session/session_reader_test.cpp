@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::string refusal(const std::string& text) {
-  return refusal_of([&] { parse_session(text, "session.xml"); });
+  return find_refusal([&] { parse_session(text, "session.xml"); });
 }
 
 /// What the small session refuses with one piece replaced.
@@ -267,7 +267,7 @@ TEST(SessionRefuses, WithShortSentencesWhateverIsWritten) {
     EXPECT_THAT(refusal(piece, name + "=\"" + absurd + "\"" + rest), HasSubstr("...")) << piece;
   }
   EXPECT_THAT(refusal("<position>0.1", "<position>" + absurd), HasSubstr("..."));
-  EXPECT_THAT(refusal_of([&] { parse_session("<a/>", absurd); }), HasSubstr("..."));
+  EXPECT_THAT(find_refusal([&] { parse_session("<a/>", absurd); }), HasSubstr("..."));
   EXPECT_THAT(refusal("<" + absurd + "/>"), HasSubstr("..."));
 }
 

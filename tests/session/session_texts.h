@@ -68,7 +68,7 @@ inline std::string changed(std::string text, const std::string& piece, const std
 }
 
 /// What `action` refuses; also that the sentence has the length that people can read.
-std::string refusal_of(auto&& action) {
+std::string find_refusal(auto&& action) {
   try {
     action();
   } catch (const InputError& error) {

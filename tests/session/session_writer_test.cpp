@@ -167,7 +167,7 @@ TEST(SessionWriter, SavingReplacesTheFile) {
   save_session(session);
   expect_same(session, read_session(temporary.path));
   session.file = temporary.path / "no_folder" / "session.xml";
-  EXPECT_THAT(refusal_of([&] { save_session(session); }), HasSubstr("cannot be written"));
+  EXPECT_THAT(find_refusal([&] { save_session(session); }), HasSubstr("cannot be written"));
 }
 
 TEST(SessionWriter, SharedSessionsSurviveSaving) {

@@ -72,7 +72,7 @@ TEST(Simulate, AHiddenEffectMovesTheHandAndNotTheReadings) {
   options.noise = 0;
   options.effects = {{"joint_elasticity", 1, {3e-4}}};
   const SimulatedSession s = simulate_session(fixture::stand_session(), options);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   double largest = 0;
   for (std::size_t k = 0; k < 10; ++k) {
     const Rigid nominal = chain_ends(chain, s.session.observations[k].position).root_from_tcp;
@@ -142,7 +142,7 @@ TEST(Simulate, ACurveIsAddedToItsJointAndReadBack) {
   options.noise = 0;
   options.curves = {curve};
   const SimulatedSession s = simulate_session(like, options);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   for (std::size_t k = 0; k < 8; ++k) {
     Eigen::VectorXd position = s.session.observations[k].position;
     position[2] += 0.0015 * std::sin(3 * position[2]);

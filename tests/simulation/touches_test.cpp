@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-Session bench() {
+Session workbench() {
   Session s = fixture::probe_session();
   fixture::add_plates(s);
   fixture::add_sockets(s);
@@ -27,7 +27,7 @@ std::vector<double> off_readings(const SimulatedSession& made) {
   for (std::size_t k = 0; k < s.observations.size(); ++k) {
     const Observation& o = s.observations[k];
     const Fixture& fixture = s.fixtures[static_cast<std::size_t>(o.part)];
-    const Rigid root_from_fixture = mount_of(s, o.part).mount_from_sensor;  // the stand is the root
+    const Rigid root_from_fixture = find_mount(s, o.part).mount_from_sensor;  // the stand is the root
     const Vector3 tip = inverse(root_from_fixture) * (made.root_from_tcp[k] * made.markers[k][0]);
     const Sighting& read = o.sightings.front();
     Eigen::VectorXd held = held_by(fixture.kind, tip);
@@ -38,7 +38,7 @@ std::vector<double> off_readings(const SimulatedSession& made) {
 }
 
 TEST(SimulatedTouches, TheTipStandsWhereItIsHeldWithinTheNoise) {
-  const Session like = bench();
+  const Session like = workbench();
   EffectTerm zero = term_of(*find_effect("joint_offset"), find_joint(like.robot, "a2"));
   EffectTerm slack = term_of(*find_effect("backlash"), find_joint(like.robot, "a3"));
   zero.values[0] = 3e-3;
@@ -55,12 +55,12 @@ TEST(SimulatedTouches, WithoutNoiseNothingIsOff) {
   SimulationOptions options;
   options.observations = 32;
   options.noise = 0;
-  Session like = bench();
+  Session like = workbench();
   const SimulatedSession made = simulate_session(like, options);
   for (std::size_t k = 0; k < made.session.observations.size(); ++k) {
     const Observation& o = made.session.observations[k];
     const Vector3 tip =
-        inverse(mount_of(made.session, o.part).mount_from_sensor) * (made.root_from_tcp[k] * made.markers[k][0]);
+        inverse(find_mount(made.session, o.part).mount_from_sensor) * (made.root_from_tcp[k] * made.markers[k][0]);
     Eigen::VectorXd held = held_by(made.session.fixtures[static_cast<std::size_t>(o.part)].kind, tip);
     held.array() -= o.sightings.front().by_distance ? o.sightings.front().point->x() : o.sightings.front().point->z();
     EXPECT_LT(held.norm(), 1e-9);
@@ -69,7 +69,7 @@ TEST(SimulatedTouches, WithoutNoiseNothingIsOff) {
 }
 
 TEST(SimulatedTouches, EveryFixtureIsTouchedAsOften) {
-  const SimulatedSession made = fixture::simulated_touches(bench(), 80, 4);
+  const SimulatedSession made = fixture::simulated_touches(workbench(), 80, 4);
   std::vector<int> counts(8, 0);
   for (const Observation& o : made.session.observations) ++counts[static_cast<std::size_t>(o.part)];
   EXPECT_THAT(counts, testing::Each(10));
@@ -78,7 +78,7 @@ TEST(SimulatedTouches, EveryFixtureIsTouchedAsOften) {
 }
 
 TEST(SimulatedTouches, WrittenTheyAreASessionThatReadsBack) {
-  const SimulatedSession made = fixture::simulated_touches(bench(), 40, 5);
+  const SimulatedSession made = fixture::simulated_touches(workbench(), 40, 5);
   const Session back = parse_session(session_text(made.session), "session.xml");
   ASSERT_EQ(back.observations.size(), 40u);
   for (std::size_t k = 0; k < back.observations.size(); ++k) {

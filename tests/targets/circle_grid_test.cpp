@@ -35,7 +35,7 @@ Camera camera() {
   return {.width = 640, .height = 480, .fx = 620, .fy = 622, .cx = 322, .cy = 236, .k1 = -0.18, .k2 = 0.06};
 }
 
-TargetView view_of(const Target& target, double distance, double turn_x, double turn_y, double turn_z = 0.2) {
+TargetView find_view(const Target& target, double distance, double turn_x, double turn_y, double turn_z = 0.2) {
   const PrintedPattern pattern = pattern_of(target);
   const Vector2 centre = pattern.outline.top_left + 0.5 * pattern.outline.size;
   TargetView view;
@@ -55,7 +55,7 @@ struct Errors {
 
 Errors errors_of(const Target& target, const TargetView& view) {
   static const auto rays = fixtures::fine_rays(camera());
-  const TargetSighting sighting = detect_target(image_of(target, view, rays), prepare(target));
+  const TargetSighting sighting = detect_target(make_image(target, view, rays), prepare(target));
   Errors e{sighting.points.size(), 0, 0, 0, sighting.reason};
   for (const TargetPixel& p : sighting.points) {
     const Vector3 x = view.camera_from_target * target_points(target)[static_cast<std::size_t>(p.number)].position;
@@ -71,7 +71,7 @@ Errors errors_of(const Target& target, const TargetView& view) {
 TEST(CircleGrid, MiddlesOfBothLayoutsAreFound) {
   for (const Target& target : {symmetric, asymmetric})
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.6, 0.2}, {-0.3, 0.7}}) {
-      const Errors e = errors_of(target, view_of(target, 0.4, x, y));
+      const Errors e = errors_of(target, find_view(target, 0.4, x, y));
       ASSERT_EQ(e.points, target_points(target).size()) << target.dictionary << x << y << ": " << e.reason;
       EXPECT_LT(e.rms, 0.05) << target.dictionary << x << y;
       EXPECT_LT(e.worst, 0.2);
@@ -84,7 +84,7 @@ TEST(CircleGrid, MiddlesOfBothLayoutsAreFound) {
 TEST(CircleGrid, PerspectiveMovesNoMiddle) {
   Target large = symmetric;
   large.columns = 4, large.rows = 3, large.square = 0.05, large.tag = 0.045;
-  TargetView view = view_of(large, 0.3, 0.95, 0.1);
+  TargetView view = find_view(large, 0.3, 0.95, 0.1);
   view.noise = 1;
   const Errors e = errors_of(large, view);
   ASSERT_EQ(e.points, 12U) << e.reason;
@@ -94,7 +94,7 @@ TEST(CircleGrid, PerspectiveMovesNoMiddle) {
 /// An asymmetric grid of an odd number of rows has one beginning, however it lies.
 TEST(CircleGrid, AsymmetricGridsBeginWhereTheyDo) {
   for (const double turn : {0.1, 1.5, 2.9, -1.7}) {
-    const Errors e = errors_of(asymmetric, view_of(asymmetric, 0.4, 0.2, 0.3, turn));
+    const Errors e = errors_of(asymmetric, find_view(asymmetric, 0.4, 0.2, 0.3, turn));
     ASSERT_EQ(e.points, 44U) << turn << e.reason;
     EXPECT_LT(e.worst, 0.3) << turn;
   }
@@ -103,7 +103,7 @@ TEST(CircleGrid, AsymmetricGridsBeginWhereTheyDo) {
 }
 
 TEST(CircleGrid, HalfAGridIsNone) {
-  TargetView view = view_of(symmetric, 0.4, 0.3, -0.2);
+  TargetView view = find_view(symmetric, 0.4, 0.3, -0.2);
   view.covers = {{{-100, 250}, {740, 250}, {740, 700}, {-100, 700}}};
   view.cover_greys = {90};
   const Errors e = errors_of(symmetric, view);
@@ -120,7 +120,7 @@ TEST(CircleGrid, WordsComeBack) {
     EXPECT_EQ(target_points(again).size(), target_points(target).size());
   }
   EXPECT_EQ(target_points(asymmetric)[4].position, Vector3(0.02, 0.02, 0));
-  EXPECT_EQ(description_of(asymmetric), "asymmetric grid of 4 x 11 circles of 20 mm, unit 20 mm");
+  EXPECT_EQ(describe_target(asymmetric), "asymmetric grid of 4 x 11 circles of 20 mm, unit 20 mm");
 }
 
 TEST(CircleGrid, WhatCannotBeIsRefused) {

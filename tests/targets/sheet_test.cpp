@@ -45,19 +45,19 @@ class SheetFiles : public testing::Test {
 void expect_geometry(const Target& target, const Sheet& sheet, const Image& image, double dots_per_inch, double most) {
   const TargetSighting sighting = detect_target(image, prepare(target));
   const auto points = printed_points(target);
-  ASSERT_EQ(sighting.points.size(), points.size()) << name_of(target.kind) << ": " << sighting.reason;
+  ASSERT_EQ(sighting.points.size(), points.size()) << display_name(target.kind) << ": " << sighting.reason;
   for (const TargetPixel& seen : sighting.points) {
     const TargetPoint& point = points[static_cast<std::size_t>(seen.number)];
     const Vector2 expected = sheet.piece_origins[static_cast<std::size_t>(point.piece)] + point.position.head<2>();
     const Vector2 metres = (seen.pixel + Vector2::Constant(0.5)) / dots_per_inch * 0.0254;
-    EXPECT_LT((metres - expected).norm(), most) << name_of(target.kind) << " point " << seen.number;
+    EXPECT_LT((metres - expected).norm(), most) << display_name(target.kind) << " point " << seen.number;
   }
 }
 
 TEST_F(SheetFiles, PdfIsTrueToScale) {
   if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftoppm (poppler-utils) is not installed";
   for (const Target& target : all) {
-    const Sheet sheet = sheet_of(target);
+    const Sheet sheet = make_sheet(target);
     const fs::path pdf = folder_ / "board.pdf", page = folder_ / "page";
     replace_file(pdf, pdf_text(sheet));
     ASSERT_EQ(std::system(("pdftoppm -r 150 -gray -singlefile '" + pdf.string() + "' '" + page.string() + "'").c_str()),
@@ -69,7 +69,7 @@ TEST_F(SheetFiles, PdfIsTrueToScale) {
 
 TEST_F(SheetFiles, PdfSaysWhatItIs) {
   if (std::system("pdftotext -v >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
-  replace_file(folder_ / "board.pdf", pdf_text(sheet_of(all[1])));
+  replace_file(folder_ / "board.pdf", pdf_text(make_sheet(all[1])));
   ASSERT_EQ(std::system(("pdftotext -layout '" + (folder_ / "board.pdf").string() + "'").c_str()), 0);
   const std::string text = read_file(folder_ / "board.txt");
   for (const char* word :
@@ -79,7 +79,7 @@ TEST_F(SheetFiles, PdfSaysWhatItIs) {
 
 TEST_F(SheetFiles, PngIsTrueToScaleAndSaysItsDots) {
   for (const Target& target : all) {
-    const Sheet sheet = sheet_of(target);
+    const Sheet sheet = make_sheet(target);
     const std::string bytes = png_bytes(sheet, 127);  // 5000 dots a metre exactly
     EXPECT_NE(bytes.find(std::string("pHYs\0\0\x13\x88\0\0\x13\x88\1", 13)), std::string::npos);
     replace_file(folder_ / "board.png", bytes);
@@ -90,7 +90,7 @@ TEST_F(SheetFiles, PngIsTrueToScaleAndSaysItsDots) {
 /// The ruler: 101 ticks a millimetre apart, below the target, inside the sheet.
 TEST(Sheet, RulerIsAMillimetreATick) {
   for (const Target& target : all) {
-    const Sheet sheet = sheet_of(target);
+    const Sheet sheet = make_sheet(target);
     std::vector<double> ticks;
     for (const Box& box : sheet.black)
       if (box.size.x() < 0.3e-3) ticks.push_back(box.top_left.x() + 0.5 * box.size.x());
@@ -106,18 +106,18 @@ TEST(Sheet, RulerIsAMillimetreATick) {
 }
 
 TEST(Sheet, TakesTheSmallestPaper) {
-  EXPECT_EQ(sheet_of(all[0]).paper, "A4");
+  EXPECT_EQ(make_sheet(all[0]).paper, "A4");
   Target large = all[0];
   large.square = 0.035;
-  EXPECT_EQ(sheet_of(large).paper, "A3 landscape");
+  EXPECT_EQ(make_sheet(large).paper, "A3 landscape");
   large.square = 0.5;
-  EXPECT_EQ(sheet_of(large).paper, "own size");
+  EXPECT_EQ(make_sheet(large).paper, "own size");
 }
 
 TEST(Sheet, TooManyDotsAreRefused) {
   Target large = all[0];
   large.square = 0.5;
-  EXPECT_THROW(png_bytes(sheet_of(large), 600), InputError);
+  EXPECT_THROW(png_bytes(make_sheet(large), 600), InputError);
 }
 
 }  // namespace

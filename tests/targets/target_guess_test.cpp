@@ -21,7 +21,7 @@ Camera camera() {
   return {.width = 640, .height = 480, .fx = 620, .fy = 622, .cx = 322, .cy = 236, .k1 = -0.18, .k2 = 0.06};
 }
 
-std::vector<Image> images_of(const Target& target) {
+std::vector<Image> list_images(const Target& target) {
   static const auto rays = fixtures::fine_rays(camera());
   const PrintedPattern pattern = pattern_of(target);
   const Vector2 centre = pattern.outline.top_left + 0.5 * pattern.outline.size;
@@ -32,7 +32,7 @@ std::vector<Image> images_of(const Target& target) {
     view.camera_from_target.rotation = rotation_from_vector<double>(Vector3(x, y, 0.2));
     view.camera_from_target.translation =
         Vector3(0, 0, 0.5) - view.camera_from_target.rotation * Vector3(centre.x(), centre.y(), 0);
-    images.push_back(image_of(target, view, rays));
+    images.push_back(make_image(target, view, rays));
   }
   return images;
 }
@@ -64,7 +64,7 @@ TEST(TargetGuess, NamesWhatFits) {
   add(grid, "`--first-id 30`", [](Target& t) { t.first_id = 30; });
   for (const Mistake& mistake : mistakes) {
     const Target& described = mistake.real.kind == TargetKind::charuco ? charuco : grid;
-    const std::vector<Image> images = images_of(mistake.real);
+    const std::vector<Image> images = list_images(mistake.real);
     const TargetGuess guess = guess_target(images, described, TargetWording::options);
     EXPECT_NE(guess.text.find("fits " + mistake.fits), std::string::npos) << mistake.fits << ": " << guess.text;
     ASSERT_TRUE(guess.target.has_value()) << mistake.fits;
@@ -73,24 +73,24 @@ TEST(TargetGuess, NamesWhatFits) {
 }
 
 TEST(TargetGuess, OfAnotherKind) {
-  const TargetGuess board = guess_target(images_of(charuco), chessboard, TargetWording::attributes);
+  const TargetGuess board = guess_target(list_images(charuco), chessboard, TargetWording::attributes);
   ASSERT_TRUE(board.target.has_value()) << board.text;
   EXPECT_EQ(board.target->kind, TargetKind::charuco);
   EXPECT_NE(board.text.find("kind=\"charuco\" columns=\"8\" rows=\"6\""), std::string::npos) << board.text;
-  const TargetGuess chess = guess_target(images_of(chessboard), charuco, TargetWording::attributes);
+  const TargetGuess chess = guess_target(list_images(chessboard), charuco, TargetWording::attributes);
   EXPECT_NE(chess.text.find("kind=\"chessboard\" columns=\"9\" rows=\"6\""), std::string::npos) << chess.text;
 }
 
 TEST(TargetGuess, AChessboardCountedBySquares) {
   Target by_squares = chessboard;
   by_squares.columns = 10, by_squares.rows = 7;
-  const TargetGuess guess = guess_target(images_of(chessboard), by_squares, TargetWording::options);
+  const TargetGuess guess = guess_target(list_images(chessboard), by_squares, TargetWording::options);
   EXPECT_NE(guess.text.find("`--columns 9 --rows 6`"), std::string::npos) << guess.text;
 }
 
 TEST(TargetGuess, InAMirrorAndWhiteForBlack) {
   std::vector<Image> in_mirror, white;
-  for (const Image& image : images_of(charuco)) {
+  for (const Image& image : list_images(charuco)) {
     in_mirror.push_back(mirrored(image));
     white.push_back(inverted(image));
   }
@@ -99,8 +99,8 @@ TEST(TargetGuess, InAMirrorAndWhiteForBlack) {
 }
 
 TEST(TargetGuess, SaysNothingOfATargetThatIsThere) {
-  EXPECT_EQ(guess_target(images_of(charuco), charuco, TargetWording::options).text, "");
-  EXPECT_EQ(guess_target(images_of(grid), grid, TargetWording::options).text, "");
+  EXPECT_EQ(guess_target(list_images(charuco), charuco, TargetWording::options).text, "");
+  EXPECT_EQ(guess_target(list_images(grid), grid, TargetWording::options).text, "");
 }
 
 TEST(TargetGuess, OfImagesWithoutAnyTag) {
@@ -117,9 +117,9 @@ TEST(TargetDetection, ATagThatIsThereTwiceIsToldApartFromAnUnclearOne) {
   TargetView view;
   view.camera = camera();
   view.camera_from_target.translation = Vector3(-0.1, 0, 0.5);
-  const Image left = image_of(one, view, rays);
+  const Image left = make_image(one, view, rays);
   view.camera_from_target.translation = Vector3(0.1, 0, 0.5);
-  Image both = image_of(one, view, rays);
+  Image both = make_image(one, view, rays);
   for (int v = 0; v < both.height; ++v) std::copy(left.row(v), left.row(v) + left.width / 2, both.row(v));
   for (const Target& target : {one, three}) {
     const TargetSighting sighting = detect_target(both, prepare(target));
@@ -155,7 +155,7 @@ TEST(TargetGuess, OfBoardsThatWereDescribedWrongly) {
     Target wrong = described;
     change(wrong);
     const TargetGuess guess = guess_target(plain, wrong, TargetWording::options);
-    ASSERT_TRUE(guess.target.has_value()) << description_of(wrong) << ": " << guess.text;
+    ASSERT_TRUE(guess.target.has_value()) << describe_target(wrong) << ": " << guess.text;
     EXPECT_EQ(guess.target->columns, 8);
     EXPECT_EQ(guess.target->rows, 6);
     EXPECT_EQ(guess.target->dictionary, "DICT_4X4_50");
@@ -164,7 +164,7 @@ TEST(TargetGuess, OfBoardsThatWereDescribedWrongly) {
 
 TEST(TargetGuess, ImagesOfCamerasAreNotDrawnOver) {
   for (const Target& target : {charuco, grid, chessboard})
-    for (const Image& image : images_of(target)) EXPECT_FALSE(is_drawn_over(image));
+    for (const Image& image : list_images(target)) EXPECT_FALSE(is_drawn_over(image));
   EXPECT_FALSE(is_drawn_over(Image(640, 480, 120)));
 }
 
@@ -176,7 +176,7 @@ TEST(TargetGuess, OfCircles) {
                                          {"diameter", "0.014"},
                                          {"layout", "asymmetric"}},
                                         "test");
-  const std::vector<Image> images = images_of(real);
+  const std::vector<Image> images = list_images(real);
   Target turned = real;
   std::swap(turned.columns, turned.rows);
   EXPECT_NE(guess_target(images, turned, TargetWording::options).text.find("fits `--columns 4 --rows 9`"),
@@ -185,7 +185,7 @@ TEST(TargetGuess, OfCircles) {
   symmetric.dictionary = "symmetric";
   const TargetGuess guess = guess_target(images, symmetric, TargetWording::attributes);
   EXPECT_NE(guess.text.find("layout=\"asymmetric\""), std::string::npos) << guess.text;
-  const TargetGuess other = guess_target(images_of(chessboard), real, TargetWording::options);
+  const TargetGuess other = guess_target(list_images(chessboard), real, TargetWording::options);
   EXPECT_NE(other.text.find("--kind chessboard"), std::string::npos) << other.text;
 }
 

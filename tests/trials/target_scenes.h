@@ -188,7 +188,7 @@ inline bool is_hidden_by_later(const Scene& s, const Target& t, std::size_t piec
   return false;
 }
 
-inline Truth truth_of(const PreparedTarget& target, const Scene& s, double least_module) {
+inline Truth load_truth(const PreparedTarget& target, const Scene& s, double least_module) {
   Truth truth;
   const Target& t = target.target;
   const double module = module_of(t);

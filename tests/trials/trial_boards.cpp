@@ -22,7 +22,7 @@ constexpr double normal_95 = 1.959963985;
 struct Kind {
   std::string name;
   Session like;
-  bool mount_is_known = true, noise_is_told = false;
+  bool mount_is_known = true, noise_is_given = false;
 };
 
 Session with_print(Session s, std::optional<double> sigma) {
@@ -53,11 +53,11 @@ std::vector<Kind> kinds() {
 }
 
 struct Sums {
-  int count = 0, scatter = 0, not_converged = 0, failed = 0;
+  int count = 0, repeatability = 0, not_converged = 0, failed = 0;
   Vector6 z = Vector6::Zero(), z2 = Vector6::Zero(), covered = Vector6::Zero(), squares = Vector6::Zero();
 };
 
-Rigid truth_of(const SimulatedSession& s, const Fit& f) {
+Rigid load_truth(const SimulatedSession& s, const Fit& f) {
   if (!s.session.pose_sensor) return fixture::true_target_body(s, f.sides);
   // The points of poses stand for the target's frame, whatever their lever.
   const std::vector<Vector3> shape = pose_shape(pose_lever(pose_session().pose_sensor.value()));
@@ -71,15 +71,15 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
   SimulationOptions o;
   o.observations = 40;
   o.seed = seed;
-  o.declare_noise = kind.noise_is_told;
+  o.declare_noise = kind.noise_is_given;
   SimulatedSession s = simulate_session(kind.like, o);
   if (!kind.mount_is_known) s.session = fixture::with_unknown_mount(s.session);
   try {
     const Fit f = fit(s.session);
-    const Vector6 xi = small_motion_between(truth_of(s, f), f.tcp_from_body);
+    const Vector6 xi = small_motion_between(load_truth(s, f), f.tcp_from_body);
     const Vector6 z = xi.cwiseQuotient(f.covariance.diagonal().cwiseSqrt());
     ++sums.count;
-    sums.scatter += f.covariance_kind == CovarianceKind::scatter;
+    sums.repeatability += f.covariance_kind == CovarianceKind::repeatability;
     sums.not_converged += !f.converged();
     sums.z += z;
     sums.z2 += z.cwiseAbs2();
@@ -95,7 +95,7 @@ void fits(int count, std::uint64_t first) {
   for (const Kind& kind : kinds()) {
     Sums s;
     for (int i = 0; i < count; ++i) add(kind, first + static_cast<std::uint64_t>(i), s);
-    fmt::print("{}: {} fits, {} by scatter, {} not converged, {} refused\n", kind.name, s.count, s.scatter,
+    fmt::print("{}: {} fits, {} by scatter, {} not converged, {} refused\n", kind.name, s.count, s.repeatability,
                s.not_converged, s.failed);
     const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
     for (int i = 0; i < 6; ++i)
@@ -116,8 +116,8 @@ double noncentrality(const Session& like, SimulationOptions o, double noise) {
 }
 
 void diagnose_kind(const std::string& name, const Session& like, double noise, int count, std::uint64_t first) {
-  const Chain chain = chain_of(like);
-  const OwnEffects own = own_effects_of(like, chain);
+  const Chain chain = make_chain(like);
+  const OwnEffects own = list_own_effects(like, chain);
   int trials = 0, named_first = 0, named = 0, place = 0;
   for (const char* id : {"joint_elasticity", "encoder_eccentricity", "link_geometry", "joint_offset", "backlash"}) {
     const Effect& effect = *find_effect(id, own);
@@ -131,7 +131,7 @@ void diagnose_kind(const std::string& name, const Session& like, double noise, i
       EffectTerm term = effect_terms(id, chain, own).front();
       term.joint = places[static_cast<std::size_t>(random.uniform(0, static_cast<double>(places.size()) - 1e-9))];
       for (std::size_t p = 0; p < term.values.size(); ++p)
-        term.values[p] = plausible_size(effect.parameters[p], chain) * random.gaussian();
+        term.values[p] = prior_sigma(effect.parameters[p], chain) * random.gaussian();
       o.effects = {term};
       if (noncentrality(like, o, noise) < 50) continue;
       DiagnosisOptions quick;
@@ -142,7 +142,7 @@ void diagnose_kind(const std::string& name, const Session& like, double noise, i
       const bool is_first = best.id == id;
       ++trials;
       named_first += is_first;
-      named += is_first || std::count(best.cannot_be_told_from.begin(), best.cannot_be_told_from.end(), id) > 0;
+      named += is_first || std::count(best.indistinguishable_from.begin(), best.indistinguishable_from.end(), id) > 0;
       const std::string where = place_name(effect, term.joint, like.robot);
       place += is_first && std::count(best.where.begin(), best.where.end(), where) > 0;
       if (!is_first) fmt::print("  seed {} {} at {}: {} first\n", o.seed, id, where, best.id);

@@ -17,8 +17,8 @@ namespace {
 
 using namespace handsight;
 using Clock = std::chrono::steady_clock;
-constexpr int kColumns = 9, kRows = 6;
-constexpr double kSquare = 0.025;
+constexpr int column_count = 9, row_count = 6;
+constexpr double square_size = 0.025;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -33,7 +33,7 @@ BoardImages opencv_corners(const GroupedImages& grouped, const BoardImages& ours
     const Image read = read_image(camera.files[static_cast<std::size_t>(at)]);
     const cv::Mat grey(read.height, read.width, CV_8U, const_cast<std::uint8_t*>(read.pixels.data()));
     std::vector<cv::Point2f> corners;
-    if (!cv::findChessboardCorners(grey, {kColumns, kRows}, corners)) {
+    if (!cv::findChessboardCorners(grey, {column_count, row_count}, corners)) {
       image.points.clear();
       continue;
     }
@@ -93,7 +93,7 @@ OpenCvResult opencv_calibration(const BoardImages& images, const std::pair<int, 
 
 /// mm: mean and deviation of the sides of the squares, each pair's points triangulated.
 std::pair<double, double> sides(const BoardImages& images, const CameraRig& rig) {
-  const StereoRig stereo{*camera_of(rig.lenses[0]), *camera_of(rig.lenses[1]), rig.from_first[1]};
+  const StereoRig stereo{*look_up_camera(rig.lenses[0]), *look_up_camera(rig.lenses[1]), rig.from_first[1]};
   double sum = 0, squares = 0, count = 0;
   for (int frame = 0; frame < images.frame_count; ++frame) {
     const BoardImage* pair[2] = {};
@@ -108,11 +108,11 @@ std::pair<double, double> sides(const BoardImages& images, const CameraRig& rig)
       const double side = 1e3 * (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm();
       sum += side, squares += side * side, ++count;
     };
-    for (int row = 0; row < kRows; ++row)
-      for (int column = 0; column < kColumns; ++column) {
-        const int i = row * kColumns + column;
-        if (column + 1 < kColumns) add(i, i + 1);
-        if (row + 1 < kRows) add(i, i + kColumns);
+    for (int row = 0; row < row_count; ++row)
+      for (int column = 0; column < column_count; ++column) {
+        const int i = row * column_count + column;
+        if (column + 1 < column_count) add(i, i + 1);
+        if (row + 1 < row_count) add(i, i + column_count);
       }
   }
   return {sum / count, std::sqrt(std::max(squares / count - sum / count * sum / count, 0.0))};
@@ -128,7 +128,7 @@ double mean_square(const std::vector<std::optional<double>>& frames) {
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : HANDSIGHT_SHARED_DIR "/real/opencv_stereo";
-  const Target board{.kind = TargetKind::chessboard, .columns = kColumns, .rows = kRows, .square = kSquare};
+  const Target board{.kind = TargetKind::chessboard, .columns = column_count, .rows = row_count, .square = square_size};
   const GroupedImages grouped = group_images({folder});
   auto start = Clock::now();
   const DetectedImages detected = detect_in_images(grouped, board);

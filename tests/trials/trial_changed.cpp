@@ -47,7 +47,7 @@ std::vector<EffectTerm> drawn_change(const std::string& kind, const Chain& chain
 Days drawn_days(std::uint64_t seed, int count, const std::string& kind, int model) {
   std::mt19937_64 random(seed * 7919 + 29);
   const Session like = robot_session(3, seed);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   SimulationOptions o = simulation(seed + 500000, 3);
   if (model > 0)
     for (const char* id : {"joint_elasticity", "encoder_eccentricity"})
@@ -61,7 +61,7 @@ Days drawn_days(std::uint64_t seed, int count, const std::string& kind, int mode
   const std::vector<EffectTerm> change = drawn_change(kind, chain, random);
   Days days;
   days.id = kind == "nothing" ? "" : kind;
-  if (!change.empty()) days.where = place_name(effect_of(change.front()), change.front().joint, like.robot);
+  if (!change.empty()) days.where = place_name(term_effect(change.front()), change.front().joint, like.robot);
   const int first = 1 + static_cast<int>(random() % static_cast<unsigned>(count - 1));
   const bool alone = random() % 2;
   o.observations = count * observations;
@@ -97,7 +97,7 @@ void count_pair(const Days& days, Row& row) {
   const std::string found = c.verdict == ComparisonVerdict::unchanged ? "" : c.changes.front().id;
   row.pair_named += found == days.id;
   row.pair_tied +=
-      found != days.id && std::count(c.cannot_be_told_from.begin(), c.cannot_be_told_from.end(), days.id) > 0;
+      found != days.id && std::count(c.indistinguishable_from.begin(), c.indistinguishable_from.end(), days.id) > 0;
 }
 
 void run(std::uint64_t seed, int sessions, const std::string& kind, int model, Row& row) {
@@ -109,13 +109,13 @@ void run(std::uint64_t seed, int sessions, const std::string& kind, int model, R
   bool named = days.id.empty() && c.changes.empty(), beside = false, sure = false;
   int other = 0;
   for (const ChangeBetween& b : c.changes) {
-    const bool is_it = is_truth(b.told, days);
+    const bool is_it = is_truth(b.reported, days);
     const bool may_be = std::any_of(b.alternatives.begin(), b.alternatives.end(),
                                     [&](const ChangeCandidate& a) { return is_truth(a, days); });
     named = named || is_it;
     beside = beside || may_be;
     other += !is_it && !may_be;
-    sure = sure || (!is_it && b.told.probability > 0.95);
+    sure = sure || (!is_it && b.reported.probability > 0.95);
   }
   row.named += named;
   row.alternative += !named && beside;
@@ -127,7 +127,7 @@ void run(std::uint64_t seed, int sessions, const std::string& kind, int model, R
   fmt::print("  seed {}, {} model: {} {} from {}: {} (threshold {:.1f})\n", seed, model_names[model],
              days.id.empty() ? "nothing" : days.id, days.where, fmt::join(days.after, ", "), c.sentence, c.threshold);
   for (const ChangeBetween& b : c.changes) {
-    fmt::print("    {} {} {:.3f}", b.told.id, b.told.where, b.told.probability);
+    fmt::print("    {} {} {:.3f}", b.reported.id, b.reported.where, b.reported.probability);
     for (const ChangeCandidate& a : b.alternatives)
       fmt::print("; {} {} in {} {:.3f}", a.id, a.where, fmt::join(a.after, ", "), a.probability);
     fmt::print("\n");

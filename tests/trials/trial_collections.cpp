@@ -54,8 +54,8 @@ Session placed(Session s, std::mt19937_64& random) {
 }
 
 /// Sessions of a kind of world, with these effects of the robot in all of them; `noise` of one coordinate, m.
-std::vector<JoinedMember> members_of(const std::string& kind, const std::vector<EffectTerm>& effects,
-                                     std::uint64_t seed, double noise) {
+std::vector<JoinedMember> list_members(const std::string& kind, const std::vector<EffectTerm>& effects,
+                                       std::uint64_t seed, double noise) {
   std::mt19937_64 random(seed);
   std::vector<JoinedMember> members;
   const auto add = [&](const Session& like, const std::string& title, const std::string& rig) {
@@ -93,7 +93,7 @@ double noncentrality(const Session& without_noise) {
 World world_of(const std::string& kind, std::uint64_t seed) {
   World w;
   if (kind == "null") {
-    w.members = members_of("two_hands", {}, seed, noise_m);
+    w.members = list_members("two_hands", {}, seed, noise_m);
     return w;
   }
   std::mt19937_64 random(seed);
@@ -106,9 +106,9 @@ World world_of(const std::string& kind, std::uint64_t seed) {
     EffectTerm term = term_of(*find_effect(w.id), find_joint(like.robot, w.place));
     std::normal_distribution<double> normal;
     for (std::size_t p = 0; p < term.values.size(); ++p)
-      term.values[p] = normal(random) * effect_of(term).parameters[p].sigma;
+      term.values[p] = normal(random) * term_effect(term).parameters[p].sigma;
     constexpr double silent = 1e-9;
-    std::vector<JoinedMember> quiet = members_of(kind, {term}, seed, silent);
+    std::vector<JoinedMember> quiet = list_members(kind, {term}, seed, silent);
     const double of_all = noncentrality(joined(quiet, "quiet"));
     if (!(of_all > 1)) continue;  // what turns with the mounts
     double of_one = 0;
@@ -118,7 +118,7 @@ World world_of(const std::string& kind, std::uint64_t seed) {
     if (times > 5) continue;  // larger than robots are built
     for (double& v : term.values) v *= times;
     w.hidden = {term};
-    w.members = members_of(kind, w.hidden, seed, noise_m);
+    w.members = list_members(kind, w.hidden, seed, noise_m);
     return w;
   }
   throw std::runtime_error("no such world");
@@ -128,7 +128,7 @@ World world_of(const std::string& kind, std::uint64_t seed) {
 /// prediction is of where the TCP is, its place on the hand as commanded.
 double hand_error(const Fit& fit, const Session& session, const std::vector<EffectTerm>& hidden, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const PredictionModel model = prediction_model(fit);
   std::vector<double> errors;
   for (int i = 0; i < 200; ++i) {
@@ -137,7 +137,7 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
       const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
       q[j] = std::uniform_real_distribution<double>(0.8 * joint.lower, 0.8 * joint.upper)(random);
     }
-    const Circumstances c = circumstances_at(chain, q);
+    const ObservationState c = states_at(chain, q);
     const Rigid truly = observed_ends(c, moved_sites(c, hidden)).ends.root_from_tcp;
     errors.push_back((predict_tcp(c, model).root_from_tcp_est.translation - truly.translation).norm());
   }
@@ -147,14 +147,14 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
 
 struct Tally {
   int worlds = 0, named = 0, named_alone = 0, wrong = 0;
-  int told_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
+  int reported_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
   std::vector<double> ratio, seconds;
 };
 
 bool names(const Improvement& m, const World& w, int& wrong) {
   bool right = false;
   for (const FittedEffect& e : m.last.model.fit.effects) {
-    const std::string place = place_name(effect_of(e.term), e.term.joint, m.last.model.session.robot);
+    const std::string place = place_name(term_effect(e.term), e.term.joint, m.last.model.session.robot);
     const bool is_it = e.term.id == w.id && place == w.place;
     right = right || is_it;
     wrong += !is_it;
@@ -168,7 +168,7 @@ double left_with(const Session& s, const std::vector<EffectTerm>& terms) {
   options.estimated = terms;
   for (EffectTerm& t : options.estimated)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!effect_of(t).parameters[p].is_choice) t.values[p] = 0;
+      if (!term_effect(t).parameters[p].is_choice) t.values[p] = 0;
   const Fit f = fit(s, options);
   return f.solution.normal.data_cost() / (noise_m * noise_m);
 }
@@ -179,26 +179,27 @@ double left_with(const Session& s, const std::vector<EffectTerm>& terms) {
 void look_at_miss(const Session& s, const World& w, const Improvement& m, Tally& t) {
   double claimed = 0, truth = 0;
   bool is_listed = false;
-  for (const NameCertainty& n : m.certainty.names) {
+  for (const InclusionProbability& n : m.inclusion_probabilities.names) {
     const bool is_it = n.id == w.id;
     if (n.is_in_model && !is_it) claimed = std::max(claimed, n.probability);
     if (is_it) truth = n.probability;
-    is_listed = is_listed || is_it || std::count(n.cannot_be_told_from.begin(), n.cannot_be_told_from.end(), w.id) > 0;
+    is_listed =
+        is_listed || is_it || std::count(n.indistinguishable_from.begin(), n.indistinguishable_from.end(), w.id) > 0;
   }
   std::vector<EffectTerm> named;
   int numbers = 0;
   for (const FittedEffect& e : m.last.model.fit.effects) {
     named.push_back(e.term);
-    for (const EffectParameter& p : effect_of(e.term).parameters) numbers += !p.is_choice;
+    for (const EffectParameter& p : term_effect(e.term).parameters) numbers += !p.is_choice;
   }
   int of_truth = 0;
-  for (const EffectParameter& p : effect_of(w.hidden.front()).parameters) of_truth += !p.is_choice;
+  for (const EffectParameter& p : term_effect(w.hidden.front()).parameters) of_truth += !p.is_choice;
   const double left_truth = left_with(s, w.hidden), left_named = left_with(s, named);
-  // ln of the odds by Schwarz's criterion, which knows nothing of plausible sizes.
+  // ln of the odds by Schwarz's criterion, which knows nothing of prior sigmas.
   const double rows = static_cast<double>(m.last.model.fit.rows);
   const double ln_odds = 0.5 * (left_named - left_truth) - 0.5 * (of_truth - numbers) * std::log(rows);
   const bool is_sure = claimed > 0.95 && !is_listed;
-  t.told_as_open += !is_sure;
+  t.reported_as_open += !is_sure;
   t.sure_and_wrong += is_sure;
   t.likelier_truth += ln_odds > std::log(20.0);
   fmt::print(
@@ -229,11 +230,11 @@ void run(const std::string& kind, std::uint64_t seed, Tally& t) {
   }
   t.named_alone += any;
   t.ratio.push_back(ratio);
-  std::string told;
+  std::string reported;
   for (const FittedEffect& e : together.last.model.fit.effects)
-    told += fmt::format(" {}:{}", e.term.id, place_name(effect_of(e.term), e.term.joint, s.robot));
+    reported += fmt::format(" {}:{}", e.term.id, place_name(term_effect(e.term), e.term.joint, s.robot));
   fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id,
-             w.place, is_named, told, any, 1e3 * of_all, 1e3 * of_one);
+             w.place, is_named, reported, any, 1e3 * of_all, 1e3 * of_one);
   if (!is_named && !w.hidden.empty()) look_at_miss(s, w, together, t);
   std::fflush(stdout);
 }
@@ -257,7 +258,7 @@ void measure_time(int count, std::uint64_t seed) {
     const Session like = placed(fixture::hand_session('l'), random);
     SimulationOptions o = simulation(random());
     o.observations = 400;
-    o.effects = {fixture::offset_of(like, "l3", 2e-3)};
+    o.effects = {fixture::find_offset(like, "l3", 2e-3)};
     members.push_back(fixture::simulated_member(like, o, title));
   }
   const Session s = joined(members, "five");
@@ -266,16 +267,16 @@ void measure_time(int count, std::uint64_t seed) {
     Fit f;
     of_fit = std::min(of_fit, processor_seconds([&] { f = fit(s); }));
     with_held_out = std::min(with_held_out, processor_seconds([&] {
-                               FitReport told = report(s, f, {});
-                               told.held_out_region = held_out_by_region(s, f, {});
-                               hold_out_sessions(s, f, {}, told);
+                               FitReport reported = report(s, f, {});
+                               reported.held_out_region = held_out_by_region(s, f, {});
+                               hold_out_sessions(s, f, {}, reported);
                              }));
   }
   std::string names;
   const double of_improve = processor_seconds([&] {
     const Improvement m = improve(s);
     for (const FittedEffect& e : m.last.model.fit.effects)
-      names += " " + e.term.id + ":" + place_name(effect_of(e.term), e.term.joint, s.robot);
+      names += " " + e.term.id + ":" + place_name(term_effect(e.term), e.term.joint, s.robot);
   });
   fmt::print(
       "2000 observations in 5 sessions, time of a processor: fit {:.1f} ms, errors held out by folds, regions and "
@@ -302,7 +303,7 @@ int main(int argc, char** argv) {
         "{}: {} worlds, named together {}, by a session alone {}, wrong names {}; not named but told as open {}, sure "
         "and wrong {}, the truth clearly likelier {}; hand error together / best alone {:.2f} (median), {:.1f} s a "
         "world\n",
-        kind, t.worlds, t.named, t.named_alone, t.wrong, t.told_as_open, t.sure_and_wrong, t.likelier_truth,
+        kind, t.worlds, t.named, t.named_alone, t.wrong, t.reported_as_open, t.sure_and_wrong, t.likelier_truth,
         middle(t.ratio), middle(t.seconds));
   }
 }

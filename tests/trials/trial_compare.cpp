@@ -47,7 +47,7 @@ std::vector<EffectTerm> drawn_change(const Effect& e, const Chain& chain, std::m
       if (e.parameters[p].is_choice)
         t.values[p] = 0;
       else
-        t.values[p] *= 0.3;  // 0.1 to 1 of the plausible size: what weeks do
+        t.values[p] *= 0.3;  // 0.1 to 1 of the prior sigma: what weeks do
     }
   return terms;
 }
@@ -63,7 +63,7 @@ double shown(const Comparison& c, const std::string& truth) {
 Pair drawn_pair(int robot, std::uint64_t seed, const Hidden& what, Model model) {
   std::mt19937_64 random(seed * 7919 + 13);
   const Session like = robot_session(robot, seed);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   Pair pair;
   if (model != Model::right)
     for (const char* id : {"joint_elasticity", "encoder_eccentricity"})
@@ -93,13 +93,13 @@ Pair drawn_pair(int robot, std::uint64_t seed, const Hidden& what, Model model) 
   return pair;
 }
 
-/// The chi-squared that the true change takes away where everything else is told.
+/// The chi-squared that the true change takes away where everything else is given.
 double shown_if_told(const Pair& pair, const std::string& truth) {
   if (truth.empty()) return 0;
-  std::vector<EffectTerm> told = pair.unknown;
-  for (EffectTerm& t : told) std::fill(t.values.begin(), t.values.end(), 0.0);
+  std::vector<EffectTerm> reported = pair.unknown;
+  for (EffectTerm& t : reported) std::fill(t.values.begin(), t.values.end(), 0.0);
   try {
-    return shown(compare(pair.before, pair.after, told), truth);
+    return shown(compare(pair.before, pair.after, reported), truth);
   } catch (const InputError&) {  // with all of it told the fit finds no answer
     return 0;
   }
@@ -131,7 +131,7 @@ void count(Row& row, const Comparison& c, const std::string& truth, bool strong)
     ++row.weak;
   else if (found == truth)
     ++row.named;
-  else if (std::count(c.cannot_be_told_from.begin(), c.cannot_be_told_from.end(), truth) > 0)
+  else if (std::count(c.indistinguishable_from.begin(), c.indistinguishable_from.end(), truth) > 0)
     ++row.ambiguous;
   else if (found.empty())
     ++row.missed;

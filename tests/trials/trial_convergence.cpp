@@ -73,16 +73,16 @@ double median(std::vector<double> values) {
 }
 
 void count_rejected_and_scatter(const std::vector<OnlineCurve>& curves) {
-  int rejected = 0, scatter = 0, steps = 0;
+  int rejected = 0, repeatability = 0, steps = 0;
   for (const OnlineCurve& c : curves) {
     rejected += c.rejected;
     for (std::size_t k = first_tested - 1; k < c.steps.size(); ++k) {
       ++steps;
-      scatter += c.steps[k].covariance_is_scatter ? 1 : 0;
+      repeatability += c.steps[k].covariance_is_scatter ? 1 : 0;
     }
   }
-  fmt::print("observations rejected: {}; covariance by scatter in {} of {} steps from n = {} on\n", rejected, scatter,
-             steps, first_tested);
+  fmt::print("observations rejected: {}; covariance by scatter in {} of {} steps from n = {} on\n", rejected,
+             repeatability, steps, first_tested);
 }
 
 /// Steps whose covariance, or whose final one, is by scatter are shares of another statistic: counted, not

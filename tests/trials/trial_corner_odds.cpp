@@ -34,7 +34,7 @@ std::vector<Example> examples(const Image& image, const std::vector<Eigen::Vecto
     const auto cross = cross_structure(image, candidate.position, 20);
     const auto fit = cross ? fit_corner(image, candidate.position, *cross, noise) : std::nullopt;
     if (!fit) continue;
-    signs.push_back(signs_of(*fit, noise));
+    signs.push_back(find_signs(*fit, noise));
     const double own = corner_log_odds(signs.back());
     suspects.push_back({candidate, fit->model.position, fit->model.edges, fit->model.half_contrast, own, own});
   }
@@ -79,7 +79,7 @@ Image grain(bool in_patches, std::mt19937& random) {
   return image;
 }
 
-// Newton's method; a faint prior keeps it finite where the sets can be told apart without fault.
+// Newton's method; a faint prior keeps it finite where the sets can be distinguished without fault.
 Row regression(const std::vector<Example>& all) {
   Row weights = Row::Zero();
   for (int i = 0; i < 30; ++i) {
@@ -100,7 +100,7 @@ Row regression(const std::vector<Example>& all) {
 void report(const std::string& name, const std::vector<Example>& all, const Row& weights) {
   int corners = 0, kept = 0, others = 0, taken = 0;
   for (const Example& example : all) {
-    const bool yes = weights.dot(example.signs) > kLeastLogOdds;
+    const bool yes = weights.dot(example.signs) > least_log_odds;
     (example.is_corner ? corners : others) += 1;
     (example.is_corner ? kept : taken) += yes;
   }

@@ -14,8 +14,8 @@
 #include "correct/correction.h"
 #include "effects/own_effect.h"
 #include "export/exported.h"
+#include "fixtures/robots_with_everything.h"
 #include "fixtures/trial_sessions.h"
-#include "fixtures/ways_fixtures.h"
 
 namespace handsight::trials {
 namespace {
@@ -41,7 +41,7 @@ void draw_as_plausible(std::vector<EffectTerm>& terms, std::mt19937_64& random) 
   std::normal_distribution<double> normal;
   for (EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p) {
-      const EffectParameter& number = effect_of(t).parameters[p];
+      const EffectParameter& number = term_effect(t).parameters[p];
       const bool is_positive = t.id == "joint_elasticity";
       const double value = number.sigma * normal(random);
       if (!number.is_choice) t.values[p] = is_positive ? std::abs(value) : value;
@@ -51,7 +51,7 @@ void draw_as_plausible(std::vector<EffectTerm>& terms, std::mt19937_64& random) 
 Hidden hidden_robot(int robot, std::uint64_t seed, const std::string& kind) {
   std::mt19937_64 random(seed * 9176 + 31 * static_cast<unsigned>(robot) + 7);
   const Session like = robot_session(robot, seed);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   Hidden h;
   for (const char* id : {"joint_offset", "joint_elasticity", "encoder_eccentricity"})
     for (const EffectTerm& t : random_terms(*find_effect(id), chain, random))
@@ -78,7 +78,7 @@ Hidden hidden_robot(int robot, std::uint64_t seed, const std::string& kind) {
 
 /// Where the hand truly is, the body being where it is and TCP->Body as estimated: what can be observed of it.
 Vector3 true_hand(const Hidden& h, const Chain& chain, const Eigen::VectorXd& commanded, const Rigid& tcp_from_body) {
-  const Circumstances c = circumstances_at(chain, commanded);
+  const ObservationState c = states_at(chain, commanded);
   const Rigid root_from_tcp = observed_ends(c, moved_sites(c, h.effects, h.curves)).ends.root_from_tcp;
   return (root_from_tcp * h.tcp_from_body * inverse(tcp_from_body)).translation;
 }
@@ -127,7 +127,7 @@ void run_file(const Hidden& h, const CalibratedRobot& robot, const std::vector<E
 struct Calibrated {
   Fit fit;
   FitOptions options;
-  Doubt doubt = {};  // of what improve has found
+  ModelUncertainty model_uncertainty = {};  // of what improve has found
 };
 
 /// The curve as an effect of which the form is known.
@@ -143,7 +143,7 @@ EffectTerm term_of_curve(const Session& session, const Curve& curve) {
 Calibrated calibrated(const Hidden& h, bool is_given) {
   if (!is_given) {
     const Improvement improved = improve(h.session);
-    return {improved.last.model.fit, improved.last.model_options, improved.certainty.doubt};
+    return {improved.last.model.fit, improved.last.model_options, improved.inclusion_probabilities.model_uncertainty};
   }
   FitOptions options;
   options.estimated = h.effects;
@@ -162,22 +162,23 @@ int correct_trials(const Arguments& a) {
     const Calibrated found = calibrated(h, is_given);
     const Fit& f = found.fit;
     h.tcp_from_body = body_frame(f.sides, h.markers_in_tcp).tcp_from_body;
-    const CalibratedRobot by_fit =
-        calibrated_robot(h.session, f, report(h.session, f, found.options), found.options, "trial", found.doubt);
-    PredictionModel without_doubt = by_fit.model;
-    without_doubt.doubt = {};
+    const CalibratedRobot by_fit = calibrated_robot(h.session, f, report(h.session, f, found.options), found.options,
+                                                    "trial", found.model_uncertainty);
+    PredictionModel without_model_uncertainty = by_fit.model;
+    without_model_uncertainty.model_uncertainty = {};
     std::vector<double> before, after, promised, promised_without;
     std::vector<Eigen::VectorXd> commanded;
     int reached = 0;
     for (const Eigen::VectorXd& pose : h.poses) {
-      const Circumstances c = circumstances_at(by_fit.chain, pose);
+      const ObservationState c = states_at(by_fit.chain, pose);
       const Correction correction = corrected(c, by_fit.model);
       const Vector3 wanted = observed_ends(c, {}).ends.root_from_tcp.translation;
       before.push_back((true_hand(h, by_fit.chain, pose, f.tcp_from_body) - wanted).norm());
       after.push_back((true_hand(h, by_fit.chain, correction.position, f.tcp_from_body) - wanted).norm());
       promised.push_back(correction.sigma_m);
-      const Circumstances then = circumstances_at(by_fit.chain, correction.position);
-      promised_without.push_back(std::sqrt(predict_tcp(then, without_doubt).covariance.topLeftCorner<3, 3>().trace()));
+      const ObservationState then = states_at(by_fit.chain, correction.position);
+      promised_without.push_back(
+          std::sqrt(predict_tcp(then, without_model_uncertainty).covariance.topLeftCorner<3, 3>().trace()));
       commanded.push_back(correction.position);
       reached += correction.reached;
     }

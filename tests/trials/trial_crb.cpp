@@ -31,7 +31,8 @@ Geometry make_geometry(int observations) {
   options.observations = observations;
   options.noise = 0;
   const SimulatedSession s = simulate_session(fixture::stand_session(), options);
-  Geometry g{s.session, make_problem(s.session, chain_of(s.session)), {s.markers_in_tcp, s.mount_from_sensor}, {}, {}};
+  Geometry g{
+      s.session, make_problem(s.session, make_chain(s.session)), {s.markers_in_tcp, s.mount_from_sensor}, {}, {}};
   g.sides = choose_sides({s.markers_in_tcp.begin(), s.markers_in_tcp.end()});
   g.tcp_from_body = body_frame(g.sides, s.markers_in_tcp).tcp_from_body;
   return g;
@@ -83,7 +84,7 @@ Session with_noise(const Session& exact, Random& random) {
 
 struct Sums {
   Vector6 error = Vector6::Zero(), squares = Vector6::Zero(), covered = Vector6::Zero();
-  int scatter = 0, not_converged = 0;
+  int repeatability = 0, not_converged = 0;
 };
 
 bool run(const Geometry& g, int count, bool declared) {
@@ -100,14 +101,14 @@ bool run(const Geometry& g, int count, bool declared) {
     sums.error += xi;
     sums.squares += xi.cwiseAbs2();
     sums.covered.array() += (xi.array().abs() <= normal_95 * f.covariance.diagonal().array().sqrt()).cast<double>();
-    sums.scatter += f.covariance_kind == CovarianceKind::scatter ? 1 : 0;
+    sums.repeatability += f.covariance_kind == CovarianceKind::repeatability ? 1 : 0;
     sums.not_converged += f.converged() ? 0 : 1;
   }
   const Vector6 bound = cramer_rao_bound(g).diagonal().cwiseSqrt();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   fmt::print("\n{} fits of {} observations, free markers, noise {:.1f} px {} ({:.1f} s)\n", count,
              g.exact.observations.size(), noise, declared ? "declared" : "not declared (estimated)", seconds);
-  fmt::print("covariance by scatter in {} fits, not converged {}\n", sums.scatter, sums.not_converged);
+  fmt::print("covariance by scatter in {} fits, not converged {}\n", sums.repeatability, sums.not_converged);
   fmt::print("        bound          rms/bound  mean/bound  within 95 %\n");
   const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
   bool all = sums.not_converged == 0;

@@ -32,8 +32,8 @@ std::string what_of(const Image& image, const std::optional<CornerFit>& fit, dou
   if (!fit) return "no fit";
   if (2 * std::abs(fit->model.half_contrast) < 20) return "fit: too little contrast";
   if (fit->covariance.trace() > 2 * 0.3 * 0.3) return "fit: sigma";
-  const double own = corner_log_odds(signs_of(*fit, noise));
-  if (log_odds_among(own, -2) < kLeastLogOdds) return "fit: unlikely by itself";
+  const double own = corner_log_odds(find_signs(*fit, noise));
+  if (log_odds_among(own, -2) < least_log_odds) return "fit: unlikely by itself";
   const auto symmetric = symmetry_point(image, fit->model.position, 2, 0.6, 0);
   if (!symmetric) return "fit: no point of symmetry near";
   const double left = symmetric->noise * symmetric->noise - noise * noise;

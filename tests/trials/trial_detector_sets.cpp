@@ -20,9 +20,9 @@ namespace {
 
 using namespace corner_images;
 
-constexpr double kInScope = 0.1;  // px an axis: what could be known better counts
-constexpr double kSame = 2;       // px
-constexpr double kVisible = 0.4;  // of the contrast, of what is clipped white
+constexpr double scope_px = 0.1;       // px an axis: what could be known better counts
+constexpr double same_px = 2;          // px
+constexpr double visible_share = 0.4;  // of the contrast, of what is clipped white
 
 struct Score {
   int in_scope = 0, found = 0, far = 0, false_ones = 0, at_rim = 0, theirs_lost = 0;
@@ -34,7 +34,7 @@ using Filter = bool (*)(const TrueCorner&);
 bool all_of_them(const TrueCorner&) { return true; }
 
 bool is_in_scope(const TrueCorner& truth) {
-  return truth.bound <= kInScope && truth.smallest_cell >= 4 && truth.visible >= kVisible;
+  return truth.bound <= scope_px && truth.smallest_cell >= 4 && truth.visible >= visible_share;
 }
 
 // By how far off the shadow's edge is. Of what is darkest in it less contrast is left than the detector is asked for.
@@ -45,7 +45,7 @@ struct Shadows {
   const char* name;
   Filter filter;
 };
-constexpr Shadows kShadows[]{
+constexpr Shadows shadows[]{
     {"shadow's edge 4-12 px off", [](const TrueCorner& c) { return is_shaded(c, 4, 12); }},
     {"shadow's edge 1.5-4 px off", [](const TrueCorner& c) { return is_shaded(c, 1.5, 4); }},
     {"shadow's edge under 1.5 px", [](const TrueCorner& c) { return is_shaded(c, -1, 1.5); }},
@@ -55,7 +55,7 @@ void add(const Picture& picture, const std::vector<Corner>& corners, Filter filt
   std::vector<bool> used(corners.size(), false);
   for (const TrueCorner& truth : picture.corners) {
     int best = -1;
-    double nearest = std::max(kSame, 0.7 * picture.blur);
+    double nearest = std::max(same_px, 0.7 * picture.blur);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const double distance = (corners[i].position - truth.position).norm();
       if (distance < nearest) nearest = distance, best = static_cast<int>(i);
@@ -128,7 +128,7 @@ void sets(unsigned seed) {
   set("glare", 30, {.contrast = {40, 120}, .glare = {50, 150}});
   set("white clipped", 20, {.contrast = {80, 200}, .exposure = {1.3, 2.2}});
   const Conditions shadow{.shade = {0.25, 0.7}};
-  for (const Shadows& near : kShadows) set(near.name, 40, shadow, near.filter);
+  for (const Shadows& near : shadows) set(near.name, 40, shadow, near.filter);
   // Shadows of far and of round things.
   const Filter any = [](const TrueCorner& c) { return is_shaded(c, -1, 12); };
   set("soft shadow, 2-10 px, to 12 px off", 40, {.shade = {0.25, 0.7}, .penumbra = {2, 10}}, any);
@@ -147,23 +147,24 @@ void sets(unsigned seed) {
 // position is known to 0.3 px, which the detector asks of itself, with everything else unknown; and how many of the
 // lost ones are both.
 void ask(const std::string& name, int pictures, unsigned seed, Conditions conditions, Filter filter = all_of_them) {
-  constexpr double kMostSigma = 0.3;  // px
+  constexpr double most_sigma = 0.3;  // px
   std::mt19937 random(seed);
   conditions.with_exact = true;
-  int all = 0, told = 0, known = 0, both = 0, found = 0, lost_both = 0, lost_told = 0;
+  int all = 0, reported = 0, known = 0, both = 0, found = 0, lost_both = 0, lost_reported = 0;
   double least = 1e9;
   for (int i = 0; i < pictures; ++i) {
     const Picture picture = take(conditions, random);
     const std::vector<Corner> corners = detect_corners(picture.image);
     for (const TrueCorner& truth : picture.corners) {
       if (!is_in_scope(truth) || !filter(truth)) continue;
-      const double same = std::max(kSame, 0.7 * picture.blur);
+      const double same = std::max(same_px, 0.7 * picture.blur);
       const bool is_found = std::any_of(corners.begin(), corners.end(),
                                         [&](const Corner& c) { return (c.position - truth.position).norm() < same; });
       const OracleVerdict verdict = ask_oracle(picture, truth);
-      const bool is_known = verdict.sigma < kMostSigma;
-      ++all, told += verdict.is_told, known += is_known, both += verdict.is_told && is_known, found += is_found;
-      lost_told += !is_found && verdict.is_told, lost_both += !is_found && verdict.is_told && is_known;
+      const bool is_known = verdict.sigma < most_sigma;
+      ++all, reported += verdict.is_reported, known += is_known, both += verdict.is_reported && is_known,
+          found += is_found;
+      lost_reported += !is_found && verdict.is_reported, lost_both += !is_found && verdict.is_reported && is_known;
       least = std::min(least, verdict.apart);
     }
   }
@@ -171,7 +172,8 @@ void ask(const std::string& name, int pictures, unsigned seed, Conditions condit
   fmt::print(
       "{:<34} {:6} in scope; oracle tells {:.4f}, at least {:.1f} sigma apart; position known to 0.3 px {:.4f}; both "
       "{:.4f}; detector {:.4f}: of {} lost the oracle tells {}, {} of them with a known position\n",
-      name, all, share(told), least, share(known), share(both), share(found), all - found, lost_told, lost_both);
+      name, all, share(reported), least, share(known), share(both), share(found), all - found, lost_reported,
+      lost_both);
   std::fflush(stdout);
 }
 
@@ -179,7 +181,7 @@ void oracle(unsigned seed) {
   ask("tilt 60-70 deg", 30, seed, {.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}});
   ask("gamma, tilt 50-65 deg", 20, seed, {.cell = {14, 30}, .tilt = {0.87, 1.13}, .gamma = {1.8, 2.4}});
   const Conditions shadow{.shade = {0.25, 0.7}};
-  for (const Shadows& near : kShadows) ask(near.name, 40, seed, shadow, near.filter);
+  for (const Shadows& near : shadows) ask(near.name, 40, seed, shadow, near.filter);
   ask("blur 2-3.5", 20, seed, {.cell = {16, 34}, .blur = {2, 3.5}});
   ask("blur 3.5-8", 12, seed, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
   ask("cells of 4 px", 8, seed, {.cell = {4, 4}, .tilt = {0, 0.5}, .blur = {0.5, 1}});

@@ -22,7 +22,7 @@ struct Hidden {
 Hidden hidden_curve(const Session& like, std::uint64_t seed) {
   std::mt19937_64 random(seed * 7331 + 5);
   std::normal_distribution<double> normal;
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const std::size_t inner = like.joints.size() - 1;  // the last joint may only turn the hand
   const std::size_t first = like.joints.size() > 8 ? 3 : 0;
   const std::size_t a = first + random() % (inner - first);
@@ -80,14 +80,14 @@ int discovery_trials(const Arguments& a) {
       continue;
     }
     const Session session = simulate_session(like, o).session;
-    FitOptions told;
-    told.estimated = {h.term};
-    const double best = held_out_px(session, told);
+    FitOptions reported;
+    reported.estimated = {h.term};
+    const double best = held_out_px(session, reported);
     const Improvement m = improve(session);
     const double reached = m.steps.back().held_out.rms_pixel.value_or(9);
     std::string found, names;
     bool variable = false, site = false;
-    for (const EffectTerm& t : terms_of(m.last.model.fit)) {
+    for (const EffectTerm& t : list_terms(m.last.model.fit)) {
       if (!is_curve(t)) {
         names += " " + t.id;
         continue;

@@ -32,7 +32,7 @@ int effect_trials(const Arguments& a) {
         const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
         std::mt19937_64 random(seed * 104729 + std::hash<std::string>{}(e.id) % 100000 + static_cast<unsigned>(robot));
         const Session like = robot_session(robot, random());
-        const Chain chain = chain_of(like);
+        const Chain chain = make_chain(like);
         SimulationOptions o = simulation(seed + 5000 * static_cast<std::uint64_t>(robot), robot);
         o.effects = random_terms(e, chain, random);
         if (o.effects.empty()) continue;
@@ -49,7 +49,7 @@ int effect_trials(const Arguments& a) {
         const DiagnosisCandidate& best = d.candidates.front();
         const bool is_first = best.id == e.id;
         const bool is_named =
-            is_first || std::count(best.cannot_be_told_from.begin(), best.cannot_be_told_from.end(), e.id) > 0;
+            is_first || std::count(best.indistinguishable_from.begin(), best.indistinguishable_from.end(), e.id) > 0;
         const bool detected = d.verdict != Verdict::adequate;
         const bool at_joint = e.scope == EffectScope::joint && o.effects.size() == 1;
         const bool joint =

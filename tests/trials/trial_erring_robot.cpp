@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots with joints that err from pose to pose: TCP->Body (of a camera on the hand: its mount) by the fit, by one that
-// takes every pixel alike, and by one that was told all sizes; and how many of the six numbers lie inside 95 %.
+// takes every pixel alike, and by one that was given all sizes; and how many of the six numbers lie inside 95 %.
 // trial_erring_robot [COUNT] [FIRST_SEED]
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ void add(const SimulatedSession& s, const Fit& f, bool of_mount, Errors& errors)
 }
 
 /// The answer of a robot whose sizes are known.
-Fit told(const Fit& f, const fixture::ErringRobotOptions& o) {
+Fit reported(const Fit& f, const fixture::ErringRobotOptions& o) {
   Fit best = f;
   best.problem = with_motions(best.problem);
   best.problem.flange_error = {o.place, o.joints};
@@ -59,7 +59,7 @@ void trial(const char* name, ErringRig rig, int count, std::uint64_t first, fixt
     seen += f.problem.flange_error.is_any();
     add(s, f, of_mount, ours);
     add(s, alike, of_mount, plain);
-    add(s, told(alike, o), of_mount, bound);
+    add(s, reported(alike, o), of_mount, bound);
   }
   fmt::print(
       "{:14} {:3} poses, joints {:.2f} mrad, flange {:.2f} mm {:.2f} mrad: {:.3f} mm, plain {:.3f}, told {:.3f}; "

@@ -49,7 +49,7 @@ Case drawn_case(int robot, std::uint64_t seed) {
   const char* causes[] = {"joint_offset", "joint_elasticity", "joint_scale", "encoder_eccentricity", "none", "curve"};
   const std::string cause = causes[seed % 6];
   c.hidden = cause;
-  const Chain chain = chain_of(c.like);
+  const Chain chain = make_chain(c.like);
   if (cause == "curve") {
     const int joint = chain.joints[random() % chain.joints.size()];
     c.truth.curves.push_back({joint, 1.5e-3, false, 3.3});
@@ -66,7 +66,7 @@ Case drawn_case(int robot, std::uint64_t seed) {
   return c;
 }
 
-Session start_of(const Case& c) {
+Session make_start(const Case& c) {
   SimulationOptions options = c.truth;
   options.observations = 2;
   return simulate_session(c.like, options).session;
@@ -91,9 +91,9 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
   options.observations = 4 * most_poses;
   options.seed = c.truth.seed + 5000000;
   Session many = simulate_session(c.like, options).session;
-  const CollisionWorld world(chain_of(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
+  const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
-  for (const Observation& o : start_of(c).observations) poses.push_back(o);
+  for (const Observation& o : make_start(c).observations) poses.push_back(o);
   for (const Observation& o : many.observations)
     if (!world.touching(o.position)) poses.push_back(o);
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -106,7 +106,7 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
   for (std::size_t count = 10; count <= all.observations.size(); count += batch) {
     Session some = all;
     some.observations.resize(count);
-    const Knowledge known = known_of(some, {}, true, {});
+    const Knowledge known = assess_knowledge(some, {}, true, {});
     if (known.settled && known.settled->odds >= odds) {
       settled = known.settled;
       return static_cast<int>(count) - 2;
@@ -124,7 +124,7 @@ void try_robots(int count, std::uint64_t first) {
     const auto start = Clock::now();
     SimulatedRobot robot(c.like, {.truth = c.truth});
     const ExperimentResult loop =
-        run_experiment(start_of(c), robot, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
+        run_experiment(make_start(c), robot, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
     const double seconds = seconds_since(start);
     std::optional<SettledCause> by_random;
     const int random_count = random_poses_needed(c, by_random);
@@ -139,9 +139,9 @@ void try_robots(int count, std::uint64_t first) {
       ExperimentOptions with_truth = quiet(fmt::format("count={}", loop.observations));
       with_truth.model.estimated = c.truth.effects;
       SimulatedRobot again(c.like, {.truth = c.truth});
-      const ExperimentResult ideal = run_experiment(start_of(c), again, with_truth);
+      const ExperimentResult ideal = run_experiment(make_start(c), again, with_truth);
       const Fit by_loop = fit(loop.session, {.estimated = c.truth.effects});
-      const Chain chain = chain_of(c.like);
+      const Chain chain = make_chain(c.like);
       const Reach reach{chain,
                         {chain, robot_solids(c.like), {}, {c.like.observations.back().position}},
                         joint_ranges(chain, {}),
@@ -184,7 +184,7 @@ void try_ways(int count, std::uint64_t seed) {
   const auto start = Clock::now();
   for (int robot = 0; robot < 3; ++robot) {
     const Session like = trials::robot_session(robot, seed);
-    const Chain chain = chain_of(like);
+    const Chain chain = make_chain(like);
     Cell cell;
     if (robot > 0) cell.boxes.push_back({{0.1, 0.1, 1.2}, {Matrix3::Identity(), {0.35, 0.25, 0.6}}});
     const Eigen::VectorXd home = like.observations.back().position;
@@ -292,7 +292,7 @@ void try_changes(int count, std::uint64_t first) {
       Vector3 v(normal(random), normal(random), normal(random));
       return Vector3(v.normalized());
     };
-    const Chain chain = chain_of(w.session);
+    const Chain chain = make_chain(w.session);
     std::vector<std::pair<std::string, EffectTerm>> changes;
     const auto add = [&](const std::string& kind, const std::string& id, int place, const std::vector<double>& values) {
       EffectTerm term = term_of(*find_effect(id), place);
@@ -318,7 +318,7 @@ void try_changes(int count, std::uint64_t first) {
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
       tally[2] += last->changed && last->what == term.id &&
-                          (term.joint < 0 || last->where == place_name(effect_of(term), term.joint, chain.robot))
+                          (term.joint < 0 || last->where == place_name(term_effect(term), term.joint, chain.robot))
                       ? 1
                       : 0;
     }

@@ -31,7 +31,7 @@ struct World {
   std::set<std::string> dominant;  // those that come first
   std::string blunder;             // ID:WHERE of a mistake
   double target_scale = 0;         // by which the target is larger than described
-  double scatter = 0;              // of each joint from pose to pose, rad
+  double repeatability = 0;        // of each joint from pose to pose, rad
   bool has_remainder = false;      // something is left that nothing in the catalogue says
   std::vector<Vector3> markers_in_tcp;
   Rigid mount_from_sensor;
@@ -65,7 +65,7 @@ bool shows(const Session& like, const SimulationOptions& o, const EffectTerm& te
 }
 
 std::vector<EffectTerm> hidden(const std::string& kind, const Session& like, const SimulationOptions& o, Draw& draw) {
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const std::vector<int> joints = effect_places(*find_effect("joint_offset"), chain);
   std::vector<EffectTerm> terms;
   if (kind == "zeros")
@@ -111,7 +111,7 @@ Session like_of(const std::string& kind, std::uint64_t seed) {
 
 /// Small deviations that every robot has: a tenth of what is usual, at every joint.
 std::vector<EffectTerm> background(const Session& like, Draw& draw) {
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   std::vector<EffectTerm> terms;
   for (const char* id : {"joint_offset", "link_geometry", "joint_elasticity", "encoder_eccentricity"}) {
     const Effect& e = *find_effect(id);
@@ -119,7 +119,7 @@ std::vector<EffectTerm> background(const Session& like, Draw& draw) {
       EffectTerm t = term_of(e, place);
       for (std::size_t p = 0; p < t.values.size(); ++p)
         if (!e.parameters[p].is_choice)
-          t.values[p] = 0.1 * plausible_size(e.parameters[p], chain) * draw.normal(draw.random);
+          t.values[p] = 0.1 * prior_sigma(e.parameters[p], chain) * draw.normal(draw.random);
       if (e.id == "joint_elasticity") t.values[0] = std::abs(t.values[0]);
       terms.push_back(t);
     }
@@ -174,8 +174,8 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   w.effects = hidden(kind, like, o, draw);
   for (const EffectTerm& t : w.effects) w.dominant.insert(t.id);
   // Where the first joint sits and where a mount is that is held are one and the same.
-  const bool is_first = !w.effects.empty() &&
-                        w.effects.front().joint == effect_places(*find_effect("joint_offset"), chain_of(like)).front();
+  const bool is_first = !w.effects.empty() && w.effects.front().joint ==
+                                                  effect_places(*find_effect("joint_offset"), make_chain(like)).front();
   if (!like.mount.estimate && is_first) w.dominant.insert("camera_mount");
   if (kind != "scatter" && kind != "regions")
     for (EffectTerm& t : background(like, draw)) add_to(w.effects, t);
@@ -192,10 +192,10 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   SimulatedSession s = simulate_session(like, o);
   w.session = s.session;
   misdescribe(kind, like, draw, w);
-  const double scatter = w.scatter = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
+  const double repeatability = w.repeatability = kind == "scatter" ? draw.log_between(1e-4, 3e-3) : 5e-5;
   for (Observation& observation : w.session.observations)
-    for (double& q : observation.position) q += scatter * draw.normal(draw.random);
-  w.has_remainder = w.has_remainder || scatter > 8e-4;
+    for (double& q : observation.position) q += repeatability * draw.normal(draw.random);
+  w.has_remainder = w.has_remainder || repeatability > 8e-4;
   w.markers_in_tcp = s.markers_in_tcp;
   w.mount_from_sensor = like.mount.mount_from_sensor;
   SimulationOptions later = o;
@@ -211,53 +211,54 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
 /// The body's origin as the sensor sees it.
 Vector3 seen_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms,
                 const Rigid& mount_from_sensor, const Vector3& body) {
-  const Sites sites = moved_sites(circumstances_at(chain, pose), terms);
-  const auto ends = observed_ends(circumstances_at(chain, pose), sites).ends;
+  const Sites sites = moved_sites(states_at(chain, pose), terms);
+  const auto ends = observed_ends(states_at(chain, pose), sites).ends;
   return inverse(ends.root_from_mount * mount_from_sensor * small_motion<double>(sites.mount)) * ends.root_from_tcp *
          body;
 }
 
 /// Mean distance (mm) of the body's true origin in fresh poses from where the fit puts it.
 double error_on_fresh(const World& w, const Fit& f) {
-  const Chain chain = chain_of(w.session);
+  const Chain chain = make_chain(w.session);
   const Vector3 body = body_frame(f.sides, w.markers_in_tcp).tcp_from_body.translation;
   double sum = 0;
   for (const Eigen::VectorXd& pose : w.fresh_poses)
     sum += (seen_at(chain, pose, w.effects, w.mount_from_sensor, body) -
-            seen_at(chain, pose, terms_of(f), estimate(f).mount_from_sensor, f.tcp_from_body.translation))
+            seen_at(chain, pose, list_terms(f), estimate(f).mount_from_sensor, f.tcp_from_body.translation))
                .norm();
   return 1e3 * sum / static_cast<double>(w.fresh_poses.size());
 }
 
-Fit told(const World& w) {
+Fit reported(const World& w) {
   FitOptions o;
   for (EffectTerm t : w.effects) {
-    const Effect& e = effect_of(t);
+    const Effect& e = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p)
       if (!e.parameters[p].is_choice) t.values[p] = 0;
     o.estimated.push_back(t);
   }
   for (const char* id : {"target_scale", "camera_mount"})
     if (w.dominant.contains(id)) {
-      const Chain chain = chain_of(w.session);
-      for (EffectTerm& t : effect_terms(id, chain, own_effects_of(w.session, chain))) o.estimated.push_back(t);
+      const Chain chain = make_chain(w.session);
+      for (EffectTerm& t : effect_terms(id, chain, list_own_effects(w.session, chain))) o.estimated.push_back(t);
     }
   return fit(w.session, o);
 }
 
 struct Score {
   int worlds = 0, first = 0, disowned = 0, wrongly_adequate = 0, wrong_names = 0, names = 0, worse_than_plain = 0;
-  std::vector<double> to_told;  // error on fresh poses by that of the fit told everything
+  std::vector<double> to_reported;  // error on fresh poses by that of the fit told everything
   double seconds = 0;
 };
 
 /// A mistake is found before any effect.
 void judge_blunder(const World& w, Score& score) {
   const std::vector<Blunder> found = find_blunders(w.session, fit(w.session, {}));
-  const bool is_right = !found.empty() && name_of(found.front()) == w.blunder && found.front().together_with.empty();
+  const bool is_right =
+      !found.empty() && display_name(found.front()) == w.blunder && found.front().together_with.empty();
   score.first += is_right;
   if (!is_right)
-    fmt::print("  {}: {}\n", w.blunder, found.empty() ? "nothing found" : "found " + name_of(found.front()));
+    fmt::print("  {}: {}\n", w.blunder, found.empty() ? "nothing found" : "found " + display_name(found.front()));
 }
 
 void judge_effects(std::uint64_t seed, const World& w, Score& score) {
@@ -268,7 +269,7 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   int disowned = 0, wrong = 0;
   std::string wrong_names;
   for (const ImprovementStep& s : m.steps) disowned += w.dominant.contains(s.added) && !s.stands.empty();
-  for (const NameCertainty& n : m.certainty.names) {
+  for (const InclusionProbability& n : m.inclusion_probabilities.names) {
     if (n.probability < 0.95 || n.id.starts_with("curve_")) continue;
     ++score.names;
     if (w.right.contains(n.id)) continue;
@@ -279,13 +280,13 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score) {
   score.wrong_names += wrong;
   const bool is_adequate = w.has_remainder && m.last.verdict == Verdict::adequate;
   score.wrongly_adequate += is_adequate;
-  const double found = error_on_fresh(w, m.last.model.fit), best = error_on_fresh(w, told(w)),
+  const double found = error_on_fresh(w, m.last.model.fit), best = error_on_fresh(w, reported(w)),
                plain = error_on_fresh(w, fit(w.session, {}));
-  score.to_told.push_back(found / std::max(best, 1e-3));
+  score.to_reported.push_back(found / std::max(best, 1e-3));
   const bool is_worse = found > 1.5 * plain;
   score.worse_than_plain += is_worse;
   if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 2 * best) return;
-  fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.scatter, 1e2 * w.target_scale);
+  fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.repeatability, 1e2 * w.target_scale);
   for (const ImprovementStep& s : m.steps) fmt::print(" {}{}", s.added, s.stands.empty() ? "" : " (disowned)");
   for (const RefusedStep& r : m.refused) fmt::print(" [{}: {}]", r.id, r.reason);
   fmt::print("; {} disowned, {} wrong names{}, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong,
@@ -304,19 +305,19 @@ void judge(std::uint64_t seed, const World& w, Score& score) {
 }
 
 void run(const std::string& kind, int count, std::uint64_t first_seed) {
-  for (const int observations : {8, 15, 25, 40, 80}) {  // effects are told from ten on
+  for (const int observations : {8, 15, 25, 40, 80}) {  // effects are reported from ten on
     Score s;
     for (int i = 0; i < count; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
       judge(seed, world(kind, observations, seed), s);
     }
-    std::sort(s.to_told.begin(), s.to_told.end());
-    const double median = s.to_told.empty() ? 0 : s.to_told[s.to_told.size() / 2];
+    std::sort(s.to_reported.begin(), s.to_reported.end());
+    const double median = s.to_reported.empty() ? 0 : s.to_reported[s.to_reported.size() / 2];
     fmt::print(
         "{:8} {:2} poses: first right {} of {}, disowned {}, wrong names above 95 % {} of {}, adequate wrongly {}, "
         "worse than 1.5 plain {}, hand to told {:.2f} median {:.2f} worst, {:.1f} s at most\n",
         kind, observations, s.first, s.worlds, s.disowned, s.wrong_names, s.names, s.wrongly_adequate,
-        s.worse_than_plain, median, s.to_told.empty() ? 0 : s.to_told.back(), s.seconds);
+        s.worse_than_plain, median, s.to_reported.empty() ? 0 : s.to_reported.back(), s.seconds);
     std::fflush(stdout);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hand-eye from images of a board with a robot that errs, beside the best of OpenCV's seven ways and the bound: what a
-// fit that was told both noises would reach. trial_hand_eye [COUNT] [FIRST_SEED]
+// fit that was given both noises would reach. trial_hand_eye [COUNT] [FIRST_SEED]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,10 +89,10 @@ void trial(int count, std::uint64_t first, int poses, double place, double turn)
     for (int n = 0; n < 6; ++n)
       inside += std::abs(off[n]) < 1.96 * std::sqrt(f.parameter_covariance(mount + n, mount + n));
     numbers += 6;
-    Problem told = f.problem;
-    told.flange_error = {place, turn};
-    told.noise = 0.15;
-    const Solution best = solve(told, estimate(f), {.fixed_body = true});
+    Problem reported = f.problem;
+    reported.flange_error = {place, turn};
+    reported.noise = 0.15;
+    const Solution best = solve(reported, estimate(f), {.fixed_body = true});
     bound.push_back((best.unknowns.mount_from_sensor.translation - h.flange_from_camera.translation).norm());
     const std::vector<double> errors = opencv_errors(h);
     for (std::size_t w = 0; w < errors.size(); ++w) theirs[w].push_back(std::isfinite(errors[w]) ? errors[w] : 1);

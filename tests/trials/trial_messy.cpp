@@ -34,7 +34,7 @@ struct Messy {
 /// Three to five effects, 0.15 to 1 of the usual size.
 std::vector<EffectTerm> hidden_effects(const Session& like, std::mt19937_64& random) {
   static const std::set<std::string> left_out{"body_slip", "marker_slip", "mount_slip"};
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const std::size_t count = 3 + random() % 3;
   std::vector<EffectTerm> all;
   std::set<std::string> ids;
@@ -91,7 +91,7 @@ Messy messy_session(int robot, std::uint64_t seed, double size_mm) {
 }
 
 Rigid hand_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms) {
-  const Circumstances c = circumstances_at(chain, pose);
+  const ObservationState c = states_at(chain, pose);
   return observed_ends(c, moved_sites(c, terms)).ends.root_from_tcp;
 }
 
@@ -102,13 +102,14 @@ using PointOfHand = std::function<Vector3(const Eigen::VectorXd& pose)>;
 double error_on_fresh(const Messy& m, const Fit& f, const PointOfHand& point) {
   Session real = m.session;
   real.robot = m.true_robot;
-  const Chain truth = chain_of(real), model = chain_of(m.session);
+  const Chain truth = make_chain(real), model = make_chain(m.session);
   std::vector<EffectTerm> terms = m.effects;
   if (m.shift) terms.push_back(*m.shift);
   double sum = 0;
   for (const Eigen::VectorXd& pose : m.fresh_poses)
-    sum += (hand_at(truth, pose, terms) * m.tcp_from_body.translation - hand_at(model, pose, terms_of(f)) * point(pose))
-               .norm();
+    sum +=
+        (hand_at(truth, pose, terms) * m.tcp_from_body.translation - hand_at(model, pose, list_terms(f)) * point(pose))
+            .norm();
   return 1e3 * sum / static_cast<double>(m.fresh_poses.size());
 }
 
@@ -120,7 +121,7 @@ double error_on_fresh(const Messy& m, const Fit& f) {
 /// the axes of the robot's root.
 double error_of_learning(const Messy& m, const Fit& alone) {
   const FitReport r = report(m.session, alone);
-  const Chain model = chain_of(m.session);
+  const Chain model = make_chain(m.session);
   const Vector3 body = alone.tcp_from_body.translation;
   std::vector<std::pair<Eigen::VectorXd, Vector3>> seen;
   for (const ObservationReport& o : r.per_observation) {
@@ -149,11 +150,11 @@ std::vector<EffectTerm> everywhere(const Effect& e, const Chain& chain) {
   }
 }
 
-/// Everything of the catalogue at every place in one fit, held by its plausible sizes alone; but what begins at some
+/// Everything of the catalogue at every place in one fit, held by its prior sigmas alone; but what begins at some
 /// observation.
 Fit all_at_once(const Messy& m) {
   FitOptions o;
-  const Chain chain = chain_of(m.session);
+  const Chain chain = make_chain(m.session);
   for (const Effect& e : catalogue()) {
     if (std::any_of(e.parameters.begin(), e.parameters.end(), [](const auto& p) { return p.is_choice; })) continue;
     for (EffectTerm& t : everywhere(e, chain)) o.estimated.push_back(std::move(t));
@@ -162,11 +163,11 @@ Fit all_at_once(const Messy& m) {
 }
 
 /// Told which effects there are, but `without`; `everything`: the shift's form too.
-Fit told(const Messy& m, bool everything, const std::string& without = {}) {
+Fit reported(const Messy& m, bool everything, const std::string& without = {}) {
   FitOptions o;
   for (EffectTerm t : m.effects) {
     if (t.id == without) continue;
-    const Effect& e = effect_of(t);
+    const Effect& e = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p)
       if (!e.parameters[p].is_choice) t.values[p] = 0;
     o.estimated.push_back(t);
@@ -178,21 +179,21 @@ Fit told(const Messy& m, bool everything, const std::string& without = {}) {
   return fit(m.session, o);
 }
 
-std::set<std::string> ids_of(const std::vector<EffectTerm>& terms) {
+std::set<std::string> list_ids(const std::vector<EffectTerm>& terms) {
   std::set<std::string> ids;
   for (const EffectTerm& t : terms)
     if (!is_curve(t)) ids.insert(t.id);
   return ids;
 }
 
-/// The hidden names that show where all else is told: without one of them a fit that knows the rest leaves 50 of
+/// The hidden names that show where all else is given: without one of them a fit that knows the rest leaves 50 of
 /// chi-squared more, in units of what it leaves with it. Nobody can find what does not show even then.
 std::set<std::string> seen_beside_the_rest(const Messy& m, const Fit& everything) {
   const NormalEquations& with = everything.solution.normal;
   const double square = with.data_cost() / with.rows;
   std::set<std::string> seen;
-  for (const std::string& id : ids_of(m.effects))
-    if (told(m, true, id).solution.normal.cost - with.cost > 50 * square) seen.insert(id);
+  for (const std::string& id : list_ids(m.effects))
+    if (reported(m, true, id).solution.normal.cost - with.cost > 50 * square) seen.insert(id);
   return seen;
 }
 
@@ -214,7 +215,7 @@ double median(std::vector<double> v) {
 
 /// The error that a model's sigma promises in the fresh poses: root mean square of the hand's body (mm).
 double promised_on_fresh(const Messy& m, const PredictionModel& model) {
-  const Chain chain = chain_of(m.session);
+  const Chain chain = make_chain(m.session);
   double variance = 0;
   for (const Eigen::VectorXd& pose : m.fresh_poses) {
     const TcpPrediction p = predict_tcp(chain, pose, model);
@@ -227,16 +228,16 @@ double promised_on_fresh(const Messy& m, const PredictionModel& model) {
   return 1e3 * std::sqrt(variance / static_cast<double>(m.fresh_poses.size()));
 }
 
-/// How often names are there that are told to be there with some probability.
+/// How often names are there that are reported to be there with some probability.
 struct Reliability {
   static constexpr std::array<double, 6> from{0, 0.05, 0.2, 0.5, 0.8, 0.98};
-  std::array<int, 6> told{}, there{};
+  std::array<int, 6> reported{}, there{};
   std::array<double, 6> sum{};
 
   void add(double probability, bool is_there) {
     std::size_t bin = from.size() - 1;
     while (bin > 0 && probability < from[bin]) --bin;
-    ++told[bin];
+    ++reported[bin];
     there[bin] += is_there;
     sum[bin] += probability;
   }
@@ -244,9 +245,9 @@ struct Reliability {
   std::string text() const {
     std::string text;
     for (std::size_t i = 1; i < from.size(); ++i)
-      if (told[i] > 0)
-        text += fmt::format("; told {:.1f} %: there {:.0f} % of {}", 100 * sum[i] / told[i], 100.0 * there[i] / told[i],
-                            told[i]);
+      if (reported[i] > 0)
+        text += fmt::format("; told {:.1f} %: there {:.0f} % of {}", 100 * sum[i] / reported[i],
+                            100.0 * there[i] / reported[i], reported[i]);
     return text;
   }
 };
@@ -258,7 +259,7 @@ double mean_square(const std::vector<double>& v) {
 }
 
 struct Row {
-  std::vector<double> alone, learned, at_once, improved, told, everything, over_promised, over_promised_without;
+  std::vector<double> alone, learned, at_once, improved, reported, everything, over_promised, over_promised_without;
   Reliability names;
   int true_names = 0, found = 0, shown = 0, found_of_shown = 0, named = 0, wrong = 0, missing_at_the_end = 0,
       curve_seen = 0, trials = 0;
@@ -275,15 +276,16 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.improved.push_back(error_on_fresh(m, i.last.model.fit));
   const Fit& last = i.last.model.fit;
-  row.over_promised.push_back(row.improved.back() / promised_on_fresh(m, prediction_model(last, i.certainty.doubt)));
+  row.over_promised.push_back(
+      row.improved.back() / promised_on_fresh(m, prediction_model(last, i.inclusion_probabilities.model_uncertainty)));
   row.over_promised_without.push_back(row.improved.back() / promised_on_fresh(m, prediction_model(last)));
-  row.told.push_back(error_on_fresh(m, told(m, false)));
-  const Fit everything = told(m, true);
+  row.reported.push_back(error_on_fresh(m, reported(m, false)));
+  const Fit everything = reported(m, true);
   row.everything.push_back(error_on_fresh(m, everything));
-  const std::set<std::string> truth = ids_of(m.effects), found = ids_of(terms_of(i.last.model.fit));
+  const std::set<std::string> truth = list_ids(m.effects), found = list_ids(list_terms(i.last.model.fit));
   const std::set<std::string> shown = seen_beside_the_rest(m, everything);
   const int right = common(found, truth);
-  for (const NameCertainty& n : i.certainty.names)
+  for (const InclusionProbability& n : i.inclusion_probabilities.names)
     if (find_effect(n.id)) row.names.add(n.probability, truth.contains(n.id));
   row.shown += static_cast<int>(shown.size());
   row.found_of_shown += common(found, shown);
@@ -293,7 +295,7 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   row.wrong += static_cast<int>(found.size()) - right;
   row.missing_at_the_end += i.last.verdict == Verdict::missing_effect || i.last.verdict == Verdict::ambiguous;
   std::string curves;
-  for (const EffectTerm& t : terms_of(i.last.model.fit))
+  for (const EffectTerm& t : list_terms(i.last.model.fit))
     if (is_curve(t))
       curves += " [" + t.own->definition->moves.front().site + " " + t.own->definition->moves.front().formula + "]";
   row.curve_seen += !curves.empty();
@@ -304,7 +306,7 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
       "steps\n    "
       "truth{}{}\n    shown beside the rest{}\n    found{}{} ({})\n",
       robot, seed, size_mm, row.alone.back(), row.learned.back(), row.at_once.back(), row.improved.back(),
-      row.told.back(), row.everything.back(), row.over_promised.back(), row.over_promised_without.back(), seconds,
+      row.reported.back(), row.everything.back(), row.over_promised.back(), row.over_promised_without.back(), seconds,
       i.steps.size() - 1, listed_ids(truth), m.shift ? " + " + m.shift->own->definition->moves.front().formula : "",
       listed_ids(shown), listed_ids(found), curves, verdict_text(i.last.verdict));
   std::fflush(stdout);
@@ -330,7 +332,7 @@ int messy_trials(const Arguments& a) {
         "rest "
         "{:.0f} % of {}), wrong {:.0f} % of {}; missing_effect at the end {}\n",
         size_mm, row.trials, median(row.alone), median(row.learned), median(row.at_once), median(row.improved),
-        median(row.told), median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
+        median(row.reported), median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
         100.0 * row.found_of_shown / std::max(1, row.shown), row.shown, 100.0 * row.wrong / std::max(1, row.named),
         row.named, row.missing_at_the_end);
     fmt::print(

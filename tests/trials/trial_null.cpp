@@ -32,7 +32,7 @@ int null_trials(const Arguments& a) {
       largest = std::max(largest, best.back());
       if (d.verdict != Verdict::adequate)
         fmt::print("  robot {} seed {}: {} {} lnBF {:.1f} scatter {:.0e} wrong {} p {:.1g}\n", robot, o.seed,
-                   verdict_text(d.verdict), top(d), best.back(), d.scatter.joints, d.model.wrong.size(),
+                   verdict_text(d.verdict), top(d), best.back(), d.repeatability.joints, d.model.wrong.size(),
                    d.lack_of_fit_p.value_or(-1));
       std::fflush(stdout);
     }

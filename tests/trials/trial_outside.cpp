@@ -39,7 +39,7 @@ void move_images(const SimulatedSession& s, Session& session, Motion&& motion) {
 Outside outside_session(const Session& like, const SimulatedSession& s, const std::string& kind, std::uint64_t seed) {
   std::mt19937_64 random(seed * 31 + 7);
   std::normal_distribution<double> normal;
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const auto joints = static_cast<int>(chain.joints.size());
   Outside out{s.session, ""};
   // Joints between sensor and hand that matter: the middle of the arm.

@@ -29,7 +29,7 @@ struct Kind {
 };
 
 struct Sums {
-  int count = 0, scatter = 0, not_converged = 0, failed = 0;
+  int count = 0, repeatability = 0, not_converged = 0, failed = 0;
   Vector6 z = Vector6::Zero(), z2 = Vector6::Zero(), covered = Vector6::Zero(), squares = Vector6::Zero();
 };
 
@@ -55,7 +55,7 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
     const Vector6 xi = small_motion_between(truth, f.tcp_from_body);
     const Vector6 z = xi.cwiseQuotient(f.covariance.diagonal().cwiseSqrt());
     ++sums.count;
-    sums.scatter += f.covariance_kind == CovarianceKind::scatter;
+    sums.repeatability += f.covariance_kind == CovarianceKind::repeatability;
     sums.not_converged += !f.converged();
     sums.z += z;
     sums.z2 += z.cwiseAbs2();
@@ -68,7 +68,7 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
 }
 
 void tell(const Kind& kind, const Sums& s) {
-  fmt::print("{}: {} fits, {} by scatter, {} not converged, {} refused\n", kind.name(), s.count, s.scatter,
+  fmt::print("{}: {} fits, {} by scatter, {} not converged, {} refused\n", kind.name(), s.count, s.repeatability,
              s.not_converged, s.failed);
   const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
   for (int i = 0; i < 6; ++i)
@@ -103,8 +103,8 @@ double noncentrality(const Session& like, SimulationOptions o) {
 void diagnose_all(int count, std::uint64_t first) {
   for (const int cameras : {1, 3, 5}) {
     const Session like = fixture::rig_session(cameras);
-    const Chain chain = chain_of(like);
-    const OwnEffects own = own_effects_of(like, chain);
+    const Chain chain = make_chain(like);
+    const OwnEffects own = list_own_effects(like, chain);
     for (const char* id :
          {"joint_elasticity", "encoder_eccentricity", "link_geometry", "camera_intrinsics", "lens_distortion", "rig"}) {
       const Effect& effect = *find_effect(id, own);
@@ -120,7 +120,7 @@ void diagnose_all(int count, std::uint64_t first) {
         EffectTerm term = effect_terms(id, chain, own).front();
         term.joint = places[static_cast<std::size_t>(random.uniform(0, static_cast<double>(places.size()) - 1e-9))];
         for (std::size_t p = 0; p < term.values.size(); ++p)
-          term.values[p] = plausible_size(effect.parameters[p], chain) * random.gaussian();
+          term.values[p] = prior_sigma(effect.parameters[p], chain) * random.gaussian();
         o.effects = {term};
         if (noncentrality(like, o) < 50) continue;
         DiagnosisOptions quick;
@@ -131,7 +131,8 @@ void diagnose_all(int count, std::uint64_t first) {
         const bool is_first = best.id == id;
         ++t.trials;
         t.first += is_first;
-        t.named += is_first || std::count(best.cannot_be_told_from.begin(), best.cannot_be_told_from.end(), id) > 0;
+        t.named +=
+            is_first || std::count(best.indistinguishable_from.begin(), best.indistinguishable_from.end(), id) > 0;
         const std::string where = place_name(effect, term.joint, like.robot);
         t.place += is_first && std::count(best.where.begin(), best.where.end(), where) > 0;
         if (!is_first) fmt::print("  seed {} {} at {}: {} first\n", o.seed, id, where, best.id);

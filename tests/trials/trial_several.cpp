@@ -50,7 +50,7 @@ struct Tally {
   double ratio = 0;  // sum of held out over expected
 };
 
-std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms) {
+std::vector<std::string> list_ids(const std::vector<EffectTerm>& terms) {
   std::vector<std::string> ids;
   for (const EffectTerm& t : terms) ids.push_back(t.id);
   std::sort(ids.begin(), ids.end());
@@ -61,7 +61,7 @@ std::vector<std::string> ids_of(const std::vector<EffectTerm>& terms) {
 const EffectTerm* same_place(const EffectTerm& term, const std::vector<EffectTerm>& list) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const EffectTerm& t) {
     if (t.id != term.id || t.joint != term.joint) return false;
-    const Effect& effect = effect_of(t);
+    const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && t.values[p] != term.values[p]) return false;
     return true;
@@ -77,7 +77,7 @@ void count_covered(const Fit& f, const std::vector<EffectTerm>& truth, Tally& ta
     if (!same_place(e.term, truth)) return;
   for (const FittedEffect& e : f.effects) {
     const EffectTerm& t = *same_place(e.term, truth);
-    const Effect& effect = effect_of(t);
+    const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       if (effect.parameters[p].is_choice || !(e.sigmas[p] < effect.parameters[p].sigma / 3)) continue;
       ++tally.numbers;
@@ -89,11 +89,11 @@ void count_covered(const Fit& f, const std::vector<EffectTerm>& truth, Tally& ta
 /// Effects drawn from the catalogue, each with a noncentrality of 60 or more by itself.
 std::vector<EffectTerm> hidden_effects(const Session& like, std::size_t count, const SimulationOptions& o,
                                        std::mt19937_64& random) {
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   std::vector<EffectTerm> terms;
-  while (ids_of(terms).size() < count) {
+  while (list_ids(terms).size() < count) {
     const Effect& e = catalogue()[random() % catalogue().size()];
-    const std::vector<std::string> taken = ids_of(terms);
+    const std::vector<std::string> taken = list_ids(terms);
     if (std::count(taken.begin(), taken.end(), e.id)) continue;
     SimulationOptions alone = o;
     alone.effects = random_terms(e, chain, random);
@@ -108,11 +108,11 @@ double ln_evidence(const Diagnosis& d, const std::vector<EffectTerm>& terms, con
   FitOptions o;
   o.estimated = terms;
   o.start = d.model_options.start;
-  double value = fit_evidence(fit(d.model.session, o), 0, weighing(d.model.fit)).ln_evidence;
-  for (const std::string& id : ids_of(terms)) {
+  double value = fit_evidence(fit(d.model.session, o), 0, noise_model(d.model.fit)).ln_evidence;
+  for (const std::string& id : list_ids(terms)) {
     const auto of_it = [&](const EffectTerm& t) { return t.id == id; };
     const EffectTerm& one = *std::find_if(terms.begin(), terms.end(), of_it);
-    const auto places = static_cast<double>(effect_places(effect_of(one), chain).size());
+    const auto places = static_cast<double>(effect_places(term_effect(one), chain).size());
     const auto taken = static_cast<double>(std::count_if(terms.begin(), terms.end(), of_it));
     value -= std::lgamma(places + 1) - std::lgamma(taken + 1) - std::lgamma(places - taken + 1);
   }
@@ -121,7 +121,7 @@ double ln_evidence(const Diagnosis& d, const std::vector<EffectTerm>& terms, con
 
 std::string listed_ids(const std::vector<EffectTerm>& terms) {
   std::string text;
-  for (const std::string& id : ids_of(terms)) text += " " + id;
+  for (const std::string& id : list_ids(terms)) text += " " + id;
   return text;
 }
 
@@ -131,10 +131,10 @@ void run_trial(const Session& like, int robot, std::uint64_t seed, std::size_t e
   o.effects = hidden_effects(like, effects, o, random);
   const Improvement m = improve(simulate_session(like, o).session);
   const Fit& f = m.last.model.fit;
-  const std::vector<EffectTerm> found = terms_of(f);
+  const std::vector<EffectTerm> found = list_terms(f);
   const double held_out = m.steps.back().held_out.rms_pixel.value_or(9);
   const Expected expected = expected_held_out(f);
-  const bool is_exact = ids_of(found) == ids_of(o.effects);
+  const bool is_exact = list_ids(found) == list_ids(o.effects);
   const bool is_in_band = held_out > expected.low && held_out < expected.high;
   ++tally.trials;
   tally.exact += is_exact;
@@ -142,7 +142,7 @@ void run_trial(const Session& like, int robot, std::uint64_t seed, std::size_t e
   tally.ratio += held_out / expected.rms;
   if (is_exact) count_covered(f, o.effects, tally);
   if (is_exact && is_in_band) return;
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const double ahead = ln_evidence(m.last, found, chain) - ln_evidence(m.last, o.effects, chain);
   tally.beaten += !is_exact && ahead > 0;
   fmt::print(

@@ -160,8 +160,8 @@ int main(int argc, char** argv) {
   for (int i = 0; i < count; ++i) {
     std::mt19937_64 random(seed * 1000003 + static_cast<std::uint64_t>(i));
     const Scene scene = scene_of(target.target, random, least_module);
-    const Image image = image_of(target.target, scene.view, rays, scene.pieces);
-    const Truth truth = truth_of(target, scene, least_module);
+    const Image image = make_image(target.target, scene.view, rays, scene.pieces);
+    const Truth truth = load_truth(target, scene, least_module);
     scores[0].detect = [&](const Image& seen) { return ours(seen, target, &z2, truth); };
     for (Recall& score : scores) {
       const auto start = Clock::now();

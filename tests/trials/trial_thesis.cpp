@@ -11,7 +11,7 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-const char* name_of(Objective objective) {
+const char* display_name(Objective objective) {
   return objective == Objective::image ? "image" : objective == Objective::camera ? "camera" : "angle-axis";
 }
 
@@ -30,7 +30,7 @@ void three_markers(Session session, bool estimate_mount) {
     }
     const double n = r.used;
     fmt::print("  {:<10} image {:.3g} px rms, markers {:.3g} mm rms; TCP->TCPest {:.3g} mm, {:.3g} deg rms\n",
-               name_of(objective), *r.fitted.rms_pixel, 1e3 * *r.fitted.rms_m, 1e3 * std::sqrt(metres / n),
+               display_name(objective), *r.fitted.rms_pixel, 1e3 * *r.fitted.rms_m, 1e3 * std::sqrt(metres / n),
                degrees * std::sqrt(rad / n));
   }
 }

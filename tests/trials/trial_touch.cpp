@@ -69,10 +69,10 @@ struct Sums {
   }
 };
 
-/// All joints' zeros at once, drawn within 2 mrad; those whose sigma is above half of the prior's cannot be told.
+/// All joints' zeros at once, drawn within 2 mrad; those whose sigma is above half of the prior's cannot be determined.
 void coverage(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
   std::map<std::string, Sums> sums;
-  int not_converged = 0, scatter = 0, failed = 0;
+  int not_converged = 0, repeatability = 0, failed = 0;
   for (int i = 0; i < seeds; ++i) {
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
     std::mt19937_64 random(seed);
@@ -87,11 +87,11 @@ void coverage(const std::string& kind, int seeds, int touches, std::uint64_t fir
     Session s = made.session;
     blur_places(s, random);
     FitOptions o;
-    for (const EffectTerm& t : truth) o.estimated.push_back(term_of(effect_of(t), t.joint));
+    for (const EffectTerm& t : truth) o.estimated.push_back(term_of(term_effect(t), t.joint));
     try {
       const Fit f = fit(s, o);
       not_converged += !f.converged();
-      scatter += f.covariance_kind == CovarianceKind::scatter;
+      repeatability += f.covariance_kind == CovarianceKind::repeatability;
       for (std::size_t j = 0; j < truth.size(); ++j) {
         Sums& of = sums[like.joints[j]];
         const double sigma = f.effects[j].sigmas[0];
@@ -106,7 +106,7 @@ void coverage(const std::string& kind, int seeds, int touches, std::uint64_t fir
     }
   }
   fmt::print("{} ({} touches, {} seeds): not converged {}, scatter {}, refused {}\n", kind, touches, seeds,
-             not_converged, scatter, failed);
+             not_converged, repeatability, failed);
   for (const auto& [joint, of] : sums) {
     if (of.count == 0) {
       fmt::print("  {}: cannot be told ({} of {})\n", joint, of.untold, of.untold);
@@ -136,7 +136,7 @@ double noncentrality(const Session& like, int touches, std::uint64_t seed, const
 
 /// Within three of its prior sigmas each: what the diagnosis calls plausible.
 bool is_plausible(const EffectTerm& term) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   for (std::size_t p = 0; p < term.values.size(); ++p)
     if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * effect.parameters[p].sigma) return false;
   return true;
@@ -147,10 +147,10 @@ bool is_plausible(const EffectTerm& term) {
 std::optional<EffectTerm> hidden(const Session& like, const char* id, int touches, std::uint64_t seed) {
   std::mt19937_64 random(seed * 31 + 7);
   std::normal_distribution<double> normal;
-  const std::vector<int> places = effect_places(*find_effect(id), chain_of(like));
+  const std::vector<int> places = effect_places(*find_effect(id), make_chain(like));
   if (places.empty()) return std::nullopt;
   EffectTerm term = term_of(*find_effect(id), places[random() % places.size()]);
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   const bool is_positive = std::string(id) == "joint_elasticity" || std::string(id) == "backlash";
   for (std::size_t p = 0; p < term.values.size(); ++p)
     if (!effect.parameters[p].is_choice)
@@ -176,7 +176,7 @@ double oracle_ln_bayes_factor(const Session& s, double cost_without, const Effec
   Eigen::VectorXd at(count), size(count);
   Eigen::Index k = 0;
   const EffectTerm& answer = f.effects.front().term;
-  const Effect& effect = effect_of(answer);
+  const Effect& effect = term_effect(answer);
   for (std::size_t p = 0; p < answer.values.size() && k < count; ++p) {
     if (effect.parameters[p].is_choice) continue;
     at[k] = answer.values[p];
@@ -184,9 +184,9 @@ double oracle_ln_bayes_factor(const Session& s, double cost_without, const Effec
   }
   if (k != count) return -1e9;
   double sum = 0;
-  for (std::size_t i = 0; i < plausible_scales.size(); ++i) {
+  for (std::size_t i = 0; i < prior_scales.size(); ++i) {
     Eigen::MatrixXd spread = covariance;
-    spread.diagonal() += (plausible_scales[i] * size).cwiseAbs2();
+    spread.diagonal() += (prior_scales[i] * size).cwiseAbs2();
     const Eigen::LDLT<Eigen::MatrixXd> factor(spread);
     const double ln_volume =
         0.5 * (std::log(std::max(covariance.determinant(), 1e-300)) - factor.vectorD().array().log().sum());
@@ -202,7 +202,7 @@ std::string oracle_name(const Session& s) {
   std::string name;
   double best = 0;
   for (const Effect& effect : catalogue())
-    for (const int place : effect_places(effect, chain_of(s))) {
+    for (const int place : effect_places(effect, make_chain(s))) {
       try {
         const double ln = oracle_ln_bayes_factor(s, without, term_of(effect, place));
         if (ln > best) best = ln, name = effect.id;
@@ -238,7 +238,7 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
       const DiagnosisCandidate* const leading = finding_of(d);  // what every sentence names first
       const DiagnosisCandidate& best = leading ? *leading : d.candidates.front();
       const bool is_it = best.id == id;
-      const auto& twins = best.cannot_be_told_from;
+      const auto& twins = best.indistinguishable_from;
       const bool is_twin = std::find(twins.begin(), twins.end(), id) != twins.end();
       first += is_it;
       equal += !is_it && is_twin;

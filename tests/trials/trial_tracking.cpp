@@ -60,22 +60,22 @@ double corner_error(const Session& session, const Rigid& left_from_tcp, const Ve
 
 int run(const std::filesystem::path& path) {
   Session session = read_session(path);
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const Truth truth = read_truth(folder(session) / "truth.xml", session.robot);
   auto left_from_tcp = [&](const Observation& o) {
-    const Circumstances c = circumstances_at(chain, o.position);
+    const ObservationState c = states_at(chain, o.position);
     return sensor_from_tcp(observed_ends(c, moved_sites(c, truth.effects)).ends, truth.mount_from_sensor);
   };
-  auto images_of = [&](const Observation& o) {
+  auto list_images = [&](const Observation& o) {
     return ImagePair{read_image(folder(session) / o.images[0]), read_image(folder(session) / o.images[1])};
   };
 
   Observation& first = session.observations[0];
-  const ImagePair first_images = images_of(first);
+  const ImagePair first_images = list_images(first);
   std::vector<Vector2> pointed;
   for (const Vector3& m : truth.markers_in_tcp)
     pointed.push_back(project(session.rig->at(0).camera, left_from_tcp(first) * m) + Vector2(2, -1));
-  const FirstLabels labels = label_first(stereo_of(*session.rig), detect_corners(first_images.left),
+  const FirstLabels labels = label_first(make_stereo(*session.rig), detect_corners(first_images.left),
                                          detect_corners(first_images.right), pointed);
   if (!labels.refusal.empty()) {
     fmt::print("first observation: {}\n", labels.refusal);
@@ -92,7 +92,7 @@ int run(const std::filesystem::path& path) {
   for (std::size_t k = 0; k < session.observations.size(); ++k) {
     const Observation& o = session.observations[k];
     const bool has_images = k > 0 && !o.images[0].empty();
-    const auto images = has_images ? std::optional(images_of(o)) : std::nullopt;
+    const auto images = has_images ? std::optional(list_images(o)) : std::nullopt;
     const OnlineStep step = online.add(o, images ? &*images : nullptr);
     const bool bad = truth.disturbed.count(o.id) > 0;
     taken += step.accepted ? 1 : 0;

@@ -8,7 +8,7 @@
 
 #include "base/files.h"
 #include "detection/target_finding.h"
-#include "estimation/start/half_turns.h"
+#include "estimation/start/target_symmetry.h"
 #include "fixtures/robot_texts.h"
 #include "fixtures/trial_sessions.h"
 #include "fixtures/written_calibrations.h"
@@ -21,11 +21,12 @@ int failed = 0;
 void run(const std::string& name, const Session& session, const std::string& urdf) {
   try {
     const Improvement m = improve(session);
-    const std::string trouble = fixture::trouble_with_file_of(session, urdf, m.last.model.fit, m.last.report,
-                                                              m.last.model_options, m.certainty.doubt);
+    const std::string trouble =
+        fixture::trouble_with_file_of(session, urdf, m.last.model.fit, m.last.report, m.last.model_options,
+                                      m.inclusion_probabilities.model_uncertainty);
     failed += !trouble.empty();
-    fmt::print("{}: {} steps, {} numbers in doubt; {}\n", name, m.steps.size(), m.certainty.doubt.covariance.cols(),
-               trouble.empty() ? "good" : trouble);
+    fmt::print("{}: {} steps, {} numbers in doubt; {}\n", name, m.steps.size(),
+               m.inclusion_probabilities.model_uncertainty.covariance.cols(), trouble.empty() ? "good" : trouble);
   } catch (const InputError& error) {
     fmt::print("{}: nothing to write: {}\n", name, error.what());
   }
@@ -37,7 +38,7 @@ void run_random(std::uint64_t seed) {
   std::mt19937_64 random(seed * 9176 + 5);
   SimulationOptions o = simulation(seed, 3);
   for (int i = 0; i < 2; ++i)
-    for (const EffectTerm& t : random_terms(catalogue()[random() % catalogue().size()], chain_of(like), random))
+    for (const EffectTerm& t : random_terms(catalogue()[random() % catalogue().size()], make_chain(like), random))
       o.effects.push_back(t);
   try {
     run(fmt::format("seed {}", seed), simulate_session(like, o).session, fixture::urdf_text(like.robot));
@@ -50,7 +51,7 @@ void run_real(const std::filesystem::path& folder) {
   Session session = read_session(folder);
   if (session.target) {
     find_targets(session, [](std::size_t, std::size_t) {});
-    undo_half_turns(session);
+    undo_target_symmetry(session);
   }
   run(folder.filename().string(), session, read_file(folder / session.robot_file));
 }

@@ -20,9 +20,9 @@ int main(int argc, char** argv) {
     double seconds = 0;
     for (int i = 0; i < count; ++i) {
       const auto w = fixture::wrong_start(rigs[static_cast<std::size_t>(r)], static_cast<std::uint64_t>(first + i));
-      Fit found, told;
+      Fit found, reported;
       const auto began = std::chrono::steady_clock::now();
-      const fixture::Outcome outcome = fixture::outcome_of(w, &found, &told);
+      const fixture::Outcome outcome = fixture::make_outcome(w, &found, &reported);
       seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
       reached += outcome == fixture::Outcome::reached;
       said_no += outcome == fixture::Outcome::said_no;
@@ -30,8 +30,8 @@ int main(int argc, char** argv) {
       if (outcome != fixture::Outcome::reached)
         fmt::print("  rig {} seed {}: {}, {:.4g} px, {:.6g} against {:.6g} (from the truth {})\n", r, first + i,
                    outcome == fixture::Outcome::said_no ? "said no" : "LOST", found.residual_rms,
-                   found.solution.normal.cost, told.solution.normal.cost,
-                   told.converged() ? "converged" : "NOT CONVERGED");
+                   found.solution.normal.cost, reported.solution.normal.cost,
+                   reported.converged() ? "converged" : "NOT CONVERGED");
       std::fflush(stdout);
     }
     fmt::print("{}: reached {} of {}, said no {}, lost silently {}; {:.0f} ms for both fits\n",

@@ -14,9 +14,9 @@ namespace {
 
 QImage drawn(const std::string& id, ThemeKind kind, int side = 96) {
   QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
-  image.fill(colors_of(kind).panel);
+  image.fill(theme_colors(kind).panel);
   QPainter painter(&image);
-  paint_effect(painter, QRectF(0, 0, side, side), id, colors_of(kind));
+  paint_effect(painter, QRectF(0, 0, side, side), id, theme_colors(kind));
   return image;
 }
 
@@ -63,7 +63,7 @@ TEST(EffectDrawing, NoTwoAreTheSamePicture) {
 // model's solid and the effect's purple ink.
 TEST(EffectDrawing, ShowsModelAndEffectInBothThemes) {
   for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
-    const Colors& c = colors_of(kind);
+    const Colors& c = theme_colors(kind);
     for (const std::string& id : all_ids()) {
       const QImage image = drawn(id, kind, 192);
       int inked = 0, purple = 0;
@@ -81,7 +81,7 @@ TEST(EffectDrawing, ShowsModelAndEffectInBothThemes) {
 
 TEST(EffectDrawing, StaysInsideOfItsSquare) {
   for (const std::string& id : all_ids())
-    EXPECT_EQ(inked_at_border(drawn(id, ThemeKind::light), colors_of(ThemeKind::light).panel), 0) << id;
+    EXPECT_EQ(inked_at_border(drawn(id, ThemeKind::light), theme_colors(ThemeKind::light).panel), 0) << id;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ SessionVerdict missing_verdict() {
   v.noise_px = 0.2;
   v.error_mm = 12;
   v.noise_mm = 0.3;
-  v.blame = Blame{0.02, 0.04, 0.94};
+  v.attribution = ErrorAttribution{0.02, 0.04, 0.94};
   return v;
 }
 
@@ -108,7 +108,7 @@ CardState predicted_card() {
   card.error = {9.1, 3.4, 0.2, true, "px"};
   card.sizes = {{"", "mass", 4.1, 0.6, "kg", 1}};
   card.caution = "The fit wants 4.1 kg; 1 kg is plausible. Probably another cause.";
-  card.cannot_be_told_from = "base tilt";
+  card.indistinguishable_from = "base tilt";
   card.check = "Weigh the hand with everything on it.";
   card.can_show_poses = true;
   return card;
@@ -150,7 +150,7 @@ std::vector<CardState> honest_cards() {
                "Show the curve"),
           card(CardKind::too_few, "plan", "Too few observations",
                "12 observations cannot tell causes apart; with this model it takes about 25.", "Plan poses"),
-          card(CardKind::scatter, "scatter", "The robot does not repeat better",
+          card(CardKind::repeatability, "scatter", "The robot does not repeat better",
                "What is left (0.6 px) differs from pose to pose without a pattern: the joints do not repeat better. No "
                "effect can remove it.",
                ""),

@@ -21,7 +21,7 @@ namespace {
 using test::Still;
 using testing::ElementsAre;
 
-int pixels_of(QWidget& widget, const QColor& color) {
+int list_pixels(QWidget& widget, const QColor& color) {
   const QImage image = widget.grab().toImage();
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
@@ -34,13 +34,13 @@ TEST(VerdictLine, SaysStateAndSentenceToScreenReadersAndBlameIsClickable) {
   line.set_verdict(test::missing_verdict());
   test::show(line, {1056, 72});
   EXPECT_TRUE(line.accessibleDescription().startsWith("cause missing: Most likely missing"));
-  QSignalSpy clicked(&line, &VerdictLine::blame_clicked);
+  QSignalSpy clicked(&line, &VerdictLine::attribution_clicked);
   test::click(&line, {1000, 36});
   EXPECT_EQ(clicked.size(), 1);
   test::click(&line, {300, 36});
   EXPECT_EQ(clicked.size(), 1);
-  EXPECT_GT(pixels_of(line, colors().blame_robot), 500);
-  EXPECT_EQ(pixels_of(line, colors().candidate), 0);
+  EXPECT_GT(list_pixels(line, colors().attribution_to_robot), 500);
+  EXPECT_EQ(list_pixels(line, colors().candidate), 0);
 }
 
 TEST(PatternPage, ClickAndArrowsTakeAPlot) {
@@ -135,9 +135,9 @@ TEST(PatternPage, ACandidateIsPurpleAndGoes) {
   std::vector<PatternPlot> plots = test::nine_patterns(20);
   page.set_plots(plots);
   test::show(page, {900, 500});
-  EXPECT_GT(pixels_of(page, colors().candidate), 50);
+  EXPECT_GT(list_pixels(page, colors().candidate), 50);
   page.set_candidates({});
-  EXPECT_EQ(pixels_of(page, colors().candidate), 0);
+  EXPECT_EQ(list_pixels(page, colors().candidate), 0);
 }
 
 TEST(Staircase, ClickTakesAVersionAndControlMarksTwo) {
@@ -168,12 +168,12 @@ TEST(Staircase, WhatIsTriedIsADashedStepThatMovesNothing) {
   stairs.set_state(test::four_versions());
   test::show(stairs, {400, 180});
   const QRectF before = stairs.step_rect(3);
-  EXPECT_EQ(pixels_of(stairs, colors().candidate), 0);
+  EXPECT_EQ(list_pixels(stairs, colors().candidate), 0);
   stairs.set_preview(VersionStep{"+ payload", {}, 0.22, false, {}});
   EXPECT_EQ(stairs.step_rect(3), before);
-  EXPECT_GT(pixels_of(stairs, colors().candidate), 20);
+  EXPECT_GT(list_pixels(stairs, colors().candidate), 20);
   stairs.set_preview({});
-  EXPECT_EQ(pixels_of(stairs, colors().candidate), 0);
+  EXPECT_EQ(list_pixels(stairs, colors().candidate), 0);
 }
 
 /// How the stairs look right after a step has come, and a while later.
@@ -227,11 +227,11 @@ TEST(WhatIfSlider, DraggingSaysSoAndADoubleClickGoesToTheBest) {
   test::show(slider, {592, 140});
   QSignalSpy changed(&slider, &WhatIfSlider::changed), settled(&slider, &WhatIfSlider::settled);
   WhatIfTrack* track = slider.track();
-  test::drag(track, {track->x_of(1.0), 22}, {track->x_of(-2.0), 22});
+  test::drag(track, {track->find_x(1.0), 22}, {track->find_x(-2.0), 22});
   EXPECT_GE(changed.size(), 4);
   ASSERT_EQ(settled.size(), 1);
   EXPECT_NEAR(settled[0][0].toDouble(), -2, 0.05);
-  QTest::mouseDClick(track, Qt::LeftButton, {}, QPoint(static_cast<int>(track->x_of(0)), 22));
+  QTest::mouseDClick(track, Qt::LeftButton, {}, QPoint(static_cast<int>(track->find_x(0)), 22));
   EXPECT_DOUBLE_EQ(slider.value(), 1.3);
   QTest::keyClick(track, Qt::Key_Home);
   EXPECT_DOUBLE_EQ(slider.value(), 0);

@@ -13,7 +13,7 @@
 #include "widgets/gallery_explain.h"
 #include "widgets/images/loupe.h"
 #include "widgets/images/triangle_panel.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 #include "widgets/lists/decision_list.h"
 #include "widgets/lists/model_panel.h"
 #include "widgets/lists/observation_strip.h"
@@ -94,10 +94,10 @@ void panels(const SampleData& data) {
   table.set_filter(RowFilter::excluded);
   table.set_filter(RowFilter::rejected);
   keep(table, "table_filtered", {420, 300});
-  BlameBar blame;
-  blame.set_blame(Blame{0.06, 0.04, 0.9});
-  blame.set_sentence("Marker 2, right image, 3.4 px further left. An error under 0.9 px here could not be seen.");
-  keep(blame, "blame", {420, blame.heightForWidth(420)});
+  AttributionBar attribution;
+  attribution.set_attribution(ErrorAttribution{0.06, 0.04, 0.9});
+  attribution.set_sentence("Marker 2, right image, 3.4 px further left. An error under 0.9 px here could not be seen.");
+  keep(attribution, "blame", {420, attribution.heightForWidth(420)});
   DecisionList list;
   list.set_entries(
       {{21, CellState::used, {}, {0.41, SizeUnit::pixel}, 2.0, 12},
@@ -158,9 +158,9 @@ void plots(const SampleData& data) {
   keep(map, "map_direction", {420, 340});
   map.set_lens(MapLens::size);
   keep(map, "map_size", {420, 340});
-  ScatterPlot scatter;
-  scatter.set_title("Residual down against the torque of arm_2");
-  scatter.set_axes("torque of arm_2", "N m", "residual down", "px");
+  ScatterPlot repeatability;
+  repeatability.set_title("Residual down against the torque of arm_2");
+  repeatability.set_axes("torque of arm_2", "N m", "residual down", "px");
   std::vector<ScatterPoint> points;
   std::vector<TrendPoint> trend;
   for (int i = 0; i < 100; ++i) {
@@ -168,13 +168,13 @@ void plots(const SampleData& data) {
     points.push_back({i, x, y, std::abs(y) / 0.6, 4});
     trend.push_back({x, 0.2 * x, 0.2 * x - 0.8, 0.2 * x + 0.8});
   }
-  scatter.set_points(points);
-  scatter.set_trend(trend);
+  repeatability.set_points(points);
+  repeatability.set_trend(trend);
   for (TrendPoint& p : trend) p.y = 0.19 * p.x;
-  scatter.set_candidate(trend);
-  scatter.set_noise_band(0.6);
-  scatter.set_selected(80);
-  keep(scatter, "scatter", {592, 290});
+  repeatability.set_candidate(trend);
+  repeatability.set_noise_band(0.6);
+  repeatability.set_selected(80);
+  keep(repeatability, "scatter", {592, 290});
 }
 
 void pictures_and_scene(const SampleData& data) {

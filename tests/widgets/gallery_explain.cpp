@@ -53,7 +53,7 @@ void verdicts(const KeepPicture& keep) {
   v.noise_px = 0.2;
   v.error_mm = 0.28;
   v.noise_mm = 0.3;
-  v.blame = Blame{0.9, 0.06, 0.04};
+  v.attribution = ErrorAttribution{0.9, 0.06, 0.04};
   line.set_verdict(v);
   keep(line, "verdict_adequate", {1056, 72});
   v = missing_verdict();

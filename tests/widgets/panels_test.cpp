@@ -13,7 +13,7 @@
 
 #include "widgets/base/read_out_line.h"
 #include "widgets/images/triangle_panel.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 #include "widgets/lists/decision_list.h"
 #include "widgets/lists/model_panel.h"
 #include "widgets/lists/observation_table.h"

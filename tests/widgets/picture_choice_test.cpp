@@ -16,7 +16,7 @@ const std::vector<PictureOption> places = {{"camera_on_stand", "On a stand", "It
                                            {"camera_on_link", "On the robot", "On its head."},
                                            {"camera_on_hand", "On the hand", "It moves with it."}};
 
-/// One is chosen at any time, by mouse or arrow keys; each choice is told once.
+/// One is chosen at any time, by mouse or arrow keys; each choice is reported once.
 TEST(PictureChoice, OneIsChosenByMouseOrKeys) {
   PictureChoice choice("place", places, 3);
   QSignalSpy chosen(&choice, &PictureChoice::chosen);

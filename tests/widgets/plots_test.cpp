@@ -180,7 +180,7 @@ TEST(HistogramPlot, InMmEverythingIsInMmAndTheNoiseHasItsOwnShape) {
   double all = 0, below = 0;
   for (const auto& [bin, expected] : noise) {
     all += expected;
-    if (std::pow(10, (bin + 1) * kHistogramBin) <= 0.41) below += expected;
+    if (std::pow(10, (bin + 1) * histogram_bin) <= 0.41) below += expected;
   }
   EXPECT_NEAR(all, 99, 1.5) << "noise alone puts every observation somewhere";
   EXPECT_GT(below, 35) << "those of little noise below 0.4 mm";

@@ -57,7 +57,7 @@ TEST_F(RobotViewTest, ShowsTheRobotInBothThemesAndAfterReparenting) {
   EXPECT_GT(share_of_marks(view_.picture()), 0.02);
   apply_theme(*qApp, ThemeKind::dark);
   QTest::qWait(200);
-  EXPECT_EQ(view_.picture().pixelColor(3, 60), colors_of(ThemeKind::dark).panel);
+  EXPECT_EQ(view_.picture().pixelColor(3, 60), theme_colors(ThemeKind::dark).panel);
   apply_theme(*qApp, ThemeKind::light);
   view_.setParent(nullptr);
 }
@@ -365,7 +365,7 @@ TEST(RobotViewMeshes, ThatAreLargeComeLater) {
   for (int i = 3; i < 300000; ++i) mesh += fmt::format("f {} {} {}\n", i - 2, i - 1, i);
   replace_file(home / "large.obj", mesh + "f 1 2 99999999\n");
   RobotView view;
-  QSignalSpy told(&view, &RobotView::notes_changed);
+  QSignalSpy reported(&view, &RobotView::notes_changed);
   view.set_robot(parse_urdf("<robot name=\"r\"><link name=\"l\"><visual><geometry><mesh filename=\"large.obj\"/>"
                             "</geometry></visual></link></robot>",
                             "r.urdf", nullptr),
@@ -375,7 +375,7 @@ TEST(RobotViewMeshes, ThatAreLargeComeLater) {
   view.set_posture({Rigid{}});
   test::show(view, {300, 200});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_reading(); }, 60000));
-  EXPECT_EQ(told.size(), 1);
+  EXPECT_EQ(reported.size(), 1);
   ASSERT_EQ(view.notes().size(), 1u);
   EXPECT_TRUE(view.notes()[0].contains("large.obj, line")) << view.notes()[0].toStdString();
 }

@@ -123,7 +123,7 @@ std::vector<SceneArrow> SampleData::arrows() const {
 }
 
 std::vector<Rigid> SampleData::posture(int observation) const {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const auto& o = session.observations[static_cast<std::size_t>(observation)];
   return solve_posture(chain.robot, joint_values(chain.robot, chain.joints, o.position), chain.gravity).root_from_link;
 }

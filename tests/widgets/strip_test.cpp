@@ -39,7 +39,7 @@ TEST(ObservationStrip, ShiftAndDragSelectMany) {
   EXPECT_THAT(many[0][0].value<std::vector<qint64>>(), testing::ElementsAre(10, 11, 12, 13, 14));
 }
 
-// The setter is told by the selection, not by the user: it must not answer, or signals would bounce.
+// The setter is called by the selection, not by the user: it must not answer, or signals would bounce.
 TEST(ObservationStrip, SettingTheSelectionSaysNothing) {
   ObservationStrip strip;
   strip.set_cells(test::many_cells(100));

@@ -25,7 +25,7 @@ double contrast(const QColor& a, const QColor& b) {
 
 TEST(Theme, InksCanBeReadOnEveryGround) {
   for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
-    const Colors& c = colors_of(kind);
+    const Colors& c = theme_colors(kind);
     for (const QColor& ground : {c.window, c.panel, c.sunken})
       for (const QColor& ink : {c.ink1, c.ink2, c.ink3}) EXPECT_GE(contrast(ink, ground), 4.5);
     EXPECT_GE(contrast(c.good, c.good_tint), 4.5);
@@ -36,7 +36,7 @@ TEST(Theme, InksCanBeReadOnEveryGround) {
 
 TEST(Theme, ResidualRampGrowsInContrastWithTheGround) {
   for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
-    const Colors& c = colors_of(kind);
+    const Colors& c = theme_colors(kind);
     for (std::size_t i = 1; i < 6; ++i)
       EXPECT_GT(contrast(c.residual[i], c.panel), contrast(c.residual[i - 1], c.panel)) << i;
   }
@@ -80,8 +80,8 @@ TEST(NumberText, NothingUglyIsEverShown) {
 
 TEST(DesktopTheme, NoPreferenceAfterDarkMeansLight) {
   DesktopTheme desktop;
-  std::vector<ThemeKind> told;
-  QObject::connect(&desktop, &DesktopTheme::changed, [&](ThemeKind kind) { told.push_back(kind); });
+  std::vector<ThemeKind> reported;
+  QObject::connect(&desktop, &DesktopTheme::changed, [&](ThemeKind kind) { reported.push_back(kind); });
   const auto say = [&](unsigned scheme) {
     QMetaObject::invokeMethod(&desktop, "setting_changed", Q_ARG(QString, "org.freedesktop.appearance"),
                               Q_ARG(QString, "color-scheme"), Q_ARG(QDBusVariant, QDBusVariant(scheme)));
@@ -90,7 +90,7 @@ TEST(DesktopTheme, NoPreferenceAfterDarkMeansLight) {
   EXPECT_EQ(desktop.kind(), ThemeKind::dark);
   say(0);  // what GNOME says when its dark style is switched off
   EXPECT_EQ(desktop.kind(), ThemeKind::light);
-  EXPECT_EQ(told.back(), ThemeKind::light);
+  EXPECT_EQ(reported.back(), ThemeKind::light);
 }
 
 TEST(Icons, EveryOneThatTheWindowNamesIsThereAndTakesTheThemesInk) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has no room is told in fewer words, not in half of one; and a plot of little height can still be read.
+// What has no room is reported in fewer words, not in half of one; and a plot of little height can still be read.
 #include <gtest/gtest.h>
 
 #include "app/window/painted_text.h"
@@ -37,20 +37,21 @@ TEST(WholeTexts, OfTheEffectsThatShowSomeAreNamedInFull) {
   plot.shows = "camera intrinsics, stereo rig, link geometry";
   page.set_plots({plot});
   test::show(page, {600, 240});
-  bool are_told = false;
+  bool are_reported = false;
   for (const QString& text : painted(page)) {
     EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
-    are_told = are_told || text.contains("camera intrinsics, stereo rig");
+    are_reported = are_reported || text.contains("camera intrinsics, stereo rig");
   }
-  EXPECT_TRUE(are_told);
+  EXPECT_TRUE(are_reported);
 }
 
 TEST(WholeTexts, AWholeHundredPerCentKeepsAwayFromTheNextLetter) {
-  for (const Blame& blame : {Blame{1, 0, 0}, Blame{0, 1, 0}, Blame{0, 0, 1}}) {
+  for (const ErrorAttribution& attribution :
+       {ErrorAttribution{1, 0, 0}, ErrorAttribution{0, 1, 0}, ErrorAttribution{0, 0, 1}}) {
     VerdictLine line;
     SessionVerdict verdict{
         .state = SessionState::missing, .sentence = "The model misses.", .error_px = 1, .noise_px = 0.2};
-    verdict.blame = blame;
+    verdict.attribution = attribution;
     line.set_verdict(verdict);
     test::show(line, {1160, 72});
     std::vector<QRectF> letters;

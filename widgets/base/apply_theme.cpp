@@ -43,7 +43,7 @@ QPalette palette_of(const Colors& c) {
 void apply_theme(QApplication& application, ThemeKind kind) {
   set_colors(kind);
   QApplication::setStyle(new ControlStyle);
-  const QPalette palette = palette_of(colors_of(kind));
+  const QPalette palette = palette_of(theme_colors(kind));
   // Tool tips of Fusion read the application's palette; a style sheet would switch off the style's own drawing.
   QApplication::setPalette(palette);
   // What is chosen in a list is a row that is tinted, in tables and menus of choices alike.

@@ -8,9 +8,9 @@
 namespace handsight::widgets {
 namespace {
 
-const QString kService = QStringLiteral("org.freedesktop.portal.Desktop");
-const QString kPath = QStringLiteral("/org/freedesktop/portal/desktop");
-const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
+const QString service_name = QStringLiteral("org.freedesktop.portal.Desktop");
+const QString object_path = QStringLiteral("/org/freedesktop/portal/desktop");
+const QString interface_name = QStringLiteral("org.freedesktop.portal.Settings");
 
 /// Without a session bus there is nobody to ask; connecting would only print a warning.
 std::optional<QDBusConnection> session_bus() {
@@ -29,7 +29,8 @@ QVariant unwrapped(QVariant answer) {
 std::optional<QVariant> portal_setting(const QString& group, const QString& key) {
   const auto bus = session_bus();
   if (!bus) return std::nullopt;
-  QDBusMessage question = QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
+  QDBusMessage question =
+      QDBusMessage::createMethodCall(service_name, object_path, interface_name, QStringLiteral("Read"));
   question << group << key;
   const QDBusMessage answer = bus->call(question, QDBus::Block, 300);
   if (answer.type() != QDBusMessage::ReplyMessage || answer.arguments().isEmpty()) return std::nullopt;
@@ -38,7 +39,7 @@ std::optional<QVariant> portal_setting(const QString& group, const QString& key)
 
 void heed_portal(QObject* receiver) {
   if (auto bus = session_bus())
-    bus->connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), receiver,
+    bus->connect(service_name, object_path, interface_name, QStringLiteral("SettingChanged"), receiver,
                  SLOT(setting_changed(QString, QString, QDBusVariant)));
 }
 

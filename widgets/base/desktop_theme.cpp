@@ -9,8 +9,8 @@
 namespace handsight::widgets {
 namespace {
 
-const QString kGroup = QStringLiteral("org.freedesktop.appearance");
-const QString kKey = QStringLiteral("color-scheme");
+const QString settings_group = QStringLiteral("org.freedesktop.appearance");
+const QString settings_key = QStringLiteral("color-scheme");
 
 ThemeKind kind_of_palette() {
   const QPalette palette = QApplication::palette();
@@ -31,12 +31,12 @@ std::optional<ThemeKind> kind_of_answer(const QVariant& answer) {
 
 DesktopTheme::DesktopTheme(QObject* parent) : QObject(parent), kind_(kind_of_palette()) {
   // Before show(): a wrong first frame would flash.
-  if (const auto answer = portal_setting(kGroup, kKey)) kind_ = kind_of_answer(*answer).value_or(kind_);
+  if (const auto answer = portal_setting(settings_group, settings_key)) kind_ = kind_of_answer(*answer).value_or(kind_);
   heed_portal(this);
 }
 
 void DesktopTheme::setting_changed(const QString& group, const QString& key, const QDBusVariant& value) {
-  if (group != kGroup || key != kKey) return;
+  if (group != settings_group || key != settings_key) return;
   // Desktops that were dark and are so no longer say "no preference" (GNOME), not "light".
   const ThemeKind kind = kind_of_answer(unwrapped(value.variant())).value_or(ThemeKind::light);
   if (kind == kind_) return;

@@ -9,7 +9,7 @@
 namespace handsight::widgets {
 
 /// How long what only changes its form moves (ms).
-constexpr int kShortMotion = 160;
+constexpr int short_motion = 160;
 
 enum class MotionChoice { as_desktop, full, reduced };
 

@@ -8,7 +8,7 @@
 namespace handsight::widgets {
 namespace {
 
-const QString kUnknown = QStringLiteral("-");
+const QString not_known_text = QStringLiteral("-");
 
 QChar mark = u'.';
 
@@ -46,7 +46,7 @@ QString with_decimal_point(QString typed) {
 }
 
 QString fixed_text(std::optional<double> value, int decimals) {
-  if (!is_known(value)) return kUnknown;
+  if (!is_known(value)) return not_known_text;
   QString text = QString::number(*value, 'f', std::max(decimals, 0));
   const bool is_zero = std::none_of(text.begin(), text.end(), [](QChar c) { return c.isDigit() && c != u'0'; });
   if (is_zero && text.startsWith(QLatin1Char('-'))) text.remove(0, 1);
@@ -54,7 +54,7 @@ QString fixed_text(std::optional<double> value, int decimals) {
 }
 
 QString short_text(std::optional<double> value, int digits) {
-  if (!is_known(value)) return kUnknown;
+  if (!is_known(value)) return not_known_text;
   if (*value == 0) return QStringLiteral("0");
   const int exponent = exponent_of(*value, digits);
   if (exponent < -3 || exponent > 6) return times_power(*value, exponent, digits - 1);
@@ -73,7 +73,7 @@ static QString exact_text(double value) {
 QString times_text(double factor) { return exact_text(factor); }
 
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma) {
-  if (!is_known(value)) return kUnknown;
+  if (!is_known(value)) return not_known_text;
   if (!is_known(sigma) || *sigma <= 0) return exact_text(*value);
   const int sigma_exponent = exponent_of(*sigma, 2);
   const int exponent = std::max(exponent_of(*value, 2), sigma_exponent);
@@ -89,7 +89,7 @@ QString with_sigma_text(std::optional<double> value, std::optional<double> sigma
 }
 
 QString with_unit_text(std::optional<double> value, const QString& unit, int digits) {
-  if (!is_known(value)) return kUnknown;
+  if (!is_known(value)) return not_known_text;
   return unit.isEmpty() ? short_text(value, digits) : short_text(value, digits) + QChar(0x00A0) + unit;
 }
 
@@ -98,7 +98,7 @@ QString size_text(const ShownSize& size, int digits) {
 }
 
 QString duration_text(double seconds) {
-  if (!std::isfinite(seconds) || seconds < 0) return kUnknown;
+  if (!std::isfinite(seconds) || seconds < 0) return not_known_text;
   const auto whole = static_cast<long long>(std::ceil(seconds));
   if (whole < 60) return QStringLiteral("%1 s").arg(whole);
   if (whole < 3600) return QObject::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);

@@ -19,7 +19,7 @@ void draw_sentence(QPainter& painter, const QRectF& area, const QString& sentenc
   painter.save();
   painter.setFont(text_font(TextRole::body));
   painter.setPen(colors().ink2);
-  const double margin = std::min<double>(kWideGap, area.width() / 8);
+  const double margin = std::min<double>(wide_gap, area.width() / 8);
   painter.drawText(area.adjusted(margin, 0, -margin, 0), Qt::AlignCenter | Qt::TextWordWrap, sentence);
   painter.restore();
 }
@@ -82,7 +82,7 @@ QString state_name(CellState state) {
 
 QString cell_text(const ObservationCell& cell) {
   QString text = QObject::tr("obs %1").arg(cell.id);
-  if (const ShownSize size = told_size(cell); size.value) text += QStringLiteral(": ") + size_text(size);
+  if (const ShownSize size = reported_size(cell); size.value) text += QStringLiteral(": ") + size_text(size);
   if (cell.predicted) text += QObject::tr(", predicted %1 σ").arg(short_text(cell.predicted));
   if (cell.state != CellState::used) text += QStringLiteral(", ") + state_name(cell.state);
   if (!cell.note.isEmpty()) text += QStringLiteral(": ") + cell.note;

@@ -67,7 +67,7 @@ PictureChoice::PictureChoice(const QString& name, const std::vector<PictureOptio
   setObjectName(name);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setSpacing(kGap);
+  grid->setSpacing(layout_gap);
   for (int i = 0; i < columns; ++i) grid->setColumnStretch(i, 1);
   for (int i = 0; i < static_cast<int>(options.size()); ++i) {
     auto* tile = new PictureTile(options[static_cast<std::size_t>(i)], this);

@@ -12,7 +12,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kMessageTime = 6000;  // ms
+constexpr int message_time = 6000;  // ms
 
 QLabel* quiet_label(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -26,17 +26,17 @@ QToolButton* text_button(const QString& text, QWidget* parent) {
   button->setText(text);
   button->setAutoRaise(true);
   button->setFont(text_font(TextRole::small));
-  button->setFixedHeight(kRowHeight);
+  button->setFixedHeight(row_height_px);
   return button;
 }
 
 }  // namespace
 
 ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
-  setFixedHeight(kRowHeight);
+  setFixedHeight(row_height_px);
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(kGap, 0, kGap, 0);
-  layout->setSpacing(kGap);
+  layout->setContentsMargins(layout_gap, 0, layout_gap, 0);
+  layout->setSpacing(layout_gap);
   left_ = new QWidget(this);
   auto* crumbs = new QHBoxLayout(left_);
   crumbs->setContentsMargins(0, 0, 0, 0);
@@ -48,7 +48,7 @@ ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
   right_->setTextFormat(Qt::PlainText);
   right_->installEventFilter(this);
   layout->addWidget(left_, 0);
-  layout->addSpacing(kWideGap);
+  layout->addSpacing(wide_gap);
   layout->addWidget(right_, 1);
   timer_ = new QTimer(this);
   timer_->setSingleShot(true);
@@ -58,7 +58,7 @@ ReadOutLine::ReadOutLine(QWidget* parent) : QWidget(parent) {
 
 void ReadOutLine::add_at_end(QWidget* widget) { layout()->addWidget(widget); }
 
-QSize ReadOutLine::sizeHint() const { return {800, kRowHeight}; }
+QSize ReadOutLine::sizeHint() const { return {800, row_height_px}; }
 
 void ReadOutLine::set_crumbs(const QStringList& crumbs) {
   if (crumbs == crumbs_) return;
@@ -72,11 +72,11 @@ void ReadOutLine::set_pointer(const QString& text) {
   show_right();
 }
 
-QString ReadOutLine::pointer_text() const { return told_; }
+QString ReadOutLine::pointer_text() const { return reported_; }
 
 void ReadOutLine::show_message(const QString& sentence) {
   message_ = sentence;
-  timer_->start(kMessageTime);
+  timer_->start(message_time);
   show_right();
 }
 
@@ -84,14 +84,14 @@ void ReadOutLine::show_right() {
   // A message keeps the slot for its time; afterwards it gives way as soon as the pointer says something.
   const bool is_message = !message_.isEmpty() && (timer_->isActive() || pointer_.isEmpty());
   if (!is_message) message_.clear();
-  told_ = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
+  reported_ = is_message ? message_ : pointer_.isEmpty() ? QString() : QObject::tr("Pointer: ") + pointer_;
   elide_right();
 }
 
 /// What does not fit ends in an ellipsis; the tool tip has it whole.
 void ReadOutLine::elide_right() {
-  right_->setText(right_->fontMetrics().elidedText(told_, Qt::ElideRight, right_->width()));
-  right_->setToolTip(told_);
+  right_->setText(right_->fontMetrics().elidedText(reported_, Qt::ElideRight, right_->width()));
+  right_->setToolTip(reported_);
 }
 
 bool ReadOutLine::eventFilter(QObject* watched, QEvent* event) {

@@ -38,7 +38,7 @@ class ReadOutLine : public QWidget {
   void elide_right();
 
   QStringList crumbs_;
-  QString pointer_, message_, told_;  // what stands at the right, whole
+  QString pointer_, message_, reported_;  // what stands at the right, whole
   QWidget* left_;
   QLabel* right_;
   QTimer* timer_;

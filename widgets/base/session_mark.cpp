@@ -36,7 +36,7 @@ QPainterPath cross() {
 QPainterPath session_mark_path(int number) {
   QPainterPath disc;
   disc.addEllipse(QPointF(0, 0), 2.8, 2.8);
-  switch (number % kSessionMarks) {
+  switch (number % session_mark_count) {
     case 0:
       return disc;
     case 1:
@@ -57,12 +57,12 @@ QPainterPath session_mark_path(int number) {
 }
 
 QColor session_mark_color(int number) {
-  static const std::array<const char*, kSessionMarks> light{"#3A2F9B", "#12806B", "#A03A95", "#6E6A12",
-                                                            "#3C7FA8", "#1F5F2A", "#7A4A8C", "#454D57"};
-  static const std::array<const char*, kSessionMarks> dark{"#A79BFF", "#45CDB4", "#E58AD8", "#CFCB62",
-                                                           "#8CCBEE", "#7ED08C", "#C9A3DC", "#B9C2CC"};
+  static const std::array<const char*, session_mark_count> light{"#3A2F9B", "#12806B", "#A03A95", "#6E6A12",
+                                                                 "#3C7FA8", "#1F5F2A", "#7A4A8C", "#454D57"};
+  static const std::array<const char*, session_mark_count> dark{"#A79BFF", "#45CDB4", "#E58AD8", "#CFCB62",
+                                                                "#8CCBEE", "#7ED08C", "#C9A3DC", "#B9C2CC"};
   const bool is_dark = colors().window.lightness() < 128;
-  return {(is_dark ? dark : light)[static_cast<std::size_t>(number % kSessionMarks)]};
+  return {(is_dark ? dark : light)[static_cast<std::size_t>(number % session_mark_count)]};
 }
 
 void draw_session_mark(QPainter& painter, const QPointF& centre, double size, int number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mark of each session of a collection: a shape and a colour of its own, told apart by either alone.
+// The mark of each session of a collection: a shape and a colour of its own, distinguished by either alone.
 #pragma once
 
 #include <QColor>
@@ -11,7 +11,7 @@ class QPainter;
 namespace handsight::widgets {
 
 /// So many differ; of more they come again.
-inline constexpr int kSessionMarks = 8;
+inline constexpr int session_mark_count = 8;
 
 /// About the origin, 6 across.
 QPainterPath session_mark_path(int number);

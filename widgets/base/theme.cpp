@@ -15,7 +15,7 @@ ThemeKind& current() {
   return kind;
 }
 
-int pixels_of(TextRole role) {
+int list_pixels(TextRole role) {
   switch (role) {
     case TextRole::small:
       return 12;
@@ -39,7 +39,7 @@ bool has_equal_digits(const QFont& font) {
 
 }  // namespace
 
-const Colors& colors() { return colors_of(current()); }
+const Colors& colors() { return theme_colors(current()); }
 
 ThemeKind theme() { return current(); }
 
@@ -47,7 +47,7 @@ void set_colors(ThemeKind kind) { current() = kind; }
 
 QFont text_font(TextRole role) {
   QFont font = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
-  font.setPixelSize(pixels_of(role));
+  font.setPixelSize(list_pixels(role));
   font.setWeight(role == TextRole::title || role == TextRole::number ? QFont::DemiBold : QFont::Normal);
   return font;
 }

@@ -23,7 +23,7 @@ struct Colors {
   QColor candidate;                       // purple, always dashed or translucent: not in the model yet
   std::array<QColor, 6> residual;         // residual / sigma below 1, n99, 3, 5, 10, and above
   std::array<QColor, 5> signed_scale;     // from less to more: before - after
-  QColor blame_cameras, blame_body, blame_robot;
+  QColor attribution_to_cameras, attribution_to_body, attribution_to_robot;
   std::array<QColor, 3> xyz_curves;    // curves of x, y, z in plots
   std::array<QColor, 3> tcp_axes;      // pure red, green, blue: TCP
   std::array<QColor, 3> tcp_est_axes;  // cyan, yellow, magenta: TCPest
@@ -31,7 +31,7 @@ struct Colors {
 
 /// The colours in force. Widgets read them when they paint and again on QEvent::PaletteChange.
 const Colors& colors();
-const Colors& colors_of(ThemeKind kind);
+const Colors& theme_colors(ThemeKind kind);
 ThemeKind theme();
 /// Changes them without a word to anybody: for pictures on paper, painted and done with before the window paints again.
 void set_colors(ThemeKind kind);
@@ -59,7 +59,7 @@ QFont text_font(TextRole role);
 QFont number_font(TextRole role);
 
 /// Grid of 4, gaps 8 and 16, rows 24, controls 28 px.
-inline constexpr int kGap = 8, kWideGap = 16, kRowHeight = 24, kControlHeight = 28;
+inline constexpr int layout_gap = 8, wide_gap = 16, row_height_px = 24, control_height = 28;
 
 /// n99: the rms of `coordinates` coordinates over sigma that noise alone stays under in 99 of 100 (chi-square): 2.15
 /// for a corner (2), 1.82 for a marker in both images (4), 1.48 for an observation of three markers (12).

@@ -31,7 +31,8 @@ Colors light_colors() {
   c.candidate = rgb(0x7B3FA0);
   c.residual = {rgb(0xD5DAE0), rgb(0xAEB7C1), rgb(0xD9962B), rgb(0xBD5A14), rgb(0x8E2712), rgb(0x4A0F22)};
   c.signed_scale = {rgb(0x0F4C81), rgb(0x6FA3CF), rgb(0xEEF0F2), rgb(0xD99A5B), rgb(0x8A3B0B)};
-  c.blame_cameras = rgb(0x5BB8E8), c.blame_body = rgb(0x6B7A1E), c.blame_robot = rgb(0x222A33);
+  c.attribution_to_cameras = rgb(0x5BB8E8), c.attribution_to_body = rgb(0x6B7A1E),
+  c.attribution_to_robot = rgb(0x222A33);
   c.xyz_curves = {rgb(0xA8141B), rgb(0x4E9E2A), rgb(0x1B35C4)};
   set_fixed_axes(c);
   return c;
@@ -49,7 +50,8 @@ Colors dark_colors() {
   c.candidate = rgb(0xC493E6);
   c.residual = {rgb(0x39414A), rgb(0x5A6570), rgb(0x9C6420), rgb(0xD38A2E), rgb(0xF3BF66), rgb(0xFFF07A)};
   c.signed_scale = {rgb(0x8CC6FF), rgb(0x3E7CB1), rgb(0x2A3037), rgb(0xB06A2C), rgb(0xFFB877)};
-  c.blame_cameras = rgb(0x7CC8F2), c.blame_body = rgb(0x6F8F2A), c.blame_robot = rgb(0xF2F4F6);
+  c.attribution_to_cameras = rgb(0x7CC8F2), c.attribution_to_body = rgb(0x6F8F2A),
+  c.attribution_to_robot = rgb(0xF2F4F6);
   c.xyz_curves = {rgb(0xE8463E), rgb(0xB0F094), rgb(0x6F9BFF)};
   set_fixed_axes(c);
   return c;
@@ -57,7 +59,7 @@ Colors dark_colors() {
 
 }  // namespace
 
-const Colors& colors_of(ThemeKind kind) {
+const Colors& theme_colors(ThemeKind kind) {
   static const Colors light = light_colors();
   static const Colors dark = dark_colors();
   return kind == ThemeKind::dark ? dark : light;

@@ -38,7 +38,7 @@ UnitSwitch::UnitSwitch(QWidget* parent) : QWidget(parent) {
     b->setFont(text_font(TextRole::small));
     b->setCheckable(true);
     b->setAutoRaise(true);
-    b->setFixedHeight(kRowHeight);
+    b->setFixedHeight(row_height_px);
     b->setMinimumWidth(32);
     b->setAccessibleName(about(unit));
     group->addButton(b, static_cast<int>(i));

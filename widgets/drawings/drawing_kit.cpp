@@ -7,7 +7,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStroke = 1.9, kThin = 1.2;
+constexpr double stroke_width = 1.9, thin_width = 1.2;
 
 /// Turned by an angle (degrees, counter-clockwise) about the origin and put at a place.
 QPolygonF placed(const QPolygonF& polygon, const QPointF& at, double angle_deg) {
@@ -36,7 +36,7 @@ QPen DrawingKit::pen(Ink ink, double width) const {
 }
 
 QPen DrawingKit::thin(Ink ink) const {
-  QPen pen = this->pen(ink, kThin);
+  QPen pen = this->pen(ink, thin_width);
   pen.setStyle(Qt::SolidLine);
   return pen;
 }
@@ -49,19 +49,19 @@ QBrush DrawingKit::cover(Ink ink) const {
 }
 
 void DrawingKit::line(Ink ink, const QPointF& from, const QPointF& to) const {
-  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, kStroke));
+  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, stroke_width));
   painter_.drawLine(from, to);
 }
 
 void DrawingKit::path(Ink ink, const QPainterPath& path) const {
   painter_.setBrush(Qt::NoBrush);
-  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, kStroke));
+  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, stroke_width));
   painter_.drawPath(path);
 }
 
 void DrawingKit::circle(Ink ink, const QPointF& center, double radius) const {
   painter_.setBrush(Qt::NoBrush);
-  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, kStroke));
+  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, stroke_width));
   painter_.drawEllipse(center, radius, radius);
 }
 
@@ -73,14 +73,14 @@ void DrawingKit::dot(Ink ink, const QPointF& center, double radius) const {
 
 void DrawingKit::shape(Ink ink, const QPolygonF& polygon) const {
   painter_.setBrush(cover(ink));
-  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, kStroke));
+  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, stroke_width));
   painter_.drawPolygon(polygon);
 }
 
 void DrawingKit::arrow(Ink ink, const QPointF& from, const QPointF& to) const {
   const QLineF whole(from, to);
   const double angle = whole.angle();
-  QPen stroke = pen(ink, kStroke);
+  QPen stroke = pen(ink, stroke_width);
   stroke.setStyle(Qt::SolidLine);  // short: dashes would not show
   painter_.setPen(stroke);
   painter_.drawLine(from, polar(to, 4, angle + 180));
@@ -94,7 +94,7 @@ void DrawingKit::turn(Ink ink, const QPointF& center, double radius, double from
   QPainterPath arc;
   arc.arcMoveTo(box, from_deg);
   arc.arcTo(box, from_deg, span_deg);
-  QPen stroke = pen(ink, kStroke);
+  QPen stroke = pen(ink, stroke_width);
   stroke.setStyle(Qt::SolidLine);
   painter_.setBrush(Qt::NoBrush);
   painter_.setPen(stroke);
@@ -120,7 +120,7 @@ void DrawingKit::limb(Ink ink, const QPainterPath& spine, double width) const {
   stroker.setCapStyle(Qt::RoundCap);
   stroker.setJoinStyle(Qt::RoundJoin);
   painter_.setBrush(cover(ink));
-  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, kStroke));
+  painter_.setPen(ink == Ink::help ? thin(ink) : pen(ink, stroke_width));
   painter_.drawPath(stroker.createStroke(spine).simplified());
 }
 
@@ -132,13 +132,13 @@ void DrawingKit::link(Ink ink, const QPointF& from, const QPointF& to, double wi
 
 void DrawingKit::joint(Ink ink, const QPointF& center, double radius) const {
   painter_.setBrush(colors_.panel);
-  painter_.setPen(pen(ink, kStroke));
+  painter_.setPen(pen(ink, stroke_width));
   painter_.drawEllipse(center, radius, radius);
   dot(ink, center, radius * 0.3);
 }
 
 void DrawingKit::axis(Ink ink, const QPointF& from, const QPointF& to) const {
-  QPen stroke = pen(ink, kThin + 0.3);
+  QPen stroke = pen(ink, thin_width + 0.3);
   stroke.setCapStyle(Qt::FlatCap);
   stroke.setDashPattern({6, 2, 1.2, 2});
   painter_.setPen(stroke);
@@ -146,7 +146,7 @@ void DrawingKit::axis(Ink ink, const QPointF& from, const QPointF& to) const {
 }
 
 void DrawingKit::ground(const QPointF& left, double width) const {
-  painter_.setPen(pen(Ink::model, kStroke));
+  painter_.setPen(pen(Ink::model, stroke_width));
   painter_.drawLine(left, left + QPointF(width, 0));
   painter_.setPen(thin(Ink::help));
   for (double x = 3; x <= width; x += 6) painter_.drawLine(left + QPointF(x, 1), left + QPointF(x - 4, 6));
@@ -196,7 +196,7 @@ void DrawingKit::spring(Ink ink, const QPointF& from, const QPointF& to, int tur
     zigzag += polar(polar(from, step * (i + 1.5), whole.angle()), half, whole.angle() + (i % 2 ? 90 : -90));
   zigzag += to;
   painter_.setBrush(Qt::NoBrush);
-  QPen stroke = pen(ink, kStroke - 0.3);
+  QPen stroke = pen(ink, stroke_width - 0.3);
   stroke.setStyle(Qt::SolidLine);
   painter_.setPen(stroke);
   painter_.drawPolyline(zigzag);
@@ -206,7 +206,7 @@ void DrawingKit::spiral(Ink ink, const QPointF& center, double radius) const {
   QPolygonF curve;
   for (int i = 0; i <= 72; ++i) curve += polar(center, 1.5 + (radius - 1.5) * i / 72.0, 12.5 * i);
   painter_.setBrush(Qt::NoBrush);
-  QPen stroke = pen(ink, kThin + 0.3);
+  QPen stroke = pen(ink, thin_width + 0.3);
   stroke.setStyle(Qt::SolidLine);
   painter_.setPen(stroke);
   painter_.drawPolyline(curve);
@@ -214,7 +214,7 @@ void DrawingKit::spiral(Ink ink, const QPointF& center, double radius) const {
 
 void DrawingKit::clock(Ink ink, const QPointF& center, double radius, double hand_deg) const {
   painter_.setBrush(cover(ink));
-  painter_.setPen(pen(ink, kStroke));
+  painter_.setPen(pen(ink, stroke_width));
   painter_.drawEllipse(center, radius, radius);
   for (int i = 0; i < 12; i += 3) line(Ink::help, polar(center, radius - 3, 30 * i), polar(center, radius - 1, 30 * i));
   line(Ink::model, center, polar(center, radius * 0.65, hand_deg));

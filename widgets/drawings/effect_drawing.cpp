@@ -8,7 +8,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kSide = 96, kShare = 0.94;
+constexpr double side_length = 96, share = 0.94;
 
 const std::map<std::string, DrawEffect>& drawings() {
   static const std::map<std::string, DrawEffect> all = [] {
@@ -31,8 +31,8 @@ void paint_effect(QPainter& painter, const QRectF& area, const std::string& effe
   painter.setRenderHint(QPainter::Antialiasing);
   // A little smaller than the square: lines have a width.
   painter.translate(area.center());
-  painter.scale(kShare * side / kSide, kShare * side / kSide);
-  painter.translate(-kSide / 2, -kSide / 2);
+  painter.scale(share * side / side_length, share * side / side_length);
+  painter.translate(-side_length / 2, -side_length / 2);
   const DrawingKit kit(painter, colors);
   const auto found = drawings().find(effect_id);
   if (found != drawings().end())

@@ -33,7 +33,7 @@ class BillDelegate : public QStyledItemDelegate {
       painter->fillRect(area, c.care_tint);
       painter->fillRect(QRectF(area.left(), area.top(), 3, area.height()), c.care);
     }
-    const QRectF room = area.adjusted(kGap + 2, 2, -kGap, -2);
+    const QRectF room = area.adjusted(layout_gap + 2, 2, -layout_gap, -2);
     const QRectF upper(room.left(), room.top(), room.width(), 20), lower(room.left(), upper.bottom(), room.width(), 18);
     painter->setFont(number_font(TextRole::body));
     const double wide = QFontMetricsF(painter->font()).horizontalAdvance(entry.worth) + 2;
@@ -41,7 +41,7 @@ class BillDelegate : public QStyledItemDelegate {
     draw_text(*painter, QRectF(upper.right() - wide, upper.top(), wide, upper.height()),
               Qt::AlignRight | Qt::AlignVCenter, entry.worth);
     painter->setFont(text_font(TextRole::body));
-    draw_text(*painter, upper.adjusted(0, 0, -wide - kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, entry.cause);
+    draw_text(*painter, upper.adjusted(0, 0, -wide - layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter, entry.cause);
     painter->setFont(text_font(TextRole::small));
     painter->setPen(entry.is_stand_in ? c.care : c.ink2);
     draw_text(*painter, lower, Qt::AlignLeft | Qt::AlignVCenter, entry.remarks());
@@ -58,7 +58,7 @@ class BillDelegate : public QStyledItemDelegate {
 }  // namespace
 
 QString BillEntry::remarks() const {
-  QStringList list = is_stand_in ? QStringList{built, sure, told} : QStringList{sure, built, told};
+  QStringList list = is_stand_in ? QStringList{built, sure, reported} : QStringList{sure, built, reported};
   list.removeAll(QString());
   return list.join(QStringLiteral("; "));
 }
@@ -69,7 +69,7 @@ BillList::BillList(QWidget* parent) : QWidget(parent) {
   layout->setSpacing(2);
   title_ = new QLabel(tr("The bill: what each cause is worth at the hand (rms)"), this);
   title_->setFont(text_font(TextRole::small));
-  title_->setContentsMargins(kGap, 0, 0, 0);
+  title_->setContentsMargins(layout_gap, 0, 0, 0);
   title_->setWordWrap(true);
   layout->addWidget(title_);
   view_ = new QListView(this);

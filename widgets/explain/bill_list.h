@@ -12,12 +12,12 @@ class QListView;
 namespace handsight::widgets {
 
 struct BillEntry {
-  QString id;     // of the effect
-  QString cause;  // "joint elasticity of arm_2 and arm_4"
-  QString worth;  // "5.81 ± 0.02 mm"
-  QString sure;   // "sure to 99.9 %"; empty: nobody has looked
-  QString built;  // "plausible", or why it stands in for another cause
-  QString told;   // "told from all others", "not told from payload"; empty: nobody has looked
+  QString id;        // of the effect
+  QString cause;     // "joint elasticity of arm_2 and arm_4"
+  QString worth;     // "5.81 ± 0.02 mm"
+  QString sure;      // "sure to 99.9 %"; empty: nobody has looked
+  QString built;     // "plausible", or why it stands in for another cause
+  QString reported;  // "told from all others", "not given from payload"; empty: nobody has looked
   bool is_stand_in = false;
 
   /// "sure to 99.9 %; plausible; told from all others", what is to be doubted first.

@@ -29,7 +29,7 @@ CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   const auto button = [this](const QString& name, auto&& signal) {
     auto* made = new FilledButton(this);
     made->setObjectName(name);
-    made->setFixedHeight(kControlHeight);
+    made->setFixedHeight(control_height);
     made->setAutoDefault(true);  // Enter presses it
     made->installEventFilter(this);
     connect(made, &QPushButton::clicked, this, signal);
@@ -128,14 +128,14 @@ void CandidateCard::place_buttons() {
   const auto wide = [](const QPushButton* button) {
     return std::max(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 28, 72);
   };
-  int total = -kGap;
-  for (const QPushButton* button : buttons) total += button->isHidden() ? 0 : wide(button) + kGap;
+  int total = -layout_gap;
+  for (const QPushButton* button : buttons) total += button->isHidden() ? 0 : wide(button) + layout_gap;
   const bool is_narrow = total > layout.buttons.width();  // then from below the drawing on
   int x = static_cast<int>(is_narrow ? layout.drawing.left() : layout.buttons.left());
   for (QPushButton* button : buttons) {
     if (button->isHidden()) continue;
-    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide(button), kControlHeight);
-    x += wide(button) + kGap;
+    button->setGeometry(x, static_cast<int>(layout.buttons.top()), wide(button), control_height);
+    x += wide(button) + layout_gap;
   }
 }
 

@@ -14,9 +14,9 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 10, kDrawing = 96, kSizeRow = 18, kErrorRow = 20, kLeast = 168;
-constexpr double kFieldHeight = 24, kFieldWidth = 116;
-constexpr int kMostSizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3;
+constexpr double outer_margin = 10, drawing_size = 96, size_row = 18, error_row = 20, least_card = 168;
+constexpr double field_height = 24, field_width = 116;
+constexpr int most_sizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3;
 
 QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
 
@@ -40,7 +40,7 @@ Honest honest(CardKind kind) {
       return {QStringLiteral("?"), c.bad, c.bad_tint};
     case CardKind::ambiguous:
       return {QStringLiteral("⇄"), c.care, c.care_tint};
-    case CardKind::scatter:
+    case CardKind::repeatability:
       return {QStringLiteral("∴"), c.care, c.care_tint};
     default:
       return {QStringLiteral("?"), c.care, c.care_tint};
@@ -82,12 +82,12 @@ void paint_error(QPainter& painter, const ErrorLeft& error, const QRectF& area) 
   if (bar.width() < 30 || !error.now || !(*error.now > 0)) return;
   const double least = std::min({error.noise.value_or(*error.now), error.left.value_or(*error.now), *error.now});
   const double low = std::max(least, 1e-9) / 1.6, high = std::max(*error.now, error.left.value_or(0)) * 1.02;
-  const auto x_of = [&](double value) {
+  const auto find_x = [&](double value) {
     return bar.left() + bar.width() * std::clamp(std::log(value / low) / std::log(high / low), 0.0, 1.0);
   };
   painter.fillRect(bar, c.sunken);
   if (error.left && *error.left > 0) {
-    const QRectF left(bar.left(), bar.top(), x_of(*error.left) - bar.left(), bar.height());
+    const QRectF left(bar.left(), bar.top(), find_x(*error.left) - bar.left(), bar.height());
     if (error.is_predicted) {
       QColor veil = c.candidate;
       veil.setAlpha(60);
@@ -101,7 +101,7 @@ void paint_error(QPainter& painter, const ErrorLeft& error, const QRectF& area) 
     }
   }
   if (error.noise && *error.noise > 0) {
-    const QRectF floor(bar.left(), bar.top(), x_of(*error.noise) - bar.left(), bar.height());
+    const QRectF floor(bar.left(), bar.top(), find_x(*error.noise) - bar.left(), bar.height());
     painter.fillRect(floor, noise_hatching(c.control_edge));
     painter.setPen(QPen(c.ink2, 1));
     painter.drawLine(QPointF(floor.right(), bar.top() - 3), QPointF(floor.right(), bar.bottom() + 3));
@@ -109,30 +109,30 @@ void paint_error(QPainter& painter, const ErrorLeft& error, const QRectF& area) 
   painter.setPen(QPen(c.control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(
-      QRectF(bar.left(), bar.top(), x_of(*error.now) - bar.left(), bar.height()).adjusted(0.5, 0.5, -0.5, -0.5));
+      QRectF(bar.left(), bar.top(), find_x(*error.now) - bar.left(), bar.height()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
-/// A value against minus and plus three plausible sizes, its sigma as a whisker.
+/// A value against minus and plus three prior sigmas, its sigma as a whisker.
 void paint_plausible(QPainter& painter, const ModelParameter& p, const QRectF& bar) {
   const Colors& c = colors();
   constexpr double most = 3;
-  const auto x_of = [&](double sizes) {
+  const auto find_x = [&](double sizes) {
     return bar.center().x() + bar.width() / 2 * std::clamp(sizes / most, -1.0, 1.0);
   };
   painter.fillRect(bar, c.sunken);
-  painter.fillRect(QRectF(x_of(-1), bar.top(), x_of(1) - x_of(-1), bar.height()), c.hairline);
+  painter.fillRect(QRectF(find_x(-1), bar.top(), find_x(1) - find_x(-1), bar.height()), c.hairline);
   painter.setPen(QPen(c.control_edge, 1));
   painter.drawLine(QPointF(bar.center().x(), bar.top() - 1), QPointF(bar.center().x(), bar.bottom() + 1));
   if (!p.value) return;
   const double value = *p.value / *p.plausible, sigma = p.sigma.value_or(0) / *p.plausible;
   const QColor ink = std::abs(value) > most ? c.bad : c.ink1;
   painter.setPen(QPen(ink, 1));
-  painter.drawLine(QPointF(x_of(value - sigma), bar.center().y()), QPointF(x_of(value + sigma), bar.center().y()));
-  painter.fillRect(QRectF(x_of(value) - 1.5, bar.top() - 2, 3, bar.height() + 4), ink);
+  painter.drawLine(QPointF(find_x(value - sigma), bar.center().y()), QPointF(find_x(value + sigma), bar.center().y()));
+  painter.fillRect(QRectF(find_x(value) - 1.5, bar.top() - 2, 3, bar.height() + 4), ink);
 }
 
 /// "arm_2 compliance"; the joint alone where all numbers are of one kind, which their unit tells.
-QString name_of(const ModelParameter& p, const std::vector<ModelParameter>& all) {
+QString display_name(const ModelParameter& p, const std::vector<ModelParameter>& all) {
   const bool is_one_kind =
       std::all_of(all.begin(), all.end(), [&](const ModelParameter& other) { return other.name == p.name; });
   if (p.of.isEmpty()) return p.name;
@@ -146,15 +146,15 @@ void paint_size(QPainter& painter, const ModelParameter& p, const QString& name,
   painter.setFont(number_font(TextRole::small));
   // A long name takes room from the bar, down to half of it.
   const double wanted = QFontMetricsF(painter.font()).horizontalAdvance(value) + 2 +
-                        QFontMetricsF(small()).horizontalAdvance(name) + 2 * kGap;
-  const double bar = std::clamp(row.width() - wanted, 32.0, 64.0), most = row.width() - bar - 2 * kGap - 44;
+                        QFontMetricsF(small()).horizontalAdvance(name) + 2 * layout_gap;
+  const double bar = std::clamp(row.width() - wanted, 32.0, 64.0), most = row.width() - bar - 2 * layout_gap - 44;
   const double needed = std::min(QFontMetricsF(painter.font()).horizontalAdvance(value) + 2, most);
   painter.setPen(c.ink1);
-  const QRectF middle(row.right() - bar - kGap - needed, row.top(), needed, row.height());
+  const QRectF middle(row.right() - bar - layout_gap - needed, row.top(), needed, row.height());
   draw_text(painter, middle, Qt::AlignRight | Qt::AlignVCenter, value);
   painter.setFont(small());
   painter.setPen(c.ink2);
-  const QRectF left(row.left(), row.top(), middle.left() - kGap - row.left(), row.height());
+  const QRectF left(row.left(), row.top(), middle.left() - layout_gap - row.left(), row.height());
   // Names of joints differ at their ends.
   draw_text(painter, left, Qt::AlignLeft | Qt::AlignVCenter,
             QFontMetricsF(painter.font()).elidedText(name, Qt::ElideLeft, left.width()));
@@ -185,10 +185,10 @@ void paint_more(QPainter& painter, const QRectF& row, std::size_t hidden) {
 
 }  // namespace
 
-QString told_from_text(const CardState& state) {
-  return state.cannot_be_told_from.isEmpty()
+QString indistinguishable_text(const CardState& state) {
+  return state.indistinguishable_from.isEmpty()
              ? QString()
-             : said("Cannot be told from %1 on these poses.").arg(state.cannot_be_told_from);
+             : said("Cannot be told from %1 on these poses.").arg(state.indistinguishable_from);
 }
 
 QString check_text(const CardState& state) {
@@ -203,10 +203,10 @@ QString error_left_text(const ErrorLeft& error) {
 
 CardLayout lay_out(const CardState& state, double width) {
   CardLayout l;
-  l.drawing = {kMargin, kMargin, kDrawing, kDrawing};
-  double left = l.drawing.right() + 12, wide = width - left - kMargin;
+  l.drawing = {outer_margin, outer_margin, drawing_size, drawing_size};
+  double left = l.drawing.right() + 12, wide = width - left - outer_margin;
   const double title = lines_height(text_font(TextRole::title), state.title, wide, 2);
-  l.title = {left, kMargin - 2, wide, std::max(title, 22.0)};
+  l.title = {left, outer_margin - 2, wide, std::max(title, 22.0)};
   double y = l.title.bottom() + 2;
   const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {
     const double high = lines_height(font, said_text, wide, most_lines);
@@ -216,7 +216,7 @@ CardLayout lay_out(const CardState& state, double width) {
   };
   // Beside the title where that has room: names of joints are never shortened for it.
   const double beside =
-      l.title.left() + QFontMetricsF(text_font(TextRole::title)).horizontalAdvance(state.title) + kGap;
+      l.title.left() + QFontMetricsF(text_font(TextRole::title)).horizontalAdvance(state.title) + layout_gap;
   const double room = l.title.right() - beside;
   if (!state.where.isEmpty() && l.title.height() <= 24 &&
       QFontMetricsF(body()).horizontalAdvance(state.where) + 2 < room)
@@ -226,39 +226,39 @@ CardLayout lay_out(const CardState& state, double width) {
   const bool is_honest = state.kind != CardKind::candidate;
   l.words = text(body(), state.words, is_honest ? 6 : most_words_lines);
   if (state.error.now && state.error.left) {
-    l.error = {left, y, wide, kErrorRow};
-    y += kErrorRow + 3;
+    l.error = {left, y, wide, error_row};
+    y += error_row + 3;
   }
   l.caution = text(small(), state.caution, 2);
   l.evidence = text(small(), state.evidence, most_evidence_lines);
-  const std::size_t shown = std::min<std::size_t>(state.sizes.size(), kMostSizes);
+  const std::size_t shown = std::min<std::size_t>(state.sizes.size(), most_sizes);
   const std::size_t rows = shown + (state.sizes.size() > shown ? 1 : 0);
-  for (std::size_t i = 0; i < rows; ++i, y += kSizeRow) l.sizes.push_back({left, y, wide, kSizeRow});
+  for (std::size_t i = 0; i < rows; ++i, y += size_row) l.sizes.push_back({left, y, wide, size_row});
   if (rows > 0) y += 3;
-  l.told_from = text(small(), told_from_text(state), 2);
+  l.told_from = text(small(), indistinguishable_text(state), 2);
   if (state.check_number && y > l.drawing.bottom()) {  // below the drawing there is room
-    left = kMargin;
-    wide = width - 2 * kMargin;
+    left = outer_margin;
+    wide = width - 2 * outer_margin;
   }
   l.check = text(small(), check_text(state), 2);
   if (state.check_number && !is_honest) {
     l.prediction = text(small(), state.check_number->prediction, 3);
-    const double label = QFontMetricsF(small()).horizontalAdvance(measured_label()) + kGap;
-    l.measured_label = {left, y, label, kFieldHeight};
-    l.field = {left + label, y, kFieldWidth, kFieldHeight};
-    l.unit = {l.field.right() + kGap, y, wide - label - kFieldWidth - kGap, kFieldHeight};
-    y += kFieldHeight + 3;
+    const double label = QFontMetricsF(small()).horizontalAdvance(measured_label()) + layout_gap;
+    l.measured_label = {left, y, label, field_height};
+    l.field = {left + label, y, field_width, field_height};
+    l.unit = {l.field.right() + layout_gap, y, wide - label - field_width - layout_gap, field_height};
+    y += field_height + 3;
     // As high as any answer, so that nothing moves away under the pointer when it comes.
     l.answer = {left, y, wide, 2 * QFontMetricsF(small()).lineSpacing()};
     y += l.answer.height() + 3;
   }
   const bool has_buttons = !is_honest || !state.action.isEmpty();
-  y = std::max(y, kLeast - kMargin - (has_buttons ? kControlHeight + 4 : 0));
+  y = std::max(y, least_card - outer_margin - (has_buttons ? control_height + 4 : 0));
   if (has_buttons) {
-    l.buttons = {left, y + 2, wide, static_cast<double>(kControlHeight)};
+    l.buttons = {left, y + 2, wide, static_cast<double>(control_height)};
     y = l.buttons.bottom();
   }
-  l.height = std::max(std::ceil(y + kMargin), kLeast);
+  l.height = std::max(std::ceil(y + outer_margin), least_card);
   return l;
 }
 
@@ -277,13 +277,13 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
   painter.setPen(c.ink2);
   draw_lines(painter, small(), l.evidence, state.evidence, most_evidence_lines);
   for (std::size_t i = 0; i < l.sizes.size(); ++i) {
-    if (i < kMostSizes)
-      paint_size(painter, state.sizes[i], name_of(state.sizes[i], state.sizes), l.sizes[i]);
+    if (i < most_sizes)
+      paint_size(painter, state.sizes[i], display_name(state.sizes[i], state.sizes), l.sizes[i]);
     else
-      paint_more(painter, l.sizes[i], state.sizes.size() - kMostSizes);
+      paint_more(painter, l.sizes[i], state.sizes.size() - most_sizes);
   }
   painter.setPen(c.care);
-  draw_lines(painter, small(), l.told_from, told_from_text(state), 2);
+  draw_lines(painter, small(), l.told_from, indistinguishable_text(state), 2);
   painter.setPen(c.ink2);
   draw_lines(painter, small(), l.check, check_text(state), 2);
   if (!l.field.isEmpty()) paint_check(painter, *state.check_number, l);

@@ -21,7 +21,7 @@ struct CardLayout {
 CardLayout lay_out(const CardState& state, double width);
 void paint_card(QPainter& painter, const CardState& state, const CardLayout& layout);
 /// "Joint offset and payload look the same here" and the like, with their heads: what the card says of its limits.
-QString told_from_text(const CardState& state);
+QString indistinguishable_text(const CardState& state);
 QString check_text(const CardState& state);
 QString error_left_text(const ErrorLeft& error);
 

@@ -27,10 +27,10 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   auto* head = new QHBoxLayout;
-  head->setContentsMargins(0, 0, kGap, 0);
+  head->setContentsMargins(0, 0, layout_gap, 0);
   title_ = new QLabel(tr("What is missing"), this);
   title_->setFont(text_font(TextRole::title));
-  title_->setFixedHeight(kControlHeight);
+  title_->setFixedHeight(control_height);
   progress_ = new QLabel(this);
   progress_->setFont(text_font(TextRole::small));
   resort_ = new QPushButton(tr("Order changed: sort again"), this);
@@ -50,11 +50,11 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   content_ = new QWidget(scroll_);
   list_ = new QVBoxLayout(content_);
   list_->setContentsMargins(0, 0, 2, 0);
-  list_->setSpacing(kGap);
+  list_->setSpacing(layout_gap);
   empty_ = new QLabel(content_);
   empty_->setWordWrap(true);
   empty_->setAlignment(Qt::AlignCenter);
-  empty_->setMargin(kWideGap);
+  empty_->setMargin(wide_gap);
   list_->addWidget(empty_);
   list_->addStretch(1);
   scroll_->setWidget(content_);
@@ -62,22 +62,22 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
 
   why_not_ = new QPushButton(tr("Why not …?"), this);
   why_not_->setToolTip(tr("All effects, with one verdict each"));
-  why_not_->setFixedHeight(kControlHeight);
+  why_not_->setFixedHeight(control_height);
   add_ = new MainButton(this);
   add_->setObjectName("add_first");
-  add_->setFixedHeight(kControlHeight);
+  add_->setFixedHeight(control_height);
   add_->setEnabled(false);
   connect(add_, &QPushButton::clicked, this, [this] {
     if (const CandidateCard* card = first_to_add()) emit add(card->state().id);
   });
   foot_ = new QHBoxLayout;
-  foot_->setContentsMargins(0, 0, kGap, 4);
+  foot_->setContentsMargins(0, 0, layout_gap, 4);
   foot_->addWidget(add_, 100);  // as wide as its longest text
   foot_->addWidget(why_not_);
   foot_->addStretch(1);
   layout->addLayout(foot_);
   second_foot_ = new QHBoxLayout;
-  second_foot_->setContentsMargins(0, 0, kGap, 4);
+  second_foot_->setContentsMargins(0, 0, layout_gap, 4);
   second_foot_->addStretch(1);
   layout->addLayout(second_foot_);
   connect(why_not_, &QPushButton::clicked, this, &CandidateList::why_not_requested);
@@ -185,7 +185,7 @@ void CandidateList::mark_main() {
 }
 
 void CandidateList::add_at_foot(QWidget* widget, FootPlace place) {
-  widget->setFixedHeight(kControlHeight);
+  widget->setFixedHeight(control_height);
   if (place == FootPlace::after_why_not) {
     // What comes and goes would have no room there, or push the others aside: it stands above, beside the title.
     static_cast<QHBoxLayout*>(layout()->itemAt(0)->layout())->addWidget(widget);
@@ -199,9 +199,9 @@ void CandidateList::add_at_foot(QWidget* widget, FootPlace place) {
 /// had, so that nothing changes its place while the user looks.
 void CandidateList::lay_out_foot() {
   longest_add_ = std::max({longest_add_, least_add_width, add_->sizeHint().width()});
-  int wanted = longest_add_ + why_not_->sizeHint().width() + 3 * kGap;
+  int wanted = longest_add_ + why_not_->sizeHint().width() + 3 * layout_gap;
   for (const QWidget* w : at_foot_)  // the hidden ones too: they will come
-    wanted += std::max(w->sizeHint().width(), w->minimumWidth()) + kGap;
+    wanted += std::max(w->sizeHint().width(), w->minimumWidth()) + layout_gap;
   const bool has_second = wanted > width();
   add_->setMaximumWidth(longest_add_);
   if (has_second == has_second_foot_) return;

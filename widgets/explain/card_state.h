@@ -11,7 +11,7 @@
 
 namespace handsight::widgets {
 
-enum class CardKind { candidate, adequate, unexplained, ambiguous, too_few, scatter, noise_unknown };
+enum class CardKind { candidate, adequate, unexplained, ambiguous, too_few, repeatability, noise_unknown };
 
 /// Error left beside today's and the noise, in `unit`.
 struct ErrorLeft {
@@ -39,7 +39,7 @@ struct CardState {
   ErrorLeft error;
   QString evidence;                   // "Follows the gravity torque of arm_2; chance would show this once in 10,000."
   std::vector<ModelParameter> sizes;  // value with sigma against what is plausible
-  QString cannot_be_told_from;        // "payload, base tilt"; empty: nothing
+  QString indistinguishable_from;     // "payload, base tilt"; empty: nothing
   QString check;                      // a cheap check with the robot
   std::optional<CardCheck> check_number;
   QString caution;   // "The fit wants 4 kg; 1 kg is plausible."

@@ -17,7 +17,7 @@ struct CostCurve::Scale {
   QRectF area;
   LogAxis y;
   int last = 1;
-  double x_of(int iteration) const { return area.left() + area.width() * iteration / std::max(last, 1); }
+  double find_x(int iteration) const { return area.left() + area.width() * iteration / std::max(last, 1); }
 };
 
 CostCurve::CostCurve(QWidget* parent) : QWidget(parent), empty_text_(tr("The cost of a fit is drawn here.")) {
@@ -62,7 +62,7 @@ void CostCurve::set_empty_text(const QString& sentence) {
   update();
 }
 
-QRectF CostCurve::area() const { return {44, 22, width() - 44.0 - kGap, height() - 22.0 - 20}; }
+QRectF CostCurve::area() const { return {44, 22, width() - 44.0 - layout_gap, height() - 22.0 - 20}; }
 
 CostCurve::Scale CostCurve::scale() const {
   double low = 1e300, high = 0;
@@ -92,17 +92,18 @@ void CostCurve::paintEvent(QPaintEvent*) {
   const Point& latest = points_.back();
   const QString state = is_running_ ? tr("iteration %1").arg(latest.iteration) : outcome_;
   const double wide = QFontMetricsF(painter.font()).horizontalAdvance(state) + 2;
-  draw_text(painter, QRectF(kGap, 2, width() - wide - 3 * kGap, 18), Qt::AlignLeft | Qt::AlignVCenter, title);
-  draw_text(painter, QRectF(kGap, 2, width() - 2.0 * kGap, 18), Qt::AlignRight | Qt::AlignVCenter, state);
+  draw_text(painter, QRectF(layout_gap, 2, width() - wide - 3 * layout_gap, 18), Qt::AlignLeft | Qt::AlignVCenter,
+            title);
+  draw_text(painter, QRectF(layout_gap, 2, width() - 2.0 * layout_gap, 18), Qt::AlignRight | Qt::AlignVCenter, state);
   draw_log_axis(painter, s.y, s.area);
   if (floor_ && *floor_ > 0)
     painter.fillRect(QRectF(s.area.left(), s.y.at(*floor_), s.area.width(), s.area.bottom() - s.y.at(*floor_)),
                      noise_hatching(c.control_edge));
   painter.setPen(c.ink3);
   for (int i = 0; i <= s.last; i += std::max(s.last / 5, 1))
-    painter.drawText(QRectF(s.x_of(i) - 20, s.area.bottom() + 2, 40, 16), Qt::AlignCenter, QString::number(i));
+    painter.drawText(QRectF(s.find_x(i) - 20, s.area.bottom() + 2, 40, 16), Qt::AlignCenter, QString::number(i));
   QPolygonF line;
-  for (const Point& point : points_) line += QPointF(s.x_of(point.iteration), s.y.at(point.cost));
+  for (const Point& point : points_) line += QPointF(s.find_x(point.iteration), s.y.at(point.cost));
   painter.setPen(QPen(c.ink1, 2));
   painter.drawPolyline(line);
   painter.setPen(Qt::NoPen);
@@ -118,7 +119,7 @@ void CostCurve::mouseMoveEvent(QMouseEvent* event) {
   int nearest = -1;
   double best = 12;
   for (int i = 0; i < count(); ++i) {
-    const double away = std::abs(s.x_of(points_[static_cast<std::size_t>(i)].iteration) - event->position().x());
+    const double away = std::abs(s.find_x(points_[static_cast<std::size_t>(i)].iteration) - event->position().x());
     if (away < best) best = away, nearest = i;
   }
   if (nearest == hovered_) return;

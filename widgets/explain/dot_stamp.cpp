@@ -20,11 +20,11 @@ std::uint32_t scaled(std::uint32_t pixel, std::uint32_t by) {
 
 DotStamp::DotStamp(const QColor& color, double diameter) : side_(static_cast<int>(std::ceil(diameter)) + 2) {
   const double radius = diameter / 2;
-  for (int part = 0; part < kParts * kParts; ++part) {
+  for (int part = 0; part < part_count * part_count; ++part) {
     std::vector<std::uint32_t>& mask = masks_[static_cast<std::size_t>(part)];
     mask.resize(static_cast<std::size_t>(side_ * side_));
-    const double middle_x = side_ / 2.0 + (part % kParts + 0.5) / kParts - 0.5;
-    const double middle_y = side_ / 2.0 + (part / kParts + 0.5) / kParts - 0.5;
+    const double middle_x = side_ / 2.0 + (part % part_count + 0.5) / part_count - 0.5;
+    const double middle_y = side_ / 2.0 + (part / part_count + 0.5) / part_count - 0.5;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
         const double away = std::hypot(x + 0.5 - middle_x, y + 0.5 - middle_y);
@@ -41,9 +41,9 @@ void DotStamp::put(QImage& image, double x, double y) const {
   if (!(std::abs(x) < 1e6 && std::abs(y) < 1e6)) return;
   const double left = x - side_ / 2.0 + 0.5, top = y - side_ / 2.0 + 0.5;
   const int column = static_cast<int>(std::floor(left)), row = static_cast<int>(std::floor(top));
-  const int part_x = std::min(static_cast<int>((left - column) * kParts), kParts - 1);
-  const int part_y = std::min(static_cast<int>((top - row) * kParts), kParts - 1);
-  const std::vector<std::uint32_t>& mask = masks_[static_cast<std::size_t>(part_y * kParts + part_x)];
+  const int part_x = std::min(static_cast<int>((left - column) * part_count), part_count - 1);
+  const int part_y = std::min(static_cast<int>((top - row) * part_count), part_count - 1);
+  const std::vector<std::uint32_t>& mask = masks_[static_cast<std::size_t>(part_y * part_count + part_x)];
   const int first_x = std::max(0, -column), last_x = std::min(side_, image.width() - column);
   const int first_y = std::max(0, -row), last_y = std::min(side_, image.height() - row);
   uchar* const pixels = image.bits();

@@ -20,9 +20,9 @@ class DotStamp {
   void put(QImage& image, double x, double y) const;
 
  private:
-  static constexpr int kParts = 4;  // positions within a pixel, each way
+  static constexpr int part_count = 4;  // positions within a pixel, each way
   int side_ = 0;
-  std::array<std::vector<std::uint32_t>, kParts * kParts> masks_;  // premultiplied
+  std::array<std::vector<std::uint32_t>, part_count * part_count> masks_;  // premultiplied
 };
 
 /// One for each step of the residual ramp, in the theme's colours.

@@ -25,7 +25,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   text_ = new QLineEdit(this);
   text_->setPlaceholderText(tr("Why not …? Type a name"));
   text_->setClearButtonEnabled(true);
-  text_->setFixedHeight(kControlHeight);
+  text_->setFixedHeight(control_height);
   layout->addWidget(text_);
   view_ = new QTableView(this);
   view_->setModel(filter_);
@@ -40,10 +40,10 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   view_->setAccessibleName(tr("All effects"));
   view_->verticalHeader()->hide();
   view_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  view_->verticalHeader()->setDefaultSectionSize(row_height_px);
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
-  header.setFixedHeight(kControlHeight);
+  header.setFixedHeight(control_height);
   const int widths[] = {150, 184};
   for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(2, QHeaderView::Stretch);
@@ -57,7 +57,7 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   layout->addWidget(empty_, 1);
   summary_ = new QLabel(this);
   summary_->setFont(text_font(TextRole::small));
-  summary_->setContentsMargins(kGap, 0, kGap, 0);
+  summary_->setContentsMargins(layout_gap, 0, layout_gap, 0);
   layout->addWidget(summary_);
   view_->installEventFilter(this);
   view_->viewport()->installEventFilter(this);

@@ -19,7 +19,7 @@ QString verdict_of(const EffectRow& row) {
   return row.verdict == EffectVerdict::same_as ? text + QLatin1Char(' ') + row.same_as : text;
 }
 
-QString text_of(const EffectRow& row, EffectColumn column) {
+QString make_text(const EffectRow& row, EffectColumn column) {
   switch (column) {
     case EffectColumn::name:
       return row.name;
@@ -84,8 +84,8 @@ QVariant EffectTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const EffectRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<EffectColumn>(index.column());
-  if (role == Qt::DisplayRole) return text_of(row, column);
-  if (role == kVerdictRole) return static_cast<int>(row.verdict);
+  if (role == Qt::DisplayRole) return make_text(row, column);
+  if (role == verdict_role) return static_cast<int>(row.verdict);
   if (role == Qt::ToolTipRole && column != EffectColumn::name) {
     const bool is_unseen = column == EffectColumn::verdict && row.verdict == EffectVerdict::cannot_be_seen;
     return is_unseen ? said("These poses could not show it, if it were there.") : row.reason;
@@ -131,12 +131,12 @@ bool EffectTableFilter::filterAcceptsRow(int row, const QModelIndex&) const {
 }
 
 QSize EffectTableDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  return {QFontMetrics(option.font).horizontalAdvance(index.data().toString()) + 32, kRowHeight};
+  return {QFontMetrics(option.font).horizontalAdvance(index.data().toString()) + 32, row_height_px};
 }
 
 void EffectTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Colors& c = colors();
-  const auto verdict = static_cast<EffectVerdict>(index.data(EffectTableModel::kVerdictRole).toInt());
+  const auto verdict = static_cast<EffectVerdict>(index.data(EffectTableModel::verdict_role).toInt());
   painter->save();
   if (option.state & QStyle::State_Selected) painter->fillRect(option.rect, c.selected_row);
   QRectF room = QRectF(option.rect).adjusted(6, 0, -6, 0);

@@ -16,7 +16,7 @@ enum class EffectColumn { name, verdict, where, reason, count };
 class EffectTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  static constexpr int kVerdictRole = Qt::UserRole;
+  static constexpr int verdict_role = Qt::UserRole;
   using QAbstractTableModel::QAbstractTableModel;
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

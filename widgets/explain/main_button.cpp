@@ -37,9 +37,9 @@ MainButton::MainButton(QWidget* parent) : FilledButton(parent) {
   fill_button(*this, true);
 }
 
-QSize MainButton::sizeHint() const { return {fontMetrics().horizontalAdvance(text()) + 2 * rim, kControlHeight}; }
+QSize MainButton::sizeHint() const { return {fontMetrics().horizontalAdvance(text()) + 2 * rim, control_height}; }
 
-QSize MainButton::minimumSizeHint() const { return {80, kControlHeight}; }
+QSize MainButton::minimumSizeHint() const { return {80, control_height}; }
 
 bool MainButton::event(QEvent* event) {
   if (event->type() == QEvent::ApplicationPaletteChange) fill_button(*this, true);

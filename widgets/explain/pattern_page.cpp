@@ -14,8 +14,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kColumns = 3, kReach = 8;
-constexpr double kGapBetween = 4;
+constexpr int column_count = 3, reach_px = 8;
+constexpr double gap_between = 4;
 
 QString with_unit(const QString& quantity, const QString& unit) {
   return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
@@ -31,7 +31,7 @@ PatternPage::PatternPage(QWidget* parent)
 }
 
 QSize PatternPage::sizeHint() const { return {592, 84 * rows_}; }
-QSize PatternPage::minimumSizeHint() const { return {480, rows_ * 80 + (rows_ - 1) * static_cast<int>(kGapBetween)}; }
+QSize PatternPage::minimumSizeHint() const { return {480, rows_ * 80 + (rows_ - 1) * static_cast<int>(gap_between)}; }
 
 void PatternPage::set_rows(int rows) {
   if (rows == rows_) return;
@@ -42,7 +42,7 @@ void PatternPage::set_rows(int rows) {
   update();
 }
 
-PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
+PatternPage::Range PatternPage::find_range(const PatternPlot& plot) {
   Range r{1e300, -1e300, 1e300, -1e300};
   for (const ScatterPoint& point : plot.points) {
     r.left = std::min(r.left, point.x);
@@ -52,7 +52,7 @@ PatternPage::Range PatternPage::range_of(const PatternPlot& plot) {
   r.low = most.low;
   r.high = most.high;
   if (plot.points.empty()) r = {0, 1, -1, 1};
-  const double floor = kSigmas * plot.noise.value_or(0);  // noise alone never fills the plot
+  const double floor = noise_sigmas * plot.noise.value_or(0);  // noise alone never fills the plot
   r.low = std::min(r.low, -floor);
   r.high = std::max(r.high, floor);
   const double wide = std::max((r.right - r.left) * 0.03, 1e-12), tall = std::max((r.high - r.low) * 0.08, 1e-12);
@@ -68,24 +68,24 @@ bool PatternPage::outgrows(const Range& wanted, const Range& present) {
 }
 
 bool PatternPage::is_filled_by_noise(const PatternPlot& plot, const Range& present) {
-  const double floor = kSigmas * plot.noise.value_or(0);
+  const double floor = noise_sigmas * plot.noise.value_or(0);
   return present.low > -floor || present.high < floor;
 }
 
 void PatternPage::set_plots(std::vector<PatternPlot> plots) {
   plots_ = std::move(plots);
-  if (plots_.size() > kPlots) plots_.resize(kPlots);
+  if (plots_.size() > plot_count) plots_.resize(plot_count);
   if (selected_plot_ >= count()) selected_plot_ = -1;
   hovered_plot_ = brushing_ = -1;
   fit();
 }
 
 void PatternPage::update_plots(std::vector<PatternPlot> plots) {
-  if (plots.size() > kPlots) plots.resize(kPlots);
+  if (plots.size() > plot_count) plots.resize(plot_count);
   for (std::size_t i = 0; i < plots.size(); ++i)
-    if (i >= plots_.size() || plots_[i].id != plots[i].id || outgrows(range_of(plots[i]), ranges_[i]) ||
+    if (i >= plots_.size() || plots_[i].id != plots[i].id || outgrows(find_range(plots[i]), ranges_[i]) ||
         is_filled_by_noise(plots[i], ranges_[i]))
-      ranges_[i] = range_of(plots[i]);
+      ranges_[i] = find_range(plots[i]);
   plots_ = std::move(plots);
   for (int* place : {&selected_plot_, &hovered_plot_, &brushing_})
     if (*place >= count()) *place = -1;
@@ -133,11 +133,11 @@ void PatternPage::set_empty_text(const QString& sentence) {
 void PatternPage::fit() {
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     Range& r = ranges_[i];
-    r = range_of(plots_[i]);
+    r = find_range(plots_[i]);
     if (!companion_) continue;
     for (const PatternPlot& other : companion_->plots_) {
       if (other.id != plots_[i].id) continue;
-      const Range also = range_of(other);
+      const Range also = find_range(other);
       r = {std::min(r.left, also.left), std::max(r.right, also.right), std::min(r.low, also.low),
            std::max(r.high, also.high)};
     }
@@ -146,9 +146,9 @@ void PatternPage::fit() {
 }
 
 QRectF PatternPage::plot_rect(int place) const {
-  const double wide = (width() - 2 * kGapBetween) / kColumns, tall = (height() - (rows_ - 1) * kGapBetween) / rows_;
-  const int column = place % kColumns, row = place / kColumns;
-  return {std::round(column * (wide + kGapBetween)), std::round(row * (tall + kGapBetween)), std::floor(wide),
+  const double wide = (width() - 2 * gap_between) / column_count, tall = (height() - (rows_ - 1) * gap_between) / rows_;
+  const int column = place % column_count, row = place / column_count;
+  return {std::round(column * (wide + gap_between)), std::round(row * (tall + gap_between)), std::floor(wide),
           std::floor(tall)};
 }
 
@@ -169,7 +169,7 @@ int PatternPage::place_at(const QPointF& position) const {
 
 const ScatterPoint* PatternPage::point_at(int place, const QPointF& position) const {
   const ScatterPoint* best = nullptr;
-  double nearest = kReach;
+  double nearest = reach_px;
   for (const ScatterPoint& point : plots_[static_cast<std::size_t>(place)].points) {
     const QPointF away = on_screen(place, point.x, point.y) - position;
     const double distance = std::hypot(away.x(), away.y());
@@ -178,7 +178,7 @@ const ScatterPoint* PatternPage::point_at(int place, const QPointF& position) co
   return best;
 }
 
-QString PatternPage::text_of(int place, const ScatterPoint* point) const {
+QString PatternPage::make_text(int place, const ScatterPoint* point) const {
   const PatternPlot& plot = plots_[static_cast<std::size_t>(place)];
   if (point)
     return tr("obs %1: %2 %3, %4 %5")
@@ -200,7 +200,7 @@ void PatternPage::mousePressEvent(QMouseEvent* event) {
     return;
   }
   const ScatterPoint* point = point_at(place, event->position());
-  const qint64 id = point ? point->observation : kNoObservation;
+  const qint64 id = point ? point->observation : no_observation;
   const bool is_same = place == selected_plot_;
   set_selected_plot(place);
   if (!is_same) emit plot_selected(place);
@@ -215,14 +215,14 @@ void PatternPage::mouseMoveEvent(QMouseEvent* event) {
   }
   const int place = place_at(event->position());
   const ScatterPoint* point = place < 0 ? nullptr : point_at(place, event->position());
-  const ObservationId id = point ? point->observation : kNoObservation;
+  const ObservationId id = point ? point->observation : no_observation;
   if (place == hovered_plot_ && id == hovered_) return;
   const bool has_changed = id != hovered_;
   hovered_plot_ = place;
   hovered_ = id;
   update();
   if (has_changed) emit observation_hovered(id);
-  emit read_out(place < 0 ? QString() : text_of(place, point));
+  emit read_out(place < 0 ? QString() : make_text(place, point));
 }
 
 void PatternPage::mouseReleaseEvent(QMouseEvent* event) {
@@ -241,9 +241,9 @@ void PatternPage::mouseReleaseEvent(QMouseEvent* event) {
 void PatternPage::leaveEvent(QEvent*) {
   const bool had_point = hovered_ >= 0;
   hovered_plot_ = -1;
-  hovered_ = kNoObservation;
+  hovered_ = no_observation;
   update();
-  if (had_point) emit observation_hovered(kNoObservation);
+  if (had_point) emit observation_hovered(no_observation);
   emit read_out({});
 }
 
@@ -251,14 +251,14 @@ void PatternPage::keyPressEvent(QKeyEvent* event) {
   int step = 0;
   if (event->key() == Qt::Key_Left) step = -1;
   if (event->key() == Qt::Key_Right) step = 1;
-  if (event->key() == Qt::Key_Up) step = -kColumns;
-  if (event->key() == Qt::Key_Down) step = kColumns;
+  if (event->key() == Qt::Key_Up) step = -column_count;
+  if (event->key() == Qt::Key_Down) step = column_count;
   if (step == 0 || count() == 0) return QWidget::keyPressEvent(event);
   const int to = selected_plot_ < 0 ? 0 : selected_plot_ + step;
   if (to < 0 || to >= count() || to == selected_plot_) return;
   set_selected_plot(to);
   emit plot_selected(to);
-  emit read_out(text_of(to, nullptr));
+  emit read_out(make_text(to, nullptr));
 }
 
 bool PatternPage::event(QEvent* event) {
@@ -266,7 +266,7 @@ bool PatternPage::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const int place = place_at(help->pos());
-  QToolTip::showText(help->globalPos(), place < 0 ? QString() : text_of(place, nullptr), this);
+  QToolTip::showText(help->globalPos(), place < 0 ? QString() : make_text(place, nullptr), this);
   return true;
 }
 

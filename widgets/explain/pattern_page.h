@@ -33,7 +33,7 @@ struct PatternPlot {
 class PatternPage : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int kPlots = 9;
+  static constexpr int plot_count = 9;
   /// Three rows of three, or the strongest three alone where there is little height.
   void set_rows(int rows);
   /// `fit` gives a plot the axes that also hold the other page's plot of the same id. Null: none. It must live as long.
@@ -77,13 +77,13 @@ class PatternPage : public QWidget {
   struct Range {
     double left = 0, right = 1, low = -1, high = 1;
   };
-  static Range range_of(const PatternPlot& plot);
+  static Range find_range(const PatternPlot& plot);
   static bool outgrows(const Range& wanted, const Range& present);
   static bool is_filled_by_noise(const PatternPlot& plot, const Range& present);
   QRectF canvas(int place) const;  // where the points are
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;
-  QString text_of(int place, const ScatterPoint* point) const;
+  QString make_text(int place, const ScatterPoint* point) const;
   void paint_ground(QPainter& painter, int place) const;
   void paint_head(QPainter& painter, int place) const;
   void paint_curves(QPainter& painter, int place) const;
@@ -92,13 +92,13 @@ class PatternPage : public QWidget {
   void paint_beyond(QPainter& painter, int place) const;
 
   std::vector<PatternPlot> plots_;
-  std::array<Range, kPlots> ranges_{};
+  std::array<Range, plot_count> ranges_{};
   int rows_ = 3;
   const PatternPage* companion_ = nullptr;
   int count() const { return std::min(static_cast<int>(plots_.size()), 3 * rows_); }
   std::vector<ObservationId> highlighted_;
   QString progress_, empty_text_;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   int selected_plot_ = -1, hovered_plot_ = -1;
   int brushing_ = -1;  // the place in which a rectangle is being drawn
   QPointF brush_from_, brush_to_;

@@ -14,15 +14,15 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kBlink = 450;  // ms
-constexpr double kReachPixels = 8;
+constexpr int blink = 450;  // ms
+constexpr double reach_pixels = 8;
 
-double size_of(const CloudPoint& point) { return std::hypot(point.du, point.dv); }
+double measure_size(const CloudPoint& point) { return std::hypot(point.du, point.dv); }
 
 double largest(const std::vector<CloudPoint>& points) {
   double most = 0;
   for (const CloudPoint& point : points)
-    if (std::isfinite(point.du) && std::isfinite(point.dv)) most = std::max(most, size_of(point));
+    if (std::isfinite(point.du) && std::isfinite(point.dv)) most = std::max(most, measure_size(point));
   return most;
 }
 
@@ -33,7 +33,7 @@ ResidualCloud::ResidualCloud(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Residuals of all corners, before and after"));
-  animation_.setDuration(kShortMotion);
+  animation_.setDuration(short_motion);
   animation_.setStartValue(0.0);
   animation_.setEndValue(1.0);
   animation_.setEasingCurve(QEasingCurve::InOutQuad);
@@ -43,7 +43,7 @@ ResidualCloud::ResidualCloud(QWidget* parent)
     moving_.clear();
     update();
   });
-  blink_.setInterval(kBlink);
+  blink_.setInterval(blink);
   connect(&blink_, &QTimer::timeout, this, [this] {
     is_swapped_ = !is_swapped_;
     update();
@@ -176,9 +176,9 @@ double ResidualCloud::radius(double size) const {
 
 QRectF ResidualCloud::pane(int index) const {
   constexpr double line = 20;  // px, of the text above it and of that below
-  const double side = std::floor(std::min((width() - 3.0 * kGap) / 2, height() - 2 * line));
-  const double left = (width() - 2 * side - kGap) / 2, above = std::max(0.0, (height() - 2 * line - side) / 2);
-  return {std::floor(left + index * (side + kGap)), std::floor(above + line), side, side};
+  const double side = std::floor(std::min((width() - 3.0 * layout_gap) / 2, height() - 2 * line));
+  const double left = (width() - 2 * side - layout_gap) / 2, above = std::max(0.0, (height() - 2 * line - side) / 2);
+  return {std::floor(left + index * (side + layout_gap)), std::floor(above + line), side, side};
 }
 
 QPointF ResidualCloud::on_screen(int index, double du, double dv) const {
@@ -197,7 +197,7 @@ const std::vector<CloudPoint>& ResidualCloud::shown(int index) const {
 
 const CloudPoint* ResidualCloud::point_at(const QPointF& position, int* pane_of_it) const {
   const CloudPoint* best = nullptr;
-  double nearest = kReachPixels;
+  double nearest = reach_pixels;
   for (int i = 0; i < 2; ++i) {
     if (!pane(i).adjusted(-4, -4, 4, 4).contains(position)) continue;
     for (const CloudPoint& point : shown(i)) {
@@ -220,7 +220,7 @@ void ResidualCloud::mousePressEvent(QMouseEvent* event) {
 void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
   int pane_of_it = hovered_pane_;
   const CloudPoint* point = point_at(event->position(), &pane_of_it);
-  const ObservationId id = point ? point->observation : kNoObservation;
+  const ObservationId id = point ? point->observation : no_observation;
   if (point)
     emit read_out(tr("obs %1, marker %2, %3: %4, %5 %6")
                       .arg(QString::number(id), QString::number(point->marker), camera_names_.value(point->camera),
@@ -236,9 +236,9 @@ void ResidualCloud::mouseMoveEvent(QMouseEvent* event) {
 
 void ResidualCloud::leaveEvent(QEvent*) {
   if (hovered_ < 0) return;
-  hovered_ = kNoObservation;
+  hovered_ = no_observation;
   update();
-  if (!is_apart_) emit observation_hovered(kNoObservation);
+  if (!is_apart_) emit observation_hovered(no_observation);
   emit read_out({});
 }
 

@@ -18,7 +18,7 @@ namespace handsight::widgets {
 
 /// A corner's residual measured - predicted, in the cloud's unit.
 struct CloudPoint {
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
   int marker = 0;
   int camera = 0;
   double du = 0, dv = 0;
@@ -107,7 +107,7 @@ class ResidualCloud : public QWidget {
   QStringList camera_names_;
   double reach_ = 0;
   bool is_linear_ = false, is_predicted_ = false, is_swapped_ = false;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   QString empty_text_, after_empty_text_;
   bool is_apart_ = false;
   int hovered_pane_ = 0;

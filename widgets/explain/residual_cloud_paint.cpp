@@ -114,7 +114,7 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   draw_text(painter, QRectF(area.left(), area.top() - 20, area.width(), 18), Qt::AlignCenter, title);
   if (shown(index).empty()) {
     painter.setPen(c.ink2);
-    painter.drawText(area.adjusted(kWideGap, 0, -kWideGap, 0), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.drawText(area.adjusted(wide_gap, 0, -wide_gap, 0), Qt::AlignCenter | Qt::TextWordWrap,
                      is_after ? after_empty_text_ : empty_text_);
     return;
   }
@@ -147,7 +147,7 @@ void ResidualCloud::paintEvent(QPaintEvent*) {
   painter.setPen(c.ink3);
   const bool is_bent = noise_ && !is_linear_ && 15 * *noise_ <= reach_;
   const QString rim = tr("rim %1").arg(size_text({reach_, unit_}));
-  draw_text(painter, QRectF(kGap, pane(0).bottom() + 2, width() - 2.0 * kGap, 16), Qt::AlignCenter,
+  draw_text(painter, QRectF(layout_gap, pane(0).bottom() + 2, width() - 2.0 * layout_gap, 16), Qt::AlignCenter,
             is_bent ? rim + tr(", compressed beyond 3 σ") : rim);
   if (hasFocus()) draw_focus(painter, rect());
 }

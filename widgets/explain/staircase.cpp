@@ -18,7 +18,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMostSlot = 72;
+constexpr double most_slot = 72;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Staircase::Staircase(QWidget* parent) : QWidget(parent), empty_text_(tr("No vers
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Error of each version of the model"));
-  animation_.setDuration(kShortMotion);
+  animation_.setDuration(short_motion);
   animation_.setStartValue(0.0);
   animation_.setEndValue(1.0);
   animation_.setEasingCurve(QEasingCurve::OutCubic);
@@ -63,7 +63,7 @@ void Staircase::set_empty_text(const QString& sentence) {
 QSize Staircase::sizeHint() const { return {332, 172}; }
 QSize Staircase::minimumSizeHint() const { return {160, 96}; }
 
-QRectF Staircase::area() const { return {44, 22, width() - 44.0 - kGap, height() - 22.0 - 20}; }
+QRectF Staircase::area() const { return {44, 22, width() - 44.0 - layout_gap, height() - 22.0 - 20}; }
 
 int Staircase::current() const {
   if (state_.current >= 0) return state_.current;
@@ -77,7 +77,7 @@ QRectF Staircase::step_rect(int version) const {
   const int count = static_cast<int>(state_.versions.size()), places = std::max(count + 1, 4);
   if (version < 0 || version >= places) return {};
   const QRectF room = area();
-  const double wide = std::min(room.width() / places, kMostSlot);
+  const double wide = std::min(room.width() / places, most_slot);
   return {room.left() + version * wide, room.top(), wide, room.height()};
 }
 

@@ -38,7 +38,7 @@ std::vector<Level> levels(const StaircaseScene& scene, std::optional<double> Ver
   return all;
 }
 
-QPainterPath line_of(const std::vector<Level>& levels) {
+QPainterPath find_line(const std::vector<Level>& levels) {
   QPainterPath path;
   for (const Level& level : levels) {
     if (path.isEmpty())
@@ -136,9 +136,9 @@ void paint_legend(QPainter& painter, const StaircaseScene& scene, int width) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("handsight::widgets::Staircase", text); };
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
-  painter.drawText(QRectF(kGap, 2, 60, 18), Qt::AlignLeft | Qt::AlignVCenter, scene.state->unit);
+  painter.drawText(QRectF(layout_gap, 2, 60, 18), Qt::AlignLeft | Qt::AlignVCenter, scene.state->unit);
   const QFontMetricsF metrics(painter.font());
-  double right = width - kGap;
+  double right = width - layout_gap;
   const auto entry = [&](const QString& name, const QPen& pen) {
     const double wide = metrics.horizontalAdvance(name) + 2;
     painter.setPen(c.ink2);
@@ -171,9 +171,9 @@ void paint_staircase(QPainter& painter, const StaircaseScene& scene, int width) 
   paint_refused(painter, scene);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(c.ink3, 1.2));
-  painter.drawPath(line_of(fitted));
+  painter.drawPath(find_line(fitted));
   painter.setPen(QPen(c.ink1, 2));
-  painter.drawPath(line_of(held_out));
+  painter.drawPath(find_line(held_out));
   paint_preview(painter, scene, held_out);
 }
 

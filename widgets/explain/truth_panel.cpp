@@ -16,7 +16,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kRow = 40;
+constexpr double row_length = 40;
 
 /// Sign, word and ink of a verdict.
 struct Look {
@@ -49,22 +49,23 @@ void TruthPanel::set_empty_text(const QString& sentence) {
 QSize TruthPanel::minimumSizeHint() const { return {340, 96}; }
 
 QSize TruthPanel::sizeHint() const {
-  return {464,
-          static_cast<int>(top_of_rows() + kRow * static_cast<double>(std::max<std::size_t>(rows_.size(), 1)) + kGap)};
+  return {464, static_cast<int>(top_of_rows() +
+                                row_length * static_cast<double>(std::max<std::size_t>(rows_.size(), 1)) + layout_gap)};
 }
 
 double TruthPanel::top_of_rows() const {
-  return kGap + lines_height(text_font(TextRole::title), sentence_, width() - 2.0 * kGap, 3) + 4 + kRowHeight;
+  return layout_gap + lines_height(text_font(TextRole::title), sentence_, width() - 2.0 * layout_gap, 3) + 4 +
+         row_height_px;
 }
 
 QRectF TruthPanel::row_rect(int row) const {
-  return {0, top_of_rows() + row * kRow, static_cast<double>(width()), kRow};
+  return {0, top_of_rows() + row * row_length, static_cast<double>(width()), row_length};
 }
 
 void TruthPanel::paint_row(QPainter& painter, int row) const {
   const Colors& c = colors();
   const TruthRow& r = rows_[static_cast<std::size_t>(row)];
-  const QRectF area = row_rect(row), room = area.adjusted(kGap, 2, -kGap, -2);
+  const QRectF area = row_rect(row), room = area.adjusted(layout_gap, 2, -layout_gap, -2);
   const Look look = r.verdict == TruthVerdict::right    ? Look{QStringLiteral("✓"), tr("correct"), c.good}
                     : r.verdict == TruthVerdict::off    ? Look{QStringLiteral("≠"), tr("off"), c.care}
                     : r.verdict == TruthVerdict::missed ? Look{QStringLiteral("✗"), tr("missed"), c.bad}
@@ -75,13 +76,14 @@ void TruthPanel::paint_row(QPainter& painter, int row) const {
   painter.setPen(c.ink1);
   QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
   if (!r.unit.isEmpty()) name += QStringLiteral(" (%1)").arg(r.unit);
-  draw_text(painter, QRectF(room.left(), room.top(), room.width() - verdict_width - kGap, 18),
+  draw_text(painter, QRectF(room.left(), room.top(), room.width() - verdict_width - layout_gap, 18),
             Qt::AlignLeft | Qt::AlignVCenter, name);
   painter.setFont(number_font(TextRole::body));
   painter.setPen(c.ink2);
   const QRectF lower(room.left(), room.top() + 18, half, 18);
-  draw_text(painter, lower.adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, with_sigma_text(r.hidden, {}));
-  draw_text(painter, lower.translated(half, 0).adjusted(0, 0, -kGap, 0), Qt::AlignLeft | Qt::AlignVCenter,
+  draw_text(painter, lower.adjusted(0, 0, -layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter,
+            with_sigma_text(r.hidden, {}));
+  draw_text(painter, lower.translated(half, 0).adjusted(0, 0, -layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter,
             with_sigma_text(r.found, r.sigma));
   const QRectF verdict(room.right() - verdict_width, room.top(), verdict_width, room.height());
   painter.setPen(look.ink);
@@ -109,13 +111,15 @@ void TruthPanel::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setPen(c.ink1);
-  draw_lines(painter, text_font(TextRole::title), QRectF(kGap, kGap, width() - 2.0 * kGap, 80), sentence_, 3);
+  draw_lines(painter, text_font(TextRole::title), QRectF(layout_gap, layout_gap, width() - 2.0 * layout_gap, 80),
+             sentence_, 3);
   if (rows_.empty()) return;
-  const double head = top_of_rows() - kRowHeight, half = (width() - 2.0 * kGap - 92) / 2;
+  const double head = top_of_rows() - row_height_px, half = (width() - 2.0 * layout_gap - 92) / 2;
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink3);
-  draw_text(painter, QRectF(kGap, head, half, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter, tr("Hidden was"));
-  draw_text(painter, QRectF(kGap + half, head, half, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter, tr("Found"));
+  draw_text(painter, QRectF(layout_gap, head, half, row_height_px), Qt::AlignLeft | Qt::AlignVCenter, tr("Hidden was"));
+  draw_text(painter, QRectF(layout_gap + half, head, half, row_height_px), Qt::AlignLeft | Qt::AlignVCenter,
+            tr("Found"));
   painter.setPen(QPen(c.control_edge, 1));
   painter.drawLine(QPointF(0, top_of_rows() - 0.5), QPointF(width(), top_of_rows() - 0.5));
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) paint_row(painter, i);

@@ -18,7 +18,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStateWidth = 104, kBlameWidth = 208;
+constexpr double state_width = 104, attribution_width = 208;
 
 enum class Mood { quiet, good, care, bad };
 
@@ -54,7 +54,7 @@ QString sign_of(SessionState state) {
       return QStringLiteral("!");
     case SessionState::ambiguous:
       return QStringLiteral("⇄");
-    case SessionState::scatter:
+    case SessionState::repeatability:
       return QStringLiteral("∴");
     default:
       return QStringLiteral("?");
@@ -83,7 +83,7 @@ QString session_state_text(SessionState state) {
       return said("ambiguous");
     case SessionState::unexplained:
       return said("unexplained");
-    case SessionState::scatter:
+    case SessionState::repeatability:
       return said("looks random");
     case SessionState::too_few:
       return said("too few");
@@ -107,7 +107,9 @@ void VerdictLine::set_verdict(SessionVerdict verdict) {
 QSize VerdictLine::sizeHint() const { return {1056, 72}; }
 QSize VerdictLine::minimumSizeHint() const { return {640, 72}; }
 
-QRectF VerdictLine::blame_area() const { return {width() - kBlameWidth - kGap, 8.0, kBlameWidth, height() - 16.0}; }
+QRectF VerdictLine::attribution_area() const {
+  return {width() - attribution_width - layout_gap, 8.0, attribution_width, height() - 16.0};
+}
 
 void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
   const Colors& c = colors();
@@ -154,29 +156,29 @@ void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
             verdict_.progress);
 }
 
-void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
+void VerdictLine::paint_attribution(QPainter& painter, const QRectF& area) const {
   const Colors& c = colors();
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QRectF caption(area.left(), area.top(), area.width(), 18), bar(area.left(), area.top() + 20, area.width(), 12);
   painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
-                   verdict_.blame
-                       ? (verdict_.blame->of_tracker ? tr("tracker | body | robot") : tr("cameras | body | robot"))
-                   : !verdict_.why_no_blame.isEmpty() ? verdict_.why_no_blame
-                   : is_judged(verdict_.state)        ? tr("nothing stands out of the noise")
-                                                      : tr("whose fault: not known yet"));
+                   verdict_.attribution ? (verdict_.attribution->of_tracker ? tr("tracker | body | robot")
+                                                                            : tr("cameras | body | robot"))
+                   : !verdict_.why_no_attribution.isEmpty() ? verdict_.why_no_attribution
+                   : is_judged(verdict_.state)              ? tr("nothing stands out of the noise")
+                                                            : tr("whose fault: not known yet"));
   painter.fillRect(bar, c.sunken);
-  if (!verdict_.blame) return;
-  const Blame& blame = *verdict_.blame;
+  if (!verdict_.attribution) return;
+  const ErrorAttribution& attribution = *verdict_.attribution;
   double x = bar.left();
   const auto part = [&](double share, const QColor& color) {
     const double wide = bar.width() * std::clamp(share, 0.0, 1.0);
     painter.fillRect(QRectF(x, bar.top(), std::max(wide - 1, 0.0), bar.height()), color);
     x += wide;
   };
-  part(blame.cameras, c.blame_cameras);
-  part(blame.body, c.blame_body);
-  part(blame.robot, c.blame_robot);
+  part(attribution.cameras, c.attribution_to_cameras);
+  part(attribution.body, c.attribution_to_body);
+  part(attribution.robot, c.attribution_to_robot);
   double text_x = area.left();
   const auto letter = [&](const QString& name, double share, const QColor& color) {
     const QString text = QStringLiteral("%1 %2 %").arg(name).arg(std::lround(100 * share));
@@ -184,36 +186,37 @@ void VerdictLine::paint_blame(QPainter& painter, const QRectF& area) const {
     painter.setPen(c.ink1);
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text);
     painter.drawText(QRectF(text_x + 13, bar.bottom() + 4, wide + 2, 19), Qt::AlignLeft | Qt::AlignVCenter, text);
-    text_x += std::max(area.width() / 3, 13 + wide + kGap);
+    text_x += std::max(area.width() / 3, 13 + wide + layout_gap);
   };
   painter.setFont(number_font(TextRole::body));
-  letter(blame.of_tracker ? QStringLiteral("T") : QStringLiteral("C"), blame.cameras, c.blame_cameras);
-  letter(QStringLiteral("B"), blame.body, c.blame_body);
-  letter(QStringLiteral("R"), blame.robot, c.blame_robot);
+  letter(attribution.of_tracker ? QStringLiteral("T") : QStringLiteral("C"), attribution.cameras,
+         c.attribution_to_cameras);
+  letter(QStringLiteral("B"), attribution.body, c.attribution_to_body);
+  letter(QStringLiteral("R"), attribution.robot, c.attribution_to_robot);
 }
 
 void VerdictLine::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), colors().panel);
-  paint_state(painter, QRectF(0, 0, kStateWidth, height()));
-  const double left = kStateWidth + kWideGap;
+  paint_state(painter, QRectF(0, 0, state_width, height()));
+  const double left = state_width + wide_gap;
   // The figures stand in the window's header: the sentence has the width.
-  paint_sentence(painter, QRectF(left, 4, blame_area().left() - kWideGap - left, height() - 8));
-  paint_blame(painter, blame_area());
+  paint_sentence(painter, QRectF(left, 4, attribution_area().left() - wide_gap - left, height() - 8));
+  paint_attribution(painter, attribution_area());
 }
 
 void VerdictLine::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && verdict_.blame && blame_area().contains(event->position()))
-    emit blame_clicked();
+  if (event->button() == Qt::LeftButton && verdict_.attribution && attribution_area().contains(event->position()))
+    emit attribution_clicked();
 }
 
 bool VerdictLine::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const QString text =
-      blame_area().contains(help->pos())
-          ? (verdict_.blame && verdict_.blame->of_tracker
+      attribution_area().contains(help->pos())
+          ? (verdict_.attribution && verdict_.attribution->of_tracker
                  ? tr("How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.")
                  : tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for."))
           : QString();  // the sentence stands there

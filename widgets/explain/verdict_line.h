@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "widgets/base/cells.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 
 namespace handsight::widgets {
 
@@ -19,7 +19,7 @@ enum class SessionState {
   missing,
   ambiguous,
   unexplained,
-  scatter,
+  repeatability,
   too_few,
   noise_unknown,
 };
@@ -29,15 +29,15 @@ QString session_state_text(SessionState state);
 
 struct SessionVerdict {
   SessionState state = SessionState::waiting;
-  QString sentence;                          // at most two lines at 1056 px
-  QString progress;                          // while looking: "from 40 of 100"
-  std::optional<double> error_px, noise_px;  // held out, per coordinate; absent with a tracker
-  std::optional<double> error_mm, noise_mm;  // at the hand
-  std::optional<double> error_sigma;         // in units of the noise
-  SizeUnit unit = SizeUnit::pixel;           // which of them stands large; with a tracker never px
-  ShownSize predicted;                       // with what is being tried: purple
-  std::optional<Blame> blame;                // of the whole session
-  QString why_no_blame;                      // where it can never be parted; empty: not so
+  QString sentence;                             // at most two lines at 1056 px
+  QString progress;                             // while looking: "from 40 of 100"
+  std::optional<double> error_px, noise_px;     // held out, per coordinate; absent with a tracker
+  std::optional<double> error_mm, noise_mm;     // at the hand
+  std::optional<double> error_sigma;            // in units of the noise
+  SizeUnit unit = SizeUnit::pixel;              // which of them stands large; with a tracker never px
+  ShownSize predicted;                          // with what is being tried: purple
+  std::optional<ErrorAttribution> attribution;  // of the whole session
+  QString why_no_attribution;                   // where it can never be parted; empty: not so
 };
 
 /// 72 px high: icon and word, the sentence, the blame C B R.
@@ -51,7 +51,7 @@ class VerdictLine : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
-  void blame_clicked();  // "whose fault": to the Inspect workspace
+  void attribution_clicked();  // "whose fault": to the Inspect workspace
 
  protected:
   bool event(QEvent* event) override;
@@ -59,10 +59,10 @@ class VerdictLine : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  QRectF blame_area() const;
+  QRectF attribution_area() const;
   void paint_state(QPainter& painter, const QRectF& area) const;
   void paint_sentence(QPainter& painter, const QRectF& area) const;
-  void paint_blame(QPainter& painter, const QRectF& area) const;
+  void paint_attribution(QPainter& painter, const QRectF& area) const;
 
   SessionVerdict verdict_;
 };

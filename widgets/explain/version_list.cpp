@@ -36,14 +36,14 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
   layout->addWidget(empty_, 1);
   comparison_ = new QLabel(this);
   comparison_->setWordWrap(true);
-  comparison_->setContentsMargins(kGap, 0, kGap, 0);
+  comparison_->setContentsMargins(layout_gap, 0, layout_gap, 0);
   layout->addWidget(comparison_);
   take_back_ = new QPushButton(tr("Take back to here"), this);
-  take_back_->setFixedHeight(kControlHeight);
+  take_back_->setFixedHeight(control_height);
   take_back_->setToolTip(tr("Undoes every action after the version that is shown; Ctrl+Shift+Z does them again"));
   take_back_->setMinimumWidth(take_back_->sizeHint().width() + 12);
   auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(kGap, 0, kGap, 4);
+  foot->setContentsMargins(layout_gap, 0, layout_gap, 4);
   foot->addWidget(take_back_);
   foot->addStretch(1);
   layout->addLayout(foot);
@@ -88,7 +88,7 @@ void VersionList::refresh() {
 }
 
 QRect VersionList::letter_rect(int version, bool is_b) const {
-  return letter_of(view_->visualRect(model_->index(version)), is_b);
+  return find_letter(view_->visualRect(model_->index(version)), is_b);
 }
 
 void VersionList::pick(int version, bool as_b) {

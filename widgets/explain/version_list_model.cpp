@@ -36,7 +36,9 @@ void paint_letter(QPainter& painter, const QRectF& area, const QString& letter, 
 
 }  // namespace
 
-QRect letter_of(const QRect& row, bool is_b) { return {row.right() - (is_b ? 28 : 56), row.center().y() - 12, 24, 24}; }
+QRect find_letter(const QRect& row, bool is_b) {
+  return {row.right() - (is_b ? 28 : 56), row.center().y() - 12, 24, 24};
+}
 
 int VersionListModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(versions_.size());
@@ -76,7 +78,7 @@ void VersionListModel::set_compared(int a, int b) {
 }
 
 QSize VersionListDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-  return {240, kVersionRow};
+  return {240, version_row};
 }
 
 void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -91,9 +93,9 @@ void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& o
     painter->fillRect(QRectF(area.left(), area.top(), 3, area.height()), c.accent);
   }
   painter->setFont(text_font(TextRole::small));
-  paint_letter(*painter, letter_of(option.rect, false), QStringLiteral("A"), row == model_->a());
-  paint_letter(*painter, letter_of(option.rect, true), QStringLiteral("B"), row == model_->b());
-  const QRectF room = area.adjusted(kGap + 2, 2, -64, -2);
+  paint_letter(*painter, find_letter(option.rect, false), QStringLiteral("A"), row == model_->a());
+  paint_letter(*painter, find_letter(option.rect, true), QStringLiteral("B"), row == model_->b());
+  const QRectF room = area.adjusted(layout_gap + 2, 2, -64, -2);
   const QRectF upper(room.left(), room.top(), room.width(), 20), lower(room.left(), upper.bottom(), room.width(), 18);
   const QString error = with_unit_text(version.held_out, model_->unit());
   painter->setFont(number_font(TextRole::body));
@@ -103,7 +105,7 @@ void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& o
             Qt::AlignRight | Qt::AlignVCenter, error);
   painter->setFont(text_font(TextRole::body));
   const QString name = version.is_refused ? said("%1: not added").arg(version.name) : version.name;
-  draw_text(*painter, upper.adjusted(0, 0, -wide - kGap, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
+  draw_text(*painter, upper.adjusted(0, 0, -wide - layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
   painter->setFont(number_font(TextRole::small));
   painter->setPen(version.is_refused ? c.ink3 : c.ink2);
   draw_text(*painter, lower, Qt::AlignLeft | Qt::AlignVCenter, second_line(version, model_->unit()));

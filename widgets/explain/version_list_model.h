@@ -33,10 +33,10 @@ class VersionListModel : public QAbstractListModel {
   int current_ = -1, a_ = -1, b_ = -1;
 };
 
-inline constexpr int kVersionRow = 44;
+inline constexpr int version_row = 44;
 
 /// The letter A or B of a row.
-QRect letter_of(const QRect& row, bool is_b);
+QRect find_letter(const QRect& row, bool is_b);
 
 class VersionListDelegate : public QStyledItemDelegate {
  public:

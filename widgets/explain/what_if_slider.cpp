@@ -21,7 +21,7 @@ class QuietBox : public QComboBox {
  public:
   explicit QuietBox(QWidget* parent) : QComboBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    setFixedHeight(kControlHeight);
+    setFixedHeight(control_height);
     setSizeAdjustPolicy(QComboBox::AdjustToContents);
   }
 
@@ -45,10 +45,10 @@ void fill(QComboBox& box, const std::vector<QString>& names, int current) {
 
 WhatIfSlider::WhatIfSlider(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGap, 4, kGap, 4);
+  layout->setContentsMargins(layout_gap, 4, layout_gap, 4);
   layout->setSpacing(4);
   auto* head = new QHBoxLayout;
-  head->setSpacing(kGap);
+  head->setSpacing(layout_gap);
   title_ = new QLabel(this);
   title_->setFont(text_font(TextRole::title));
   title_->setWordWrap(true);  // a long name must not widen the window
@@ -57,20 +57,20 @@ WhatIfSlider::WhatIfSlider(QWidget* parent) : QWidget(parent) {
   parameters_ = new QuietBox(this);
   parameters_->setAccessibleName(tr("Which number"));
   close_ = new QPushButton(tr("Close"), this);
-  close_->setFixedHeight(kControlHeight);
+  close_->setFixedHeight(control_height);
   head->addWidget(title_, 1);
   head->addWidget(places_);
   head->addWidget(parameters_);
   head->addWidget(close_);
   layout->addLayout(head);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap);
+  row->setSpacing(layout_gap);
   track_ = new WhatIfTrack(this);
   value_ = new QLabel(this);
   value_->setFont(number_font(TextRole::title));
   value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   best_ = new QPushButton(tr("Best"), this);
-  best_->setFixedHeight(kControlHeight);
+  best_->setFixedHeight(control_height);
   best_->setToolTip(tr("To the size that fits best (B, or a double click on the track)"));
   row->addWidget(track_, 1);
   row->addWidget(value_);

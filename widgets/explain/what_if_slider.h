@@ -15,7 +15,7 @@ namespace handsight::widgets {
 
 class WhatIfTrack;
 
-/// A track from -3 to 3 plausible sizes (wider where the best is beyond), the plausible range shaded, a tick with its
+/// A track from -3 to 3 prior sigmas (wider where the best is beyond), the plausible range shaded, a tick with its
 /// sigma at the size that fits best. Arrows step by a hundredth of the range, Page by a tenth, Home goes to 0, B or a
 /// double click to the best; the wheel only with the focus.
 class WhatIfSlider : public QWidget {

@@ -16,7 +16,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kEdge = 12, kMiddle = 22, kHandle = 8, kMostSizes = 3;
+constexpr double edge_margin = 12, middle_at = 22, handle_radius = 8, most_sizes = 3;
 
 }  // namespace
 
@@ -41,17 +41,18 @@ void WhatIfTrack::set_value(double value) {
 }
 
 double WhatIfTrack::reach() const {
-  const double wide = kMostSizes * parameter_.plausible;
+  const double wide = most_sizes * parameter_.plausible;
   if (!parameter_.best) return wide;
   return std::max(wide, 1.15 * (std::abs(*parameter_.best) + parameter_.best_sigma.value_or(0)));
 }
 
-double WhatIfTrack::x_of(double value) const {
-  return kEdge + (width() - 2 * kEdge) * (value + reach()) / (2 * reach());
+double WhatIfTrack::find_x(double value) const {
+  return edge_margin + (width() - 2 * edge_margin) * (value + reach()) / (2 * reach());
 }
 
 double WhatIfTrack::value_at(double x) const {
-  return std::clamp(((x - kEdge) / std::max(width() - 2 * kEdge, 1.0) * 2 - 1) * reach(), -reach(), reach());
+  return std::clamp(((x - edge_margin) / std::max(width() - 2 * edge_margin, 1.0) * 2 - 1) * reach(), -reach(),
+                    reach());
 }
 
 void WhatIfTrack::move_to(double value, bool is_final) {
@@ -63,8 +64,8 @@ void WhatIfTrack::move_to(double value, bool is_final) {
 void WhatIfTrack::paint_best(QPainter& painter, double middle) const {
   if (!parameter_.best) return;
   const Colors& c = colors();
-  const double best = x_of(*parameter_.best);
-  const double sigma = std::abs(x_of(*parameter_.best + parameter_.best_sigma.value_or(0)) - best);
+  const double best = find_x(*parameter_.best);
+  const double sigma = std::abs(find_x(*parameter_.best + parameter_.best_sigma.value_or(0)) - best);
   QColor veil = c.candidate;
   veil.setAlpha(70);
   painter.fillRect(QRectF(best - sigma, middle - 9, 2 * sigma, 18), veil);
@@ -83,7 +84,7 @@ void WhatIfTrack::paint_marks(QPainter& painter, double middle) const {
   painter.setFont(number_font(TextRole::small));
   const QRectF foot(0, middle + 13, width(), 16);
   const auto mark = [&](double value, Qt::Alignment alignment, const QString& text) {
-    const double x = x_of(value);
+    const double x = find_x(value);
     painter.setPen(QPen(c.control_edge, 1));
     painter.drawLine(QPointF(x, middle + 7), QPointF(x, middle + 12));
     painter.setPen(c.ink3);
@@ -99,16 +100,16 @@ void WhatIfTrack::paintEvent(QPaintEvent*) {
   const Colors& c = colors();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF bar(kEdge, kMiddle - 3, width() - 2 * kEdge, 6);
+  const QRectF bar(edge_margin, middle_at - 3, width() - 2 * edge_margin, 6);
   painter.fillRect(bar, c.sunken);
-  const double from = x_of(-parameter_.plausible), to = x_of(parameter_.plausible);
+  const double from = find_x(-parameter_.plausible), to = find_x(parameter_.plausible);
   painter.fillRect(QRectF(from, bar.top() - 3, to - from, bar.height() + 6), c.hairline);  // what is plausible
-  paint_marks(painter, kMiddle);
-  paint_best(painter, kMiddle);
-  const QPointF handle(x_of(parameter_.value), kMiddle);
+  paint_marks(painter, middle_at);
+  paint_best(painter, middle_at);
+  const QPointF handle(find_x(parameter_.value), middle_at);
   painter.setPen(QPen(hasFocus() ? c.accent : c.ink1, 2));
   painter.setBrush(c.panel);
-  painter.drawEllipse(handle, kHandle, kHandle);
+  painter.drawEllipse(handle, handle_radius, handle_radius);
   painter.setPen(Qt::NoPen);
   painter.setBrush(c.candidate);
   painter.drawEllipse(handle, 3, 3);

@@ -15,7 +15,7 @@ class WhatIfTrack : public QWidget {
   void set_parameter(const WhatIfParameter& parameter);
   void set_value(double value);
   double reach() const;  // the largest size that it can show
-  double x_of(double value) const;
+  double find_x(double value) const;
   const WhatIfParameter& parameter() const { return parameter_; }
   QSize sizeHint() const override { return {320, 52}; }
   QSize minimumSizeHint() const override { return {180, 52}; }

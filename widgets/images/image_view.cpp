@@ -14,8 +14,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kReach = 10;  // screen px: how near the pointer has to be to a mark
-constexpr double kHeader = 20;
+constexpr double reach_px = 10;  // screen px: how near the pointer has to be to a mark
+constexpr double header_height = 20;
 
 }  // namespace
 
@@ -110,7 +110,7 @@ Vector2 ImageView::nearest_inside(const Vector2& px) const {
   return px.cwiseMax(Vector2(0, 0)).cwiseMin(Vector2(frame_width_ - 1, frame_height_ - 1));
 }
 
-QRectF ImageView::image_area() const { return QRectF(rect()).adjusted(0, title_.isEmpty() ? 0 : kHeader, 0, 0); }
+QRectF ImageView::image_area() const { return QRectF(rect()).adjusted(0, title_.isEmpty() ? 0 : header_height, 0, 0); }
 
 QSizeF ImageView::frame_size() const { return {double(frame_width_), double(frame_height_)}; }
 
@@ -157,7 +157,7 @@ Vector2 ImageView::to_image(const QPointF& position) const {
 
 int ImageView::mark_at(const QPointF& position) const {
   int best = -1;
-  double nearest = kReach;
+  double nearest = reach_px;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     if (marks_[i].role != MarkRole::measured) continue;
     const QPointF d = to_screen(marks_[i].position) - position;
@@ -171,7 +171,7 @@ int ImageView::mark_at(const QPointF& position) const {
 
 int ImageView::candidate_at(const QPointF& position) const {
   int best = -1;
-  double nearest = kReach;
+  double nearest = reach_px;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const QPointF d = to_screen(candidates_[i].position) - position;
     const double distance = std::hypot(d.x(), d.y());

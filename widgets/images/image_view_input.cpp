@@ -15,7 +15,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMostZoom = 64;
+constexpr double most_zoom = 64;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void ImageView::wheelEvent(QWheelEvent* event) {
   const Vector2 under = to_image(event->position());
   const double least = std::min(fitted().zoom / 2, 1.0);
   ImageViewport v = viewport_;
-  v.zoom = std::clamp(v.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), least, kMostZoom);
+  v.zoom = std::clamp(v.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), least, most_zoom);
   const QPointF d = event->position() - image_area().center();
   v.center = {under.x() - d.x() / v.zoom, under.y() - d.y() / v.zoom};
   change_viewport(v);
@@ -167,7 +167,7 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
     emit viewport_changed(viewport_);
   } else if (turns != 0) {
     ImageViewport v = viewport_;
-    v.zoom = std::clamp(v.zoom * std::pow(1.25, turns), fitted().zoom / 2, kMostZoom);
+    v.zoom = std::clamp(v.zoom * std::pow(1.25, turns), fitted().zoom / 2, most_zoom);
     change_viewport(v);
   } else {
     QWidget::keyPressEvent(event);

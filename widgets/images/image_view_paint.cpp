@@ -17,7 +17,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kShortestNamedAxis = 32;  // screen px
+constexpr double shortest_named_axis = 32;  // screen px
 
 QPainterPath cross_path(const QPointF& at, double inner, double outer) {
   QPainterPath path;
@@ -77,7 +77,7 @@ void ImageView::paint_image(QPainter& painter) const {
     painter.drawRect(target);
     return;
   }
-  // Single pixels stay square once they are large enough to be told apart.
+  // Single pixels stay square once they are large enough to be distinguished.
   painter.setRenderHint(QPainter::SmoothPixmapTransform, viewport_.zoom * devicePixelRatioF() < 4);
   const Vector2 first = to_image(image_area().topLeft()), last = to_image(image_area().bottomRight());
   const QRect part = QRect(QPoint(static_cast<int>(std::floor(first.x())), static_cast<int>(std::floor(first.y()))),
@@ -126,7 +126,7 @@ void ImageView::paint_axes(QPainter& painter) const {
         painter.drawPolygon(QPolygonF({tip + along * 0.4, tip - along * 0.6 + side, tip - along * 0.6 - side}));
       }
       // Letters of axes shorter than themselves only cover each other.
-      if (std::hypot(tip.x() - origin.x(), tip.y() - origin.y()) < kShortestNamedAxis) continue;
+      if (std::hypot(tip.x() - origin.x(), tip.y() - origin.y()) < shortest_named_axis) continue;
       const QPointF place = tip + (axes.is_estimate ? QPointF(6, 9) : QPointF(6, -7));
       draw_plate(painter, place, axes.is_estimate ? letters[i] + QStringLiteral("′") : letters[i], colors().ink1,
                  colors().panel);
@@ -153,7 +153,7 @@ void ImageView::paint_marks(QPainter& painter) const {
     QPainterPath ring;
     ring.addEllipse(at, 7, 7);
     if (mark.role == MarkRole::ghost) {
-      QPen pen(colors_of(ThemeKind::dark).candidate, 1.6, Qt::DashLine);
+      QPen pen(theme_colors(ThemeKind::dark).candidate, 1.6, Qt::DashLine);
       ring.addPath(cross_path(at, 3, 11));
       draw_rimmed_path(painter, ring, pen);
       continue;
@@ -168,7 +168,7 @@ void ImageView::paint_marks(QPainter& painter) const {
     if (is_selected) {
       QPainterPath halo;
       halo.addEllipse(at, 11, 11);
-      draw_rimmed_path(painter, halo, QPen(colors_of(ThemeKind::dark).accent, 2));
+      draw_rimmed_path(painter, halo, QPen(theme_colors(ThemeKind::dark).accent, 2));
     }
     draw_rimmed_path(painter, ring, QPen(color, 2));
     painter.setPen(QPen(QColor(255, 255, 255, 220), 0));
@@ -208,7 +208,7 @@ void ImageView::paint_candidates(QPainter& painter) const {
     QPainterPath square;
     const double half = is_hovered ? 9 : 7;
     square.addRect(QRectF(at - QPointF(half, half), QSizeF(2 * half, 2 * half)));
-    draw_rimmed_path(painter, square, QPen(colors_of(ThemeKind::dark).accent, candidate.is_taken ? 2.5 : 1.2));
+    draw_rimmed_path(painter, square, QPen(theme_colors(ThemeKind::dark).accent, candidate.is_taken ? 2.5 : 1.2));
     if (!candidate.is_taken && !is_hovered) continue;
     // Beside it, on the side that has room.
     const double wide = painter.fontMetrics().horizontalAdvance(candidate.label) + 8.0;
@@ -243,9 +243,9 @@ void ImageView::paint_title(QPainter& painter) const {
     painter.setPen(c.ink2);
     const QString zoom =
         frame_size().isEmpty() ? QString() : QStringLiteral("%1 %").arg(std::lround(100 * viewport_.zoom));
-    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(zoom) + kGap;
-    draw_text(painter, header.adjusted(kGap, 0, -kGap - wide, 0), Qt::AlignLeft | Qt::AlignVCenter, title_);
-    draw_text(painter, header.adjusted(kGap, 0, -kGap, 0), Qt::AlignRight | Qt::AlignVCenter, zoom);
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(zoom) + layout_gap;
+    draw_text(painter, header.adjusted(layout_gap, 0, -layout_gap - wide, 0), Qt::AlignLeft | Qt::AlignVCenter, title_);
+    draw_text(painter, header.adjusted(layout_gap, 0, -layout_gap, 0), Qt::AlignRight | Qt::AlignVCenter, zoom);
   }
   if (!arrows_.empty() && magnification_ != 1 && !frame_size().isEmpty()) {
     painter.setFont(text_font(TextRole::small));

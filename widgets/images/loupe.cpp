@@ -13,8 +13,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kTimes = 8;
-constexpr int kPatchRadius = 10;  // px, of the half-turn difference
+constexpr double magnification = 8;
+constexpr int patch_radius = 10;  // px, of the half-turn difference
 
 /// Bilinear grey value; the border's value outside.
 double grey_at(const QImage& image, double u, double v) {
@@ -55,7 +55,7 @@ void paint_loupe(QPainter& painter, const QRectF& target, const QImage& image, c
   }
   QPainterPath cell;
   cell.addRect(QRectF(target.center() - QPointF(times / 2, times / 2), QSizeF(times, times)));
-  draw_rimmed_path(painter, cell, QPen(colors_of(ThemeKind::dark).accent, 1));
+  draw_rimmed_path(painter, cell, QPen(theme_colors(ThemeKind::dark).accent, 1));
   painter.restore();
 }
 
@@ -112,14 +112,14 @@ void Loupe::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), c.panel);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
-  const QRectF head(kGap, 0, width() - 2 * kGap, 20);
+  const QRectF head(layout_gap, 0, width() - 2 * layout_gap, 20);
   const QString where =
       center_ && !image_.isNull()
           ? QStringLiteral("8 ×   %1 / %2").arg(fixed_text(center_->x(), 1), fixed_text(center_->y(), 1))
           : QString();
-  const double taken = where.isEmpty() ? 0 : QFontMetricsF(painter.font()).horizontalAdvance(where) + kGap;
+  const double taken = where.isEmpty() ? 0 : QFontMetricsF(painter.font()).horizontalAdvance(where) + layout_gap;
   draw_text(painter, head.adjusted(0, 0, -taken, 0), Qt::AlignLeft | Qt::AlignVCenter, title_);
-  const QRectF foot(kGap, height() - 20.0, width() - 2 * kGap, 20);
+  const QRectF foot(layout_gap, height() - 20.0, width() - 2 * layout_gap, 20);
   draw_text(painter, foot, Qt::AlignLeft | Qt::AlignVCenter, hints_);
   const QRectF body(0, 20, width(), height() - 40.0);
   if (!center_ || image_.isNull()) {
@@ -129,10 +129,10 @@ void Loupe::paintEvent(QPaintEvent*) {
   }
   painter.setPen(c.ink2);
   draw_text(painter, head, Qt::AlignRight | Qt::AlignVCenter, where);
-  paint_loupe(painter, body, image_, *center_, kTimes);
+  paint_loupe(painter, body, image_, *center_, magnification);
   if (mark_) {
-    const QPointF at(body.center().x() + (mark_->x() - center_->x()) * kTimes,
-                     body.center().y() + (mark_->y() - center_->y()) * kTimes);
+    const QPointF at(body.center().x() + (mark_->x() - center_->x()) * magnification,
+                     body.center().y() + (mark_->y() - center_->y()) * magnification);
     QPainterPath cross;
     for (const QPointF& d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
       cross.moveTo(at + 4 * d);
@@ -146,7 +146,7 @@ void Loupe::paintEvent(QPaintEvent*) {
   const double side = std::min(72.0, body.height() / 3);
   const QRectF difference(body.right() - side - 4, body.bottom() - side - 4, side, side);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-  painter.drawImage(difference, half_turn_difference(image_, *center_, kPatchRadius));
+  painter.drawImage(difference, half_turn_difference(image_, *center_, patch_radius));
   painter.setPen(QPen(c.control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(difference);

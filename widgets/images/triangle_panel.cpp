@@ -33,9 +33,9 @@ QTableWidget* make_table(const QStringList& head, QWidget* parent) {
   table->setMouseTracking(true);
   table->verticalHeader()->hide();
   table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table->verticalHeader()->setDefaultSectionSize(row_height_px);
   table->horizontalHeader()->setHighlightSections(false);
-  table->horizontalHeader()->setFixedHeight(kRowHeight);
+  table->horizontalHeader()->setFixedHeight(row_height_px);
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   table->horizontalHeader()->setMinimumSectionSize(30);
@@ -60,7 +60,7 @@ QString seen_text(const TriangleMarker& marker) {
 /// Height of a table that shows all of a few rows.
 void fit_height(QTableWidget& table, int most_rows) {
   const int rows = std::clamp(table.rowCount(), 1, most_rows);
-  table.setFixedHeight(kRowHeight * (rows + 1) + 2);
+  table.setFixedHeight(row_height_px * (rows + 1) + 2);
 }
 
 }  // namespace
@@ -85,13 +85,13 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   markers_->installEventFilter(this);
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
-  sentence_->setMargin(kGap);
+  sentence_->setMargin(layout_gap);
   sentence_->setAutoFillBackground(true);
   sentence_->setBackgroundRole(QPalette::Window);
   sentence_->setForegroundRole(QPalette::WindowText);
   action_ = new QPushButton(this);
   action_->setObjectName(QStringLiteral("triangle_action"));
-  action_->setMinimumHeight(kControlHeight);
+  action_->setMinimumHeight(control_height);
   action_->hide();
   connect(action_, &QPushButton::clicked, this, &TrianglePanel::action_requested);
   candidates_title_ = new QLabel(this);
@@ -100,13 +100,13 @@ TrianglePanel::TrianglePanel(QWidget* parent) : QFrame(parent) {
   candidate_table_->viewport()->installEventFilter(this);
   use_ = new QPushButton(QObject::tr("Use it"), this);
   use_->setDefault(true);
-  use_->setMinimumHeight(kControlHeight);
+  use_->setMinimumHeight(control_height);
   discard_ = new QPushButton(QObject::tr("Next observation"), this);
-  discard_->setMinimumHeight(kControlHeight);
+  discard_->setMinimumHeight(control_height);
 
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGap, 6, kGap, kGap);
-  layout->setSpacing(kGap);
+  layout->setContentsMargins(layout_gap, 6, layout_gap, layout_gap);
+  layout->setSpacing(layout_gap);
   for (QWidget* widget : std::initializer_list<QWidget*>{title_, sketch_, sides_, markers_, sentence_, action_,
                                                          candidates_title_, candidate_table_})
     layout->addWidget(widget);

@@ -41,7 +41,7 @@ std::optional<QPointF> TriangleSketch::place(int number) const {
     if (marker.number == number) here = at;
   }
   if (!here) return std::nullopt;
-  const QRectF room = QRectF(rect()).adjusted(40, 32, -40, -16);  // below the line that is told above it
+  const QRectF room = QRectF(rect()).adjusted(40, 32, -40, -16);  // below the line that stands above it
   const Vector2 size = (high - low).cwiseMax(1e-6);
   const double scale = std::min(room.width() / size.x(), room.height() / size.y());
   const Vector2 from_middle = (*here - (low + high) / 2) * scale;

@@ -46,7 +46,7 @@ class DecisionModel : public QAbstractListModel {
     entries.insert(entries.end(), more.begin(), more.end());
     endInsertRows();
   }
-  int row_of(ObservationId id) const {
+  int find_row(ObservationId id) const {
     for (std::size_t i = entries.size(); i-- > 0;)
       if (entries[i].id == id) return static_cast<int>(i);
     return -1;
@@ -64,7 +64,7 @@ class DecisionDelegate : public QStyledItemDelegate {
  public:
   DecisionDelegate(DecisionModel* model, QObject* parent) : QStyledItemDelegate(parent), model_(model) {}
 
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRowHeight}; }
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, row_height_px}; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     const Colors& c = colors();
@@ -78,7 +78,7 @@ class DecisionDelegate : public QStyledItemDelegate {
       painter->drawRect(row.adjusted(0.5, 0.5, -0.5, -0.5));
     }
     const bool is_taken = entry.state == CellState::used;
-    const QRectF sign(row.left() + kGap, row.center().y() - 5, 10, 10);
+    const QRectF sign(row.left() + layout_gap, row.center().y() - 5, 10, 10);
     painter->setPen(Qt::NoPen);
     painter->setBrush(is_taken ? residual_color(entry.rms_over_sigma, entry.coordinates) : c.hairline);
     painter->drawRect(sign);
@@ -90,7 +90,7 @@ class DecisionDelegate : public QStyledItemDelegate {
     painter->setPen(c.ink2);
     painter->drawText(QRectF(sign.right() + 2, row.top(), 38, row.height()), Qt::AlignRight | Qt::AlignVCenter,
                       QString::number(entry.id));
-    const QRectF rest(sign.right() + 48, row.top(), row.right() - sign.right() - 48 - kGap, row.height());
+    const QRectF rest(sign.right() + 48, row.top(), row.right() - sign.right() - 48 - layout_gap, row.height());
     painter->setFont(text_font(TextRole::body));
     painter->setPen(c.ink1);
     QString text = DecisionModel::what(entry);
@@ -125,22 +125,22 @@ DecisionList::DecisionList(QWidget* parent)
 void DecisionList::set_entries(std::vector<DecisionEntry> entries) {
   const ObservationId before = currentIndex().isValid()
                                    ? decisions_->entries[static_cast<std::size_t>(currentIndex().row())].id
-                                   : kNoObservation;
+                                   : no_observation;
   is_telling_ = true;
   decisions_->replace(std::move(entries));
   is_telling_ = false;
   set_selected(before);
-  if (before == kNoObservation) scrollToBottom();
+  if (before == no_observation) scrollToBottom();
 }
 
 void DecisionList::append(const std::vector<DecisionEntry>& entries) {
-  const bool is_at_end = verticalScrollBar()->value() >= verticalScrollBar()->maximum() - kRowHeight;
+  const bool is_at_end = verticalScrollBar()->value() >= verticalScrollBar()->maximum() - row_height_px;
   decisions_->append(entries);
   if (is_at_end) scrollToBottom();
 }
 
 void DecisionList::set_selected(ObservationId id) {
-  const int row = decisions_->row_of(id);
+  const int row = decisions_->find_row(id);
   is_telling_ = true;
   if (row < 0) {
     clearSelection();
@@ -168,12 +168,12 @@ void DecisionList::mouseMoveEvent(QMouseEvent* event) {
   QListView::mouseMoveEvent(event);
   const QModelIndex index = indexAt(event->position().toPoint());
   emit observation_hovered(index.isValid() ? decisions_->entries[static_cast<std::size_t>(index.row())].id
-                                           : kNoObservation);
+                                           : no_observation);
 }
 
 void DecisionList::leaveEvent(QEvent* event) {
   QListView::leaveEvent(event);
-  emit observation_hovered(kNoObservation);
+  emit observation_hovered(no_observation);
 }
 
 void DecisionList::paintEvent(QPaintEvent* event) {

@@ -13,7 +13,7 @@ namespace handsight::widgets {
 class DecisionModel;
 
 struct DecisionEntry {
-  ObservationId id = kNoObservation;
+  ObservationId id = no_observation;
   CellState state = CellState::used;
   QString reason;                        // of a rejection, or a remark
   ShownSize size;                        // of an accepted one

@@ -36,7 +36,7 @@ ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(tr("No mod
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(kGap, 6, 0, 0);
+  layout->setContentsMargins(layout_gap, 6, 0, 0);
   layout->setSpacing(4);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(0, 0, 4, 0);
@@ -61,8 +61,8 @@ ModelPanel::ModelPanel(QWidget* parent) : QFrame(parent), empty_text_(tr("No mod
   content_->setBackgroundRole(QPalette::Base);
   content_->setAutoFillBackground(true);
   list_ = new QVBoxLayout(content_);
-  list_->setContentsMargins(0, 0, kGap, kGap);
-  list_->setSpacing(kGap);
+  list_->setContentsMargins(0, 0, layout_gap, layout_gap);
+  list_->setSpacing(layout_gap);
   scroll_->setWidget(content_);
   layout->addWidget(scroll_, 1);
   layout->addStretch(0);
@@ -99,7 +99,7 @@ void ModelPanel::set_folded(bool folded) {
   if (folded == is_folded_) return;
   is_folded_ = folded;
   setFixedWidth(folded ? 36 : 288);
-  layout()->setContentsMargins(folded ? 4 : kGap, 6, 0, 0);
+  layout()->setContentsMargins(folded ? 4 : layout_gap, 6, 0, 0);
   title_->setVisible(!folded);
   headline_->setVisible(!folded);
   scroll_->setVisible(!folded);
@@ -144,7 +144,7 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     check->setChecked(effect.is_in_model);
     check->setEnabled(effect.can_change);
     check->setToolTip(effect.help);
-    check->setMinimumHeight(kRowHeight);
+    check->setMinimumHeight(row_height_px);
     QPalette boxed = tinted;
     boxed.setColor(QPalette::Window, c.control_edge.lighter(140));  // the style draws the box darker than this
     check->setPalette(boxed);
@@ -155,7 +155,7 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
   if (effect.can_hold) {
     auto* hold = new QPushButton(effect.is_held ? tr("Estimate it again") : tr("Hold these numbers"), box);
     hold->setObjectName(QStringLiteral("hold_") + effect.id);
-    hold->setMinimumHeight(kRowHeight);
+    hold->setMinimumHeight(row_height_px);
     hold->setToolTip(effect.is_held ? tr("The fit may move the numbers again, from where they are")
                                     : tr("The fit leaves the numbers where they are; then they can be typed"));
     connect(hold, &QPushButton::clicked, this,
@@ -263,7 +263,7 @@ void ModelPanel::add_groups() {
     head->setAutoRaise(true);
     head->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     head->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-    head->setMinimumHeight(kRowHeight);
+    head->setMinimumHeight(row_height_px);
     QFont font = text_font(TextRole::body);
     font.setWeight(QFont::DemiBold);
     head->setFont(font);

@@ -10,7 +10,7 @@
 namespace handsight::widgets {
 
 struct ObservationRow {
-  ObservationId id = kNoObservation;
+  ObservationId id = no_observation;
   CellState state = CellState::waiting;
   std::optional<double> rms_pixel, rms_mm, angle_deg;
   std::optional<double> rms_over_sigma;

@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 8, kTop = 4, kCellsHeight = 34, kWidest = 96;
+constexpr double outer_margin = 8, top_margin = 4, cells_height = 34, widest = 96;
 
 }  // namespace
 
@@ -31,13 +31,13 @@ QSize ObservationStrip::minimumSizeHint() const { return {240, 74}; }
 
 void ObservationStrip::set_cells(std::vector<ObservationCell> cells) {
   cells_ = std::move(cells);
-  if (index_of(hovered_) < 0) hovered_ = kNoObservation;
+  if (find_index(hovered_) < 0) hovered_ = no_observation;
   clamp_view();
   invalidate();
 }
 
 void ObservationStrip::set_cell(const ObservationCell& cell) {
-  const int index = index_of(cell.id);
+  const int index = find_index(cell.id);
   if (index < 0)
     cells_.push_back(cell);
   else
@@ -49,7 +49,7 @@ void ObservationStrip::set_cell(const ObservationCell& cell) {
 void ObservationStrip::set_selected(ObservationId id) {
   if (id == selected_) return;
   selected_ = id;
-  const int index = index_of(id);
+  const int index = find_index(id);
   if (index >= 0) show_index(index);
   setAccessibleDescription(index >= 0 ? cell_text(cells_[static_cast<std::size_t>(index)]) : QString());
   update();
@@ -77,7 +77,7 @@ void ObservationStrip::set_empty_text(const QString& sentence) {
   update();
 }
 
-int ObservationStrip::index_of(ObservationId id) const {
+int ObservationStrip::find_index(ObservationId id) const {
   if (id < 0) return -1;
   // Ids are mostly in order of time: look there first, then everywhere.
   const auto is_it = [id](const ObservationCell& c) { return c.id == id; };
@@ -88,15 +88,17 @@ int ObservationStrip::index_of(ObservationId id) const {
   return found == cells_.end() ? -1 : static_cast<int>(found - cells_.begin());
 }
 
-QRectF ObservationStrip::cells_area() const { return {kMargin, kTop, width() - 2 * kMargin, kCellsHeight}; }
-
-double ObservationStrip::cell_width() const {
-  if (cells_.empty()) return kWidest;
-  const double all = cells_area().width() / static_cast<double>(cells_.size());
-  return std::min(all, kWidest) * zoom_;
+QRectF ObservationStrip::cells_area() const {
+  return {outer_margin, top_margin, width() - 2 * outer_margin, cells_height};
 }
 
-double ObservationStrip::left_of(int index) const { return cells_area().left() + (index - first_) * cell_width(); }
+double ObservationStrip::cell_width() const {
+  if (cells_.empty()) return widest;
+  const double all = cells_area().width() / static_cast<double>(cells_.size());
+  return std::min(all, widest) * zoom_;
+}
+
+double ObservationStrip::find_left(int index) const { return cells_area().left() + (index - first_) * cell_width(); }
 
 int ObservationStrip::index_at(double x) const {
   const int index = static_cast<int>(std::floor((x - cells_area().left()) / cell_width() + first_));
@@ -104,16 +106,16 @@ int ObservationStrip::index_at(double x) const {
 }
 
 ObservationId ObservationStrip::cell_at(const QPointF& position) const {
-  if (!cells_area().adjusted(0, -kTop, 0, 4).contains(position)) return kNoObservation;
+  if (!cells_area().adjusted(0, -top_margin, 0, 4).contains(position)) return no_observation;
   const int index = index_at(position.x());
-  return index < 0 ? kNoObservation : cells_[static_cast<std::size_t>(index)].id;
+  return index < 0 ? no_observation : cells_[static_cast<std::size_t>(index)].id;
 }
 
 QRectF ObservationStrip::cell_rect(ObservationId id) const {
-  const int index = index_of(id);
+  const int index = find_index(id);
   if (index < 0) return {};
   const QRectF area = cells_area();
-  return QRectF(left_of(index), area.top(), cell_width(), area.height()).intersected(area);
+  return QRectF(find_left(index), area.top(), cell_width(), area.height()).intersected(area);
 }
 
 void ObservationStrip::show_index(int index) {
@@ -162,7 +164,7 @@ void ObservationStrip::mousePressEvent(QMouseEvent* event) {
     pan_first_ = first_;
   } else if (event->button() == Qt::LeftButton && cell_at(event->position()) >= 0) {
     if (event->modifiers() & Qt::ShiftModifier) {
-      brush_from_ = std::max(index_of(selected_), 0);
+      brush_from_ = std::max(find_index(selected_), 0);
       brush_to_ = index;
       is_brushing_ = true;
       update();
@@ -215,10 +217,10 @@ void ObservationStrip::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ObservationStrip::leaveEvent(QEvent*) {
-  if (hovered_ == kNoObservation) return;
-  hovered_ = kNoObservation;
+  if (hovered_ == no_observation) return;
+  hovered_ = no_observation;
   update();
-  emit observation_hovered(kNoObservation);
+  emit observation_hovered(no_observation);
 }
 
 void ObservationStrip::wheelEvent(QWheelEvent* event) {
@@ -227,7 +229,7 @@ void ObservationStrip::wheelEvent(QWheelEvent* event) {
   const double x = event->position().x();
   const double under = (x - cells_area().left()) / cell_width() + first_;
   const double one = cell_width() / zoom_;
-  zoom_ = std::clamp(zoom_ * std::pow(1.25, turns), 1.0, std::max(kWidest / one, 1.0));
+  zoom_ = std::clamp(zoom_ * std::pow(1.25, turns), 1.0, std::max(widest / one, 1.0));
   first_ = under - (x - cells_area().left()) / cell_width();
   clamp_view();
   invalidate();
@@ -236,7 +238,7 @@ void ObservationStrip::wheelEvent(QWheelEvent* event) {
 
 void ObservationStrip::keyPressEvent(QKeyEvent* event) {
   const int last = static_cast<int>(cells_.size()) - 1;
-  const int at = index_of(selected_);
+  const int at = find_index(selected_);
   switch (event->key()) {
     case Qt::Key_Left:
       return take(at < 0 ? last : std::max(at - 1, 0));
@@ -258,7 +260,7 @@ void ObservationStrip::keyPressEvent(QKeyEvent* event) {
 bool ObservationStrip::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    const int index = index_of(cell_at(help->pos()));
+    const int index = find_index(cell_at(help->pos()));
     if (index < 0)
       QToolTip::hideText();
     else

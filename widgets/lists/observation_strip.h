@@ -24,7 +24,7 @@ class ObservationStrip : public QWidget {
   void set_cells(std::vector<ObservationCell> cells);
   /// Replaces the cell with that id, or appends it.
   void set_cell(const ObservationCell& cell);
-  void set_selected(ObservationId id);  // kNoObservation: none; scrolls it into view
+  void set_selected(ObservationId id);  // no_observation: none; scrolls it into view
   void set_hovered(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);  // a ring round each: brushed, or beyond a threshold
   /// The names of a collection's sessions: cells of one session stand together, its mark and name under them.
@@ -43,7 +43,7 @@ class ObservationStrip : public QWidget {
 
  signals:
   void observation_selected(qint64 id);
-  void observation_hovered(qint64 id);  // kNoObservation: the pointer left
+  void observation_hovered(qint64 id);  // no_observation: the pointer left
   void observations_selected(const std::vector<qint64>& ids);
 
  protected:
@@ -59,10 +59,10 @@ class ObservationStrip : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  int index_of(ObservationId id) const;
+  int find_index(ObservationId id) const;
   int index_at(double x) const;
   double cell_width() const;
-  double left_of(int index) const;
+  double find_left(int index) const;
   QRectF cells_area() const;
   void show_index(int index);
   void clamp_view();
@@ -80,7 +80,7 @@ class ObservationStrip : public QWidget {
 
   std::vector<ObservationCell> cells_;
   std::vector<ObservationId> highlighted_;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   QString empty_text_;
   QStringList session_names_;
   double first_ = 0;  // index at the left edge, in cells

@@ -73,7 +73,7 @@ void ObservationStrip::paint_cells() {
     painter.setRenderHint(QPainter::Antialiasing, width >= 5);
     const int last = std::min(count - 1, static_cast<int>(std::ceil(first_ + area.width() / width)));
     for (int i = std::max(0, static_cast<int>(first_)); i <= last; ++i)
-      paint_cell(painter, cells_[static_cast<std::size_t>(i)], QRectF(left_of(i), area.top(), width, area.height()));
+      paint_cell(painter, cells_[static_cast<std::size_t>(i)], QRectF(find_left(i), area.top(), width, area.height()));
   } else {
     const double column = 1 / ratio;
     for (double x = area.left(); x < area.right(); x += column) {
@@ -106,7 +106,7 @@ void ObservationStrip::paint_sessions(QPainter& painter) const {
   painter.setClipping(false);
   for (std::size_t s = 0; s < starts.size(); ++s) {
     const int end = s + 1 < starts.size() ? starts[s + 1] : static_cast<int>(cells_.size());
-    const double from = std::max(left_of(starts[s]), area.left()), to = std::min(left_of(end), area.right());
+    const double from = std::max(find_left(starts[s]), area.left()), to = std::min(find_left(end), area.right());
     if (from >= to) continue;
     painter.fillRect(QRectF(from, area.bottom() + 1, to - from - 1, 3),
                      session_mark_color(cells_[static_cast<std::size_t>(starts[s])].session));
@@ -135,20 +135,20 @@ void ObservationStrip::paint_marks(QPainter& painter) const {
     }
     painter.setBrush(Qt::NoBrush);
   }
-  if (hovered_ != kNoObservation && hovered_ != selected_) ring(hovered_, c.ink2, 1.5);
+  if (hovered_ != no_observation && hovered_ != selected_) ring(hovered_, c.ink2, 1.5);
   ring(selected_, c.accent, 2);
   if (is_brushing_ && brush_from_ >= 0 && brush_to_ >= 0) {
     QColor fill = c.accent;
     fill.setAlpha(60);
-    const double from = left_of(std::min(brush_from_, brush_to_));
-    const double to = left_of(std::max(brush_from_, brush_to_) + 1);
+    const double from = find_left(std::min(brush_from_, brush_to_));
+    const double to = find_left(std::max(brush_from_, brush_to_) + 1);
     painter.fillRect(QRectF(from, area.top(), to - from, area.height()).intersected(area), fill);
   }
 }
 
 /// Under the cells, as far as there is room.
 void ObservationStrip::paint_ids(QPainter& painter) const {
-  const QRectF row(kGap, 42, width() - 2 * kGap, 15);
+  const QRectF row(layout_gap, 42, width() - 2 * layout_gap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(colors().ink2);
   const QFontMetricsF metrics(painter.font());
@@ -163,8 +163,8 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
   const std::vector<int> starts = session_starts();
   for (std::size_t s = 0; s < starts.size(); ++s) {
     const int session = cells_[static_cast<std::size_t>(starts[s])].session;
-    const double from = std::max(left_of(starts[s]), row.left());
-    const double to = s + 1 < starts.size() ? std::min(left_of(starts[s + 1]), row.right()) : row.right();
+    const double from = std::max(find_left(starts[s]), row.left());
+    const double to = s + 1 < starts.size() ? std::min(find_left(starts[s + 1]), row.right()) : row.right();
     if (to - from < 14) continue;
     draw_session_mark(painter, QPointF(from + 6, row.center().y()), 9, session);
     const QString name = metrics.elidedText(session_names_.value(session), Qt::ElideRight, to - from - 18);
@@ -182,7 +182,7 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
   for (int i = static_cast<int>(std::ceil(first_ / step)) * step; i < count; i += step) {
     const QString text = QString::number(cells_[static_cast<std::size_t>(i)].id);
     const double wide = metrics.horizontalAdvance(text);
-    const double left = std::max(left_of(i) + width_of_cell / 2 - wide / 2, row.left());
+    const double left = std::max(find_left(i) + width_of_cell / 2 - wide / 2, row.left());
     if (left + wide > row.right()) break;
     if (is_taken(left, left + wide)) continue;
     painter.drawText(QRectF(left, row.top(), wide + 1, row.height()), Qt::AlignVCenter | Qt::AlignLeft, text);
@@ -192,7 +192,7 @@ void ObservationStrip::paint_ids(QPainter& painter) const {
 /// A line of its own, from the left: how many times the noise each colour is.
 void ObservationStrip::paint_legend(QPainter& painter) const {
   const Colors& c = colors();
-  const QRectF row(kGap, 57, width() - 2 * kGap, 15);
+  const QRectF row(layout_gap, 57, width() - 2 * layout_gap, 15);
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink2);
   const QFontMetricsF metrics(painter.font());
@@ -219,13 +219,13 @@ void ObservationStrip::paint_legend(QPainter& painter) const {
 }
 
 void ObservationStrip::paint_lens(QPainter& painter) const {
-  const int index = index_of(hovered_);
+  const int index = find_index(hovered_);
   if (cell_width() >= 4 || index < 0 || !underMouse()) return;
   constexpr int around = 6;
   constexpr double wide = 11;
   const QRectF area = cells_area();
   const double full = (2 * around + 1) * wide + 4;
-  const double middle = std::clamp(left_of(index), area.left() + full / 2, area.right() - full / 2);
+  const double middle = std::clamp(find_left(index), area.left() + full / 2, area.right() - full / 2);
   const QRectF lens(middle - full / 2, area.top(), full, area.height());
   painter.setPen(QPen(colors().control_edge, 1));
   painter.setBrush(colors().panel);

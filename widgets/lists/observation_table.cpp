@@ -54,10 +54,10 @@ void set_up_view(QTableView& view) {
   view.setAccessibleName(QObject::tr("Observations"));
   view.verticalHeader()->hide();
   view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  view.verticalHeader()->setDefaultSectionSize(kRowHeight);
+  view.verticalHeader()->setDefaultSectionSize(row_height_px);
   QHeaderView& header = *view.horizontalHeader();
   header.setHighlightSections(false);
-  header.setFixedHeight(kControlHeight);
+  header.setFixedHeight(control_height);
   header.setMinimumSectionSize(36);
   const int id = width_of(view, {view.model()->headerData(0, Qt::Horizontal).toString()}, 26);  // and the arrow
   const int worst = width_of(view, {"0, " + QObject::tr("right"), "0, " + QObject::tr("left")}, 32);
@@ -68,12 +68,12 @@ void set_up_view(QTableView& view) {
 
 // Two letters of a reason tell nothing: without room for more the state's tool tip gives it.
 void give_room_to_reason(QTableView& view) {
-  constexpr int kLeastWidth = 90;
+  constexpr int least_width = 90;
   const int state_needs = state_width(view);
   const int reason = static_cast<int>(TableColumn::reason), state = static_cast<int>(TableColumn::state);
   int room = view.viewport()->width() - state_needs;
   for (int i = 0; i < state; ++i) room -= view.isColumnHidden(i) ? 0 : view.columnWidth(i);
-  const bool is_hidden = room < kLeastWidth;
+  const bool is_hidden = room < least_width;
   if (view.isColumnHidden(reason) == is_hidden) return;
   view.setColumnHidden(reason, is_hidden);
   view.horizontalHeader()->setSectionResizeMode(state, is_hidden ? QHeaderView::Stretch : QHeaderView::Interactive);
@@ -104,7 +104,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto* button = new QPushButton(names[i], this);
     button->setCheckable(true);
-    button->setFixedHeight(kControlHeight);
+    button->setFixedHeight(control_height);
     button->setMinimumWidth(QFontMetrics(button->font()).horizontalAdvance(button->text()) + 20);
     button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     filter_buttons_->addButton(button, static_cast<int>(i));
@@ -115,7 +115,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   text_->setAccessibleName(tr("Filter"));
   text_->setPlaceholderText(QObject::tr("Filter"));
   text_->setClearButtonEnabled(true);
-  text_->setFixedHeight(kControlHeight);
+  text_->setFixedHeight(control_height);
   text_->setMinimumWidth(60);
   bar->addWidget(text_, 1);
   layout->addLayout(bar);
@@ -124,7 +124,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   empty_ = new QLabel(this);
   empty_->setWordWrap(true);
   empty_->setAlignment(Qt::AlignCenter);
-  empty_->setMargin(kWideGap);
+  empty_->setMargin(wide_gap);
   empty_action_ = new QPushButton(this);
   layout->addWidget(empty_, 1);
   layout->addWidget(empty_action_, 0, Qt::AlignHCenter);
@@ -194,9 +194,9 @@ void ObservationTable::set_row(const ObservationRow& row) {
 }
 
 void ObservationTable::set_selected(ObservationId id) {
-  const int row = model_->row_of(id);
+  const int row = model_->find_row(id);
   if (id == selected_ && row >= 0 && selected_many().size() == 1) return;
-  selected_ = row < 0 ? kNoObservation : id;
+  selected_ = row < 0 ? no_observation : id;
   are_many_ = false;
   is_telling_ = true;
   const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(model_->index(row, 0));
@@ -213,17 +213,17 @@ void ObservationTable::set_selected_many(const std::vector<ObservationId>& ids, 
   if (ids.size() < 2) return set_selected(current);
   std::vector<ObservationId> now = selected_many(), wanted;
   for (const ObservationId id : ids)
-    if (const int row = model_->row_of(id); row >= 0 && filter_->mapFromSource(model_->index(row, 0)).isValid())
+    if (const int row = model_->find_row(id); row >= 0 && filter_->mapFromSource(model_->index(row, 0)).isValid())
       wanted.push_back(id);
   std::sort(now.begin(), now.end());
   std::sort(wanted.begin(), wanted.end());
-  selected_ = model_->row_of(current) < 0 ? kNoObservation : current;
+  selected_ = model_->find_row(current) < 0 ? no_observation : current;
   are_many_ = wanted.size() > 1;
   if (now == wanted) return;
   is_telling_ = true;
   QItemSelection rows;
   for (const ObservationId id : wanted) {
-    const QModelIndex index = filter_->mapFromSource(model_->index(model_->row_of(id), 0));
+    const QModelIndex index = filter_->mapFromSource(model_->index(model_->find_row(id), 0));
     rows.select(index, index);
   }
   view_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -233,7 +233,7 @@ void ObservationTable::set_selected_many(const std::vector<ObservationId>& ids, 
 
 /// What was chosen stays chosen when rows come anew or are filtered.
 void ObservationTable::select_again(const std::vector<ObservationId>& ids) {
-  const ObservationId before = std::exchange(selected_, kNoObservation);
+  const ObservationId before = std::exchange(selected_, no_observation);
   ids.size() > 1 ? set_selected_many(ids, before) : set_selected(before);
 }
 
@@ -288,7 +288,7 @@ void ObservationTable::report_selection() {
 void ObservationTable::ask_for_change(bool exclude) {
   std::vector<qint64> ids;
   for (const ObservationId id : selected_many()) {
-    const ObservationRow& row = model_->rows()[static_cast<std::size_t>(model_->row_of(id))];
+    const ObservationRow& row = model_->rows()[static_cast<std::size_t>(model_->find_row(id))];
     if (exclude ? row.state == CellState::used : row.state == CellState::excluded) ids.push_back(id);
   }
   if (ids.empty()) return;
@@ -303,7 +303,7 @@ void ObservationTable::show_menu(const QPoint& position) {
   if (ids.empty()) return;
   const auto has = [&](CellState state) {
     return std::any_of(ids.begin(), ids.end(), [&](ObservationId id) {
-      return model_->rows()[static_cast<std::size_t>(model_->row_of(id))].state == state;
+      return model_->rows()[static_cast<std::size_t>(model_->find_row(id))].state == state;
     });
   };
   QMenu menu(this);
@@ -336,7 +336,7 @@ void ObservationTable::update_summary() {
 
 bool ObservationTable::eventFilter(QObject* watched, QEvent* event) {
   if (watched == view_->viewport() && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave)) {
-    ObservationId id = kNoObservation;
+    ObservationId id = no_observation;
     if (event->type() == QEvent::MouseMove) {
       const QModelIndex index = view_->indexAt(static_cast<QMouseEvent*>(event)->position().toPoint());
       if (index.isValid()) id = model_->rows()[static_cast<std::size_t>(filter_->mapToSource(index).row())].id;

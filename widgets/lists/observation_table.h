@@ -72,7 +72,7 @@ class ObservationTable : public QWidget {
   QLabel *summary_, *empty_;
   QPushButton *empty_action_, *resort_;
   QString empty_text_, empty_action_text_;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   bool is_telling_ = false, are_many_ = false;
 };
 

@@ -14,7 +14,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int kSortRole = Qt::UserRole;
+constexpr int sort_role = Qt::UserRole;
 
 double sort_number(std::optional<double> value) { return value.value_or(-std::numeric_limits<double>::infinity()); }
 
@@ -25,11 +25,11 @@ using Units = std::array<SizeUnit, 2>;
 
 bool is_size(TableColumn column) { return column == TableColumn::size || column == TableColumn::other_size; }
 
-std::optional<double> size_of(const ObservationRow& row, SizeUnit unit) {
+std::optional<double> measure_size(const ObservationRow& row, SizeUnit unit) {
   return unit == SizeUnit::pixel ? row.rms_pixel : unit == SizeUnit::millimetre ? row.rms_mm : row.rms_over_sigma;
 }
 
-SizeUnit unit_of(TableColumn column, const Units& units) { return units[column == TableColumn::size ? 0 : 1]; }
+SizeUnit find_unit(TableColumn column, const Units& units) { return units[column == TableColumn::size ? 0 : 1]; }
 
 QString about_size(SizeUnit unit) {
   switch (unit) {
@@ -49,7 +49,7 @@ QString shown(const ObservationRow& row, TableColumn column, const Units& units)
       return QString::number(row.id);
     case TableColumn::size:
     case TableColumn::other_size:
-      return column_text(size_of(row, unit_of(column, units)));
+      return column_text(measure_size(row, find_unit(column, units)));
     case TableColumn::degree:
       return column_text(row.angle_deg);
     case TableColumn::worst:
@@ -69,7 +69,7 @@ QVariant sort_value(const ObservationRow& row, TableColumn column, const Units& 
       return static_cast<double>(row.id);
     case TableColumn::size:
     case TableColumn::other_size:
-      return sort_number(size_of(row, unit_of(column, units)));
+      return sort_number(measure_size(row, find_unit(column, units)));
     case TableColumn::degree:
       return sort_number(row.angle_deg);
     case TableColumn::worst:
@@ -112,7 +112,7 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   const ObservationRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<TableColumn>(index.column());
   if (role == Qt::DisplayRole) return shown(row, column, units_);
-  if (role == kSortRole) return sort_value(row, column, units_);
+  if (role == sort_role) return sort_value(row, column, units_);
   if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((is_number(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -135,7 +135,7 @@ QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientat
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
   if (const auto own = own_heads_.find({section, role}); own != own_heads_.end()) return own->second;
   if (const auto column = static_cast<TableColumn>(section); is_size(column)) {
-    const SizeUnit unit = unit_of(column, units_);
+    const SizeUnit unit = find_unit(column, units_);
     if (role == Qt::DisplayRole) return unit_name(unit);
     if (role == Qt::ToolTipRole) return about_size(unit);
   }
@@ -184,7 +184,7 @@ void ObservationTableModel::set_rows(std::vector<ObservationRow> rows) {
 }
 
 void ObservationTableModel::set_row(const ObservationRow& row) {
-  const int at = row_of(row.id);
+  const int at = find_row(row.id);
   if (at >= 0) {
     rows_[static_cast<std::size_t>(at)] = row;
     tell(at, at);
@@ -197,7 +197,7 @@ void ObservationTableModel::set_row(const ObservationRow& row) {
 
 void ObservationTableModel::set_hovered(ObservationId id) {
   if (id == hovered_) return;
-  const int before = row_of(hovered_), after = row_of(id);
+  const int before = find_row(hovered_), after = find_row(id);
   hovered_ = id;
   if (before >= 0) tell(before, before);
   if (after >= 0) tell(after, after);
@@ -214,7 +214,7 @@ bool ObservationTableModel::is_highlighted(ObservationId id) const {
   return std::binary_search(highlighted_.begin(), highlighted_.end(), id);
 }
 
-int ObservationTableModel::row_of(ObservationId id) const {
+int ObservationTableModel::find_row(ObservationId id) const {
   const auto found = std::find_if(rows_.begin(), rows_.end(), [id](const auto& row) { return row.id == id; });
   return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
 }
@@ -223,7 +223,7 @@ ObservationTableFilter::ObservationTableFilter(ObservationTableModel* model, QOb
     : QSortFilterProxyModel(parent), model_(model) {
   setSourceModel(model);
   setDynamicSortFilter(false);
-  setSortRole(kSortRole);
+  setSortRole(sort_role);
 }
 
 void ObservationTableFilter::set_kind(RowFilter kind) {
@@ -257,7 +257,7 @@ bool ObservationTableFilter::filterAcceptsRow(int row, const QModelIndex&) const
 }
 
 bool ObservationTableFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
-  const QVariant a = left.data(kSortRole), b = right.data(kSortRole);
+  const QVariant a = left.data(sort_role), b = right.data(sort_role);
   if (a.typeId() == QMetaType::Double) return a.toDouble() < b.toDouble();
   return a.toString().compare(b.toString(), Qt::CaseInsensitive) < 0;
 }
@@ -267,7 +267,7 @@ ObservationTableDelegate::ObservationTableDelegate(ObservationTableModel* model,
 
 QSize ObservationTableDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const QFontMetrics metrics(number_font(TextRole::body));
-  return {metrics.horizontalAdvance(index.data().toString()) + 20, kRowHeight};
+  return {metrics.horizontalAdvance(index.data().toString()) + 20, row_height_px};
 }
 
 void ObservationTableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -35,7 +35,7 @@ class ObservationTableModel : public QAbstractTableModel {
   void set_row(const ObservationRow& row);
   void set_hovered(ObservationId id);
   void set_highlighted(std::vector<ObservationId> ids);
-  int row_of(ObservationId id) const;
+  int find_row(ObservationId id) const;
   bool is_highlighted(ObservationId id) const;
   const std::vector<ObservationRow>& rows() const { return rows_; }
   ObservationId hovered() const { return hovered_; }
@@ -45,7 +45,7 @@ class ObservationTableModel : public QAbstractTableModel {
   std::vector<ObservationRow> rows_;
   std::array<SizeUnit, 2> units_ = {SizeUnit::pixel, SizeUnit::millimetre};  // of the two columns of sizes
   std::vector<ObservationId> highlighted_;
-  ObservationId hovered_ = kNoObservation;
+  ObservationId hovered_ = no_observation;
   std::map<std::pair<int, int>, QVariant> own_heads_;  // by section and role
 };
 

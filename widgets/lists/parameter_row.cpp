@@ -25,11 +25,11 @@ class HoldButton : public QToolButton {
     setAutoRaise(true);
     setCheckable(true);
     setChecked(is_held);
-    setFixedSize(kHoldWidth, 24);
+    setFixedSize(hold_width, 24);
     setToolTip(is_held ? said("Held: the fit leaves it where it is. Press to estimate it again")
                        : said("Hold this number: the fit leaves it where it is, and it can be typed"));
   }
-  static constexpr int kHoldWidth = 24;
+  static constexpr int hold_width = 24;
 
  protected:
   void paintEvent(QPaintEvent* event) override {
@@ -65,7 +65,7 @@ ParameterRow::ParameterRow(ModelParameter parameter, bool is_candidate, bool is_
 }
 
 void ParameterRow::resizeEvent(QResizeEvent*) {
-  if (hold_) hold_->move(width() - HoldButton::kHoldWidth, bar_top() - (field_ ? 26 : 24));
+  if (hold_) hold_->move(width() - HoldButton::hold_width, bar_top() - (field_ ? 26 : 24));
   if (!field_) return;
   const int unit = QFontMetrics(number_font(TextRole::small)).horizontalAdvance(parameter_.unit) + 8;
   field_->setGeometry(text_width() - 70 - unit, bar_top() - 26, 70, 24);
@@ -105,10 +105,10 @@ void ParameterRow::paint_bar(QPainter& painter, const QRectF& bar) const {
   const Colors& c = colors();
   constexpr double most = 3;  // plausible deviations to each side
   painter.fillRect(bar, c.sunken);
-  const auto x_of = [&](double deviations) {
+  const auto find_x = [&](double deviations) {
     return bar.center().x() + bar.width() / 2 * std::clamp(deviations / most, -1.0, 1.0);
   };
-  painter.fillRect(QRectF(x_of(-1), bar.top(), x_of(1) - x_of(-1), bar.height()), c.hairline);
+  painter.fillRect(QRectF(find_x(-1), bar.top(), find_x(1) - find_x(-1), bar.height()), c.hairline);
   painter.setPen(QPen(c.control_edge, 1));
   painter.drawLine(QPointF(bar.center().x(), bar.top() - 1), QPointF(bar.center().x(), bar.bottom() + 1));
   if (!parameter_.value) return;
@@ -118,14 +118,15 @@ void ParameterRow::paint_bar(QPainter& painter, const QRectF& bar) const {
   if (parameter_.sigma) {
     const double sigma = *parameter_.sigma / *parameter_.plausible;
     painter.setPen(QPen(ink, 1));
-    painter.drawLine(QPointF(x_of(value - sigma), bar.center().y()), QPointF(x_of(value + sigma), bar.center().y()));
+    painter.drawLine(QPointF(find_x(value - sigma), bar.center().y()),
+                     QPointF(find_x(value + sigma), bar.center().y()));
   }
   painter.setPen(Qt::NoPen);
   painter.setBrush(ink);
-  painter.drawRect(QRectF(x_of(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
+  painter.drawRect(QRectF(find_x(value) - 1.5, bar.top() - 1, 3, bar.height() + 2));
 }
 
-int ParameterRow::text_width() const { return width() - (hold_ ? HoldButton::kHoldWidth : 0); }
+int ParameterRow::text_width() const { return width() - (hold_ ? HoldButton::hold_width : 0); }
 
 int ParameterRow::bar_top() const { return (parameter_.of.isEmpty() ? 22 : 40) + (field_ ? 6 : 0); }
 

@@ -17,8 +17,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kStairsWidth = 120;
-constexpr double kNumberLine = 20, kCaptionLine = 6;  // baselines above the lower edge
+constexpr double stairs_width = 120;
+constexpr double number_line = 20, caption_line = 6;  // baselines above the lower edge
 
 QString ratio_text(const ErrorNumbers& numbers) {
   std::optional<double> ratio = numbers.ratio;
@@ -83,21 +83,21 @@ void ThreeNumbers::set_numbers(ErrorNumbers numbers) {
 QSize ThreeNumbers::sizeHint() const {
   const QFontMetricsF numbers(number_font(TextRole::number)), small(text_font(TextRole::small));
   const auto wide = [&](const QString& text, const QString& caption) {
-    return std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption)) + kWideGap;
+    return std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption)) + wide_gap;
   };
   const QString caption = caption_of(numbers_);
   const double width = wide(now_text(numbers_), caption) +
                        wide(with_unit_text(numbers_.noise, numbers_.unit), noise_caption(numbers_)) +
-                       wide(ratio_text(numbers_), QObject::tr("ratio")) + kStairsWidth;
-  return {static_cast<int>(std::ceil(width)) + kGap, 44};
+                       wide(ratio_text(numbers_), QObject::tr("ratio")) + stairs_width;
+  return {static_cast<int>(std::ceil(width)) + layout_gap, 44};
 }
 
 /// The numbers first: where there is no room for the line as well, it is left away.
-QSize ThreeNumbers::minimumSizeHint() const { return sizeHint() - QSize(kStairsWidth, 0); }
+QSize ThreeNumbers::minimumSizeHint() const { return sizeHint() - QSize(stairs_width, 0); }
 
 QRectF ThreeNumbers::stairs_area() const {
   if (width() < sizeHint().width()) return {};
-  return {width() - kStairsWidth, 4.0, kStairsWidth - kGap, height() - 8.0};
+  return {width() - stairs_width, 4.0, stairs_width - layout_gap, height() - 8.0};
 }
 
 QRectF ThreeNumbers::step_rect(int version) const {
@@ -185,16 +185,16 @@ void ThreeNumbers::paintEvent(QPaintEvent*) {
   const Colors& c = colors();
   QPainter painter(this);
   const QFontMetricsF numbers(number_font(TextRole::number)), small(text_font(TextRole::small));
-  double x = kGap;
+  double x = layout_gap;
   const auto column = [&](const QString& text, const QString& caption, const QColor& ink) {
     const double wide = std::max(numbers.horizontalAdvance(text), small.horizontalAdvance(caption));
     painter.setFont(number_font(TextRole::number));
     painter.setPen(numbers_.is_stale ? c.ink3 : ink);
-    painter.drawText(QPointF(x, height() - kNumberLine), text);
+    painter.drawText(QPointF(x, height() - number_line), text);
     painter.setFont(text_font(TextRole::small));
     painter.setPen(c.ink2);
-    painter.drawText(QPointF(x, height() - kCaptionLine), caption);
-    x += wide + kWideGap;
+    painter.drawText(QPointF(x, height() - caption_line), caption);
+    x += wide + wide_gap;
   };
   const QString caption = caption_of(numbers_);
   column(now_text(numbers_), caption, numbers_.predicted ? c.candidate : c.ink1);

@@ -12,7 +12,7 @@ namespace {
 using Sample = ConvergencePlot::Sample;
 
 /// Which three of the six, as one of the four plots shows them; nothing where they are not known.
-std::optional<Sample> sample_of(const ConvergencePoint& point, std::size_t plot) {
+std::optional<Sample> take_sample(const ConvergencePoint& point, std::size_t plot) {
   const bool is_body = plot < 2;
   if (!is_body && !point.tcp_from_tcp_est) return std::nullopt;
   const Vector6& values = is_body ? point.tcp_from_body : *point.tcp_from_tcp_est;
@@ -29,7 +29,7 @@ std::optional<Sample> sample_of(const ConvergencePoint& point, std::size_t plot)
 std::vector<Sample> samples_of(const std::vector<ConvergencePoint>& points, std::size_t plot) {
   std::vector<Sample> samples;
   for (const ConvergencePoint& point : points)
-    if (const auto sample = sample_of(point, plot)) samples.push_back(*sample);
+    if (const auto sample = take_sample(point, plot)) samples.push_back(*sample);
   return samples;
 }
 

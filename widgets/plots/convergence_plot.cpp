@@ -14,8 +14,8 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kLabelHeight = 15;
-constexpr int kFewest = 5;  // observations before anything can be said to have settled
+constexpr double label_height = 15;
+constexpr int fewest = 5;  // observations before anything can be said to have settled
 
 }  // namespace
 
@@ -64,7 +64,7 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
     }
     std::sort(places.begin(), places.end());
     const double middle = (places[0].first + places[2].first) / 2;
-    for (std::size_t k = 1; k < 3; ++k) places[k].first = std::max(places[k].first, places[k - 1].first + kLabelHeight);
+    for (std::size_t k = 1; k < 3; ++k) places[k].first = std::max(places[k].first, places[k - 1].first + label_height);
     // All of them together, or those at the border meet after all.
     double shift = middle - (places[0].first + places[2].first) / 2;
     shift = std::max(std::min(shift, bottom - places[2].first), top - places[0].first);
@@ -125,7 +125,7 @@ void ConvergencePlot::set_show_settled(bool shown) {
 
 int ConvergencePlot::settled_at(int curve) const {
   const auto i = static_cast<std::size_t>(curve);
-  if (static_cast<int>(samples_.size()) < kFewest || samples_.back().sigma[i] <= 0) return 0;
+  if (static_cast<int>(samples_.size()) < fewest || samples_.back().sigma[i] <= 0) return 0;
   const double last = samples_.back().value[i], near = 2 * samples_.back().sigma[i];
   std::size_t first = samples_.size();
   while (first > 0 && std::abs(samples_[first - 1].value[i] - last) <= near) --first;
@@ -279,7 +279,7 @@ const ConvergencePlot::Sample* ConvergencePlot::sample_at(const QPointF& positio
 
 QString ConvergencePlot::text_at(const QPointF& position) {
   const Sample* sample = sample_at(position);
-  emit observation_hovered(sample ? sample->observation : kNoObservation);
+  emit observation_hovered(sample ? sample->observation : no_observation);
   if (!sample) return {};
   const double factor = factor_;
   QStringList parts;

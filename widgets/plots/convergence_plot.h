@@ -15,7 +15,7 @@ namespace handsight::widgets {
 /// After each accepted observation. x y z in m, then rotations in rad; what is shown is mm and degrees.
 struct ConvergencePoint {
   int count = 0;  // observations in the estimate
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
   Vector6 tcp_from_body = Vector6::Zero();
   Vector6 sigma = Vector6::Zero();
   std::optional<Vector6> tcp_from_tcp_est;
@@ -29,7 +29,7 @@ class ConvergencePlot : public PlotWidget {
  public:
   struct Sample {
     int count = 0;
-    ObservationId observation = kNoObservation;
+    ObservationId observation = no_observation;
     std::array<double, 3> value{};
     std::array<double, 3> sigma{};  // 0: no band
     std::array<double, 3> noise{};  // of a value without a band: one sigma of it alone; 0: not known
@@ -80,7 +80,7 @@ class ConvergencePlot : public PlotWidget {
   std::vector<Sample> samples_;
   std::optional<std::array<double, 3>> origin_;
   std::vector<ConvergencePlot*> row_, all_;  // that share the y and the x axis, this one among them; empty: none
-  ObservationId selected_ = kNoObservation;
+  ObservationId selected_ = no_observation;
   bool shows_settled_ = true, follows_ = true;
   std::shared_ptr<Curves> curves_;
 };

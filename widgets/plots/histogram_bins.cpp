@@ -10,9 +10,9 @@
 namespace handsight::widgets {
 namespace {
 
-int number_of_bin(double place) { return static_cast<int>(std::floor(place / kHistogramBin)); }
+int number_of_bin(double place) { return static_cast<int>(std::floor(place / histogram_bin)); }
 
-std::optional<NoiseShape> noise_of(const ObservationCell& cell, SizeUnit unit) {
+std::optional<NoiseShape> find_noise(const ObservationCell& cell, SizeUnit unit) {
   if (cell.noise) return cell.noise;
   if (unit != SizeUnit::sigma) return std::nullopt;
   return NoiseShape{1, static_cast<double>(cell.coordinates)};
@@ -27,7 +27,7 @@ double noise_below(double size, const NoiseShape& noise) {
 }  // namespace
 
 bool counts_in(const ObservationCell& cell, SizeUnit unit) {
-  const ShownSize size = told_size(cell);
+  const ShownSize size = reported_size(cell);
   return cell.state == CellState::used && size.value && size.unit == unit;
 }
 
@@ -37,7 +37,7 @@ std::map<int, SizeBin> size_bins(const std::vector<ObservationCell>& cells, Size
   std::map<int, SizeBin> bins;
   for (const ObservationCell& cell : cells) {
     if (!counts_in(cell, unit)) continue;
-    SizeBin& bin = bins[number_of_bin(place_of_size(*told_size(cell).value, smallest))];
+    SizeBin& bin = bins[number_of_bin(place_of_size(*reported_size(cell).value, smallest))];
     bin.ids.push_back(cell.id);
     // Without a known noise a middling grey: neither good nor bad.
     const int step = cell.rms_over_sigma ? residual_step(*cell.rms_over_sigma, cell.coordinates) : 1;
@@ -49,7 +49,7 @@ std::map<int, SizeBin> size_bins(const std::vector<ObservationCell>& cells, Size
 std::optional<double> typical_noise(const std::vector<ObservationCell>& cells, SizeUnit unit) {
   std::vector<double> sizes;
   for (const ObservationCell& cell : cells)
-    if (const auto noise = noise_of(cell, unit); noise && counts_in(cell, unit)) sizes.push_back(noise->size);
+    if (const auto noise = find_noise(cell, unit); noise && counts_in(cell, unit)) sizes.push_back(noise->size);
   if (sizes.empty()) return std::nullopt;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
@@ -64,11 +64,11 @@ std::map<int, double> noise_bins(const std::vector<ObservationCell>& cells, Size
   constexpr double of_size = 0.01, of_coordinates = 0.5;
   std::map<std::pair<long, long>, int> shapes;
   for (const ObservationCell& cell : cells)
-    if (const auto noise = noise_of(cell, unit); noise && noise->size > 0 && counts_in(cell, unit))
+    if (const auto noise = find_noise(cell, unit); noise && noise->size > 0 && counts_in(cell, unit))
       ++shapes[{std::lround(std::log10(noise->size) / of_size), std::lround(noise->coordinates / of_coordinates)}];
   const int middle = number_of_bin(std::log10(*typical));
   for (int bin = middle - 12; bin < middle + 9; ++bin) {
-    const double low = std::pow(10, bin * kHistogramBin), high = std::pow(10, (bin + 1) * kHistogramBin);
+    const double low = std::pow(10, bin * histogram_bin), high = std::pow(10, (bin + 1) * histogram_bin);
     double& expected = bins[bin];
     for (const auto& [shape, times] : shapes) {
       const NoiseShape noise{std::pow(10, of_size * static_cast<double>(shape.first)),

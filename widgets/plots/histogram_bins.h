@@ -11,7 +11,7 @@
 
 namespace handsight::widgets {
 
-inline constexpr double kHistogramBin = 0.1;  // of the decimal logarithm of the size
+inline constexpr double histogram_bin = 0.1;  // of the decimal logarithm of the size
 
 /// One bin: the observations in it, and how many there are of each step of the residual scale.
 struct SizeBin {

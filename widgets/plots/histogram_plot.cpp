@@ -15,7 +15,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kBin = kHistogramBin;
+constexpr double bin_width = histogram_bin;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   bars_->noise = plot_->addGraph();
   for (QCPBars*& bars : bars_->step) {
     bars = new QCPBars(plot_->xAxis, plot_->yAxis);
-    bars->setWidth(kBin * 0.9);
+    bars->setWidth(bin_width * 0.9);
     bars->setPen(Qt::NoPen);
     if (bars != bars_->step.front()) bars->moveAbove(*(std::find(bars_->step.begin(), bars_->step.end(), bars) - 1));
   }
@@ -128,7 +128,7 @@ std::vector<ObservationId> HistogramPlot::beyond_threshold() const {
   std::vector<ObservationId> ids;
   if (!threshold_) return ids;
   for (const ObservationCell& cell : cells_)
-    if (counts_in(cell, unit_) && *told_size(cell).value > *threshold_) ids.push_back(cell.id);
+    if (counts_in(cell, unit_) && *reported_size(cell).value > *threshold_) ids.push_back(cell.id);
   return ids;
 }
 
@@ -160,14 +160,14 @@ void HistogramPlot::fill() {
   QVector<double> x;
   std::array<QVector<double>, 6> y;
   for (const auto& [number, bin] : bars_->bins) {
-    x += (number + 0.5) * kBin;
+    x += (number + 0.5) * bin_width;
     for (std::size_t i = 0; i < 6; ++i) y[i] += bin.steps[i];
   }
   for (std::size_t i = 0; i < 6; ++i) bars_->step[i]->setData(x, y[i], true);
   QVector<double> noise_x, noise_y;
   if (noise_ && !bars_->bins.empty())
     for (const auto& [number, expected] : noise_bins(cells_, unit_)) {
-      noise_x += (number + 0.5) * kBin;
+      noise_x += (number + 0.5) * bin_width;
       noise_y += expected;
     }
   bars_->noise->setData(noise_x, noise_y, true);
@@ -182,7 +182,7 @@ void HistogramPlot::place_selected() {
   const bool is_shown = selected != cells_.end() && counts_in(*selected, unit_);
   bars_->selected->setVisible(is_shown);
   if (!is_shown) return;
-  const double place = place_of_size(*told_size(*selected).value, smallest());
+  const double place = place_of_size(*reported_size(*selected).value, smallest());
   bars_->selected->point1->setCoords(place, 0);
   bars_->selected->point2->setCoords(place, 1);
 }
@@ -191,8 +191,8 @@ void HistogramPlot::fit() {
   const double noise_place = std::log10(typical_noise(cells_, unit_).value_or(1));
   double low = noise_place - 0.6, high = noise_place + 0.6, top = 1;
   for (const auto& [number, bin] : bars_->bins) {
-    low = std::min(low, (number - 1) * kBin);
-    high = std::max(high, (number + 2) * kBin);
+    low = std::min(low, (number - 1) * bin_width);
+    high = std::max(high, (number + 2) * bin_width);
     top = std::max(top, static_cast<double>(bin.ids.size()));
   }
   const auto noise = bars_->noise->data();
@@ -202,7 +202,9 @@ void HistogramPlot::fit() {
   replot();
 }
 
-int HistogramPlot::bin_at(double x) const { return static_cast<int>(std::floor(plot_->xAxis->pixelToCoord(x) / kBin)); }
+int HistogramPlot::bin_at(double x) const {
+  return static_cast<int>(std::floor(plot_->xAxis->pixelToCoord(x) / bin_width));
+}
 
 std::vector<ObservationId> HistogramPlot::ids_in(int bin) const {
   const auto found = bars_->bins.find(bin);
@@ -215,7 +217,7 @@ QString HistogramPlot::text_at(const QPointF& position) {
   const auto ids = ids_in(bin);
   const QString unit = unit_ == SizeUnit::sigma ? QObject::tr("times the noise") : unit_name(unit_);
   QString text = QObject::tr("%1 to %2 %4: %3 observations")
-                     .arg(short_text(std::pow(10, bin * kBin)), short_text(std::pow(10, (bin + 1) * kBin)))
+                     .arg(short_text(std::pow(10, bin * bin_width)), short_text(std::pow(10, (bin + 1) * bin_width)))
                      .arg(ids.size())
                      .arg(unit);
   const auto out = std::count_if(cells_.begin(), cells_.end(), [this](const auto& c) { return !counts_in(c, unit_); });
@@ -263,7 +265,7 @@ std::vector<PlotColumn> HistogramPlot::columns() const {
   for (const ObservationCell& cell : cells_) {
     if (!counts_in(cell, unit_)) continue;
     id.values.push_back(static_cast<double>(cell.id));
-    value.values.push_back(*told_size(cell).value);
+    value.values.push_back(*reported_size(cell).value);
   }
   return {id, value};
 }

@@ -59,7 +59,7 @@ class HistogramPlot : public PlotWidget {
   std::optional<double> noise_, threshold_;
   SizeUnit unit_ = SizeUnit::sigma;
   QString noise_unit_ = "px";
-  ObservationId selected_ = kNoObservation;
+  ObservationId selected_ = no_observation;
   bool is_moving_threshold_ = false, are_touches_ = false;
   std::shared_ptr<Bars> bars_;
 };

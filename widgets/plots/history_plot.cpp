@@ -184,7 +184,7 @@ QString HistoryPlot::text_at(const QPointF& position) {
 }
 
 void HistoryPlot::clicked_at(const QPointF& position, Qt::KeyboardModifiers) {
-  if (const HistoryPoint* p = point_at(position); p && p->observation != kNoObservation)
+  if (const HistoryPoint* p = point_at(position); p && p->observation != no_observation)
     emit observation_selected(p->observation);
 }
 

@@ -15,7 +15,7 @@ struct HistoryPoint {
   double y = 0;
   double sigma = 0;         // 0: no band
   bool stands_out = false;  // beyond the limit, or to be looked at
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
 };
 
 /// A curve with a mark at each point, a band of two sigma where it is known, and a dashed line at the limit.

@@ -65,7 +65,7 @@ PlotWidget::PlotWidget(QWidget* parent)
   empty_label_ = new QLabel(this);
   empty_label_->setWordWrap(true);
   empty_label_->setAlignment(Qt::AlignCenter);
-  empty_label_->setMargin(kWideGap);
+  empty_label_->setMargin(wide_gap);
   empty_label_->setAutoFillBackground(true);
   empty_label_->setBackgroundRole(QPalette::Base);
   empty_label_->setAttribute(Qt::WA_TransparentForMouseEvents);

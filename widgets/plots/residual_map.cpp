@@ -15,21 +15,21 @@ namespace handsight::widgets {
 
 ResidualMap::ResidualMap(QWidget* parent) : PlotWidget(parent), layers_(std::make_shared<ResidualMapLayers>()) {
   allow_brush();
-  const auto scatter = [this] {
+  const auto repeatability = [this] {
     QCPGraph* graph = plot_->addGraph();
     graph->setLineStyle(QCPGraph::lsNone);
     return graph;
   };
-  for (QCPGraph*& graph : layers_->discs) graph = scatter();
-  for (QCPGraph*& graph : layers_->directions) graph = scatter();
+  for (QCPGraph*& graph : layers_->discs) graph = repeatability();
+  for (QCPGraph*& graph : layers_->directions) graph = repeatability();
   for (QCPCurve*& curve : layers_->arrows) curve = new QCPCurve(plot_->xAxis, plot_->yAxis);
   layers_->means = new QCPCurve(plot_->xAxis, plot_->yAxis);
-  layers_->hovered = scatter();
-  layers_->selected = scatter();
+  layers_->hovered = repeatability();
+  layers_->selected = repeatability();
   for (QCPGraph* ring : {layers_->hovered, layers_->selected}) ring->setLayer(marks_layer);
   layers_->frame = new QCPItemRect(plot_);
   layers_->frame->setBrush(Qt::NoBrush);
-  for (int i = 0; i < kColumns * kRows; ++i) {
+  for (int i = 0; i < column_count * row_count; ++i) {
     auto* text = new QCPItemText(plot_);
     text->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     text->setPadding(QMargins(2, 1, 2, 1));
@@ -52,8 +52,8 @@ void ResidualMap::restyle() {
         QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(c.residual[i], 1), c.residual[i], size));
     layers_->arrows[i]->setPen(QPen(c.residual[i], 1.3));
   }
-  for (int i = 0; i < kDirections; ++i) {
-    const QColor color = direction_color((i + 0.5) / kDirections * 2 * M_PI - M_PI);
+  for (int i = 0; i < direction_count; ++i) {
+    const QColor color = direction_color((i + 0.5) / direction_count * 2 * M_PI - M_PI);
     layers_->directions[static_cast<std::size_t>(i)]->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(c.control_edge, 0.7), color, 9));
   }
@@ -170,7 +170,7 @@ const MapPoint* ResidualMap::point_at(const QPointF& position) const {
 
 QString ResidualMap::text_at(const QPointF& position) {
   const MapPoint* point = point_at(position);
-  const ObservationId id = point ? point->observation : kNoObservation;
+  const ObservationId id = point ? point->observation : no_observation;
   if (id != hovered_) {
     set_hovered(id);
     emit observation_hovered(id);

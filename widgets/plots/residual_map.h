@@ -15,7 +15,7 @@ namespace handsight::widgets {
 struct ResidualMapLayers;
 
 struct MapPoint {
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
   int marker = 0;
   int camera = 0;
   Vector2 position{0, 0};  // px
@@ -78,7 +78,7 @@ class ResidualMap : public PlotWidget {
   MapLens lens_ = MapLens::arrows;
   SizeUnit unit_ = SizeUnit::pixel;
   bool has_regions_ = true;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   std::shared_ptr<ResidualMapLayers> layers_;
 };
 

@@ -12,7 +12,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double na_n = std::numeric_limits<double>::quiet_NaN();
 
 /// A line with its head as pieces of one curve, parted by NaN.
 struct Strokes {
@@ -33,7 +33,7 @@ struct Strokes {
       add(to.x(), to.y());
       add(to.x() - back.x() - side.x(), to.y() - back.y() - side.y());
     }
-    add(kNaN, kNaN);
+    add(na_n, na_n);
   }
 };
 
@@ -78,23 +78,24 @@ void ResidualMap::fill_arrows() {
 }
 
 void ResidualMap::fill_regions() {
-  std::array<Vector2, kColumns * kRows> sums;
+  std::array<Vector2, column_count * row_count> sums;
   sums.fill(Vector2(0, 0));
-  std::array<int, kColumns * kRows> counts{};
+  std::array<int, column_count * row_count> counts{};
   for (const MapPoint& point : points_) {
     if (!is_shown(point)) continue;
-    const int column = std::clamp(static_cast<int>(point.position.x() / width_ * kColumns), 0, kColumns - 1);
-    const int row = std::clamp(static_cast<int>(point.position.y() / height_ * kRows), 0, kRows - 1);
-    const auto i = static_cast<std::size_t>(row * kColumns + column);
+    const int column = std::clamp(static_cast<int>(point.position.x() / width_ * column_count), 0, column_count - 1);
+    const int row = std::clamp(static_cast<int>(point.position.y() / height_ * row_count), 0, row_count - 1);
+    const auto i = static_cast<std::size_t>(row * column_count + column);
     sums[i] += point.residual;
     ++counts[i];
   }
   Strokes means;
   const double times = exaggeration();
-  for (int i = 0; i < kColumns * kRows; ++i) {
+  for (int i = 0; i < column_count * row_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Vector2 corner((i % kColumns) * width_ / double(kColumns), (i / kColumns) * height_ / double(kRows));
-    const Vector2 middle = corner + Vector2(width_ / double(2 * kColumns), height_ / double(2 * kRows));
+    const Vector2 corner((i % column_count) * width_ / double(column_count),
+                         (i / column_count) * height_ / double(row_count));
+    const Vector2 middle = corner + Vector2(width_ / double(2 * column_count), height_ / double(2 * row_count));
     layers_->counts[k]->position->setCoords(corner.x(), corner.y());
     layers_->counts[k]->setText(QString::number(counts[k]));
     layers_->counts[k]->setVisible(has_regions_ && !points_.empty() && lens_ != MapLens::arrows);
@@ -116,7 +117,7 @@ void ResidualMap::ring() {
 
 void ResidualMap::fill() {
   std::array<QVector<double>, 6> x, y;
-  std::array<QVector<double>, kDirections> direction_x, direction_y;
+  std::array<QVector<double>, direction_count> direction_x, direction_y;
   for (const MapPoint& point : points_) {
     if (!is_shown(point)) continue;
     if (lens_ == MapLens::size) {
@@ -125,7 +126,7 @@ void ResidualMap::fill() {
       y[step] += point.position.y();
     } else if (lens_ == MapLens::direction) {
       const double angle = std::atan2(point.residual.y(), point.residual.x());
-      const int sector = static_cast<int>((angle + M_PI) / (2 * M_PI) * kDirections) % kDirections;
+      const int sector = static_cast<int>((angle + M_PI) / (2 * M_PI) * direction_count) % direction_count;
       direction_x[static_cast<std::size_t>(sector)] += point.position.x();
       direction_y[static_cast<std::size_t>(sector)] += point.position.y();
     }
@@ -137,7 +138,7 @@ void ResidualMap::fill() {
     layers_->discs[i]->setAntialiasedScatters(!is_dense);
     layers_->arrows[i]->setAntialiased(!is_dense);
   }
-  for (std::size_t i = 0; i < kDirections; ++i) layers_->directions[i]->setData(direction_x[i], direction_y[i]);
+  for (std::size_t i = 0; i < direction_count; ++i) layers_->directions[i]->setData(direction_x[i], direction_y[i]);
   layers_->frame->topLeft->setCoords(-0.5, -0.5);
   layers_->frame->bottomRight->setCoords(width_ - 0.5, height_ - 0.5);
   fill_arrows();

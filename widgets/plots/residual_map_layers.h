@@ -9,12 +9,12 @@
 
 namespace handsight::widgets {
 
-inline constexpr int kColumns = 6, kRows = 4, kDirections = 16;
+inline constexpr int column_count = 6, row_count = 4, direction_count = 16;
 
 struct ResidualMapLayers {
   std::array<QCPGraph*, 6> discs{};
   std::array<QCPCurve*, 6> arrows{};
-  std::array<QCPGraph*, kDirections> directions{};
+  std::array<QCPGraph*, direction_count> directions{};
   QCPCurve* means = nullptr;
   QCPGraph *selected = nullptr, *hovered = nullptr;
   QCPItemRect* frame = nullptr;

@@ -15,7 +15,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kMargin = 0.06;  // of what is shown, above and below it
+constexpr double outer_margin = 0.06;  // of what is shown, above and below it
 
 struct Line {
   QVector<double> x, y, low, high;
@@ -25,7 +25,7 @@ QString axis_label(const QString& quantity, const QString& unit) {
   return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
 }
 
-Line line_of(const std::vector<TrendPoint>& points) {
+Line find_line(const std::vector<TrendPoint>& points) {
   Line line;
   for (const TrendPoint& point : points) {
     line.x += point.x;
@@ -62,7 +62,7 @@ struct ScatterPlot::Layers {
   QCPGraph *low = nullptr, *high = nullptr, *trend = nullptr, *candidate = nullptr;
   QCPGraph *candidate_low = nullptr, *candidate_high = nullptr, *bars = nullptr, *weak = nullptr;
   std::array<QCPGraph*, 6> points{};
-  std::array<QCPGraph*, kSessionMarks> of_session{}, weak_of_session{};
+  std::array<QCPGraph*, session_mark_count> of_session{}, weak_of_session{};
   QCPGraph *above = nullptr, *below = nullptr;  // points beyond the axis, at its ends
   QCPGraph *plain = nullptr, *highlighted = nullptr, *hovered = nullptr, *selected = nullptr;
 };
@@ -76,7 +76,7 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->low = plot_->addGraph();
   layers_->high = plot_->addGraph();
   layers_->high->setChannelFillGraph(layers_->low);
-  const auto scatter = [this] {
+  const auto repeatability = [this] {
     QCPGraph* graph = plot_->addGraph();
     graph->setLineStyle(QCPGraph::lsNone);
     return graph;
@@ -85,18 +85,18 @@ ScatterPlot::ScatterPlot(QWidget* parent) : PlotWidget(parent), layers_(std::mak
   layers_->candidate_high = plot_->addGraph();
   layers_->candidate_high->setChannelFillGraph(layers_->candidate_low);
   layers_->bars = plot_->addGraph();
-  layers_->weak = scatter();
-  layers_->plain = scatter();
-  for (QCPGraph*& graph : layers_->points) graph = scatter();
+  layers_->weak = repeatability();
+  layers_->plain = repeatability();
+  for (QCPGraph*& graph : layers_->points) graph = repeatability();
   for (auto* graphs : {&layers_->weak_of_session, &layers_->of_session})
-    for (QCPGraph*& graph : *graphs) graph = scatter();
+    for (QCPGraph*& graph : *graphs) graph = repeatability();
   layers_->trend = plot_->addGraph();
   layers_->candidate = plot_->addGraph();
-  layers_->above = scatter();
-  layers_->below = scatter();
-  layers_->highlighted = scatter();
-  layers_->hovered = scatter();
-  layers_->selected = scatter();
+  layers_->above = repeatability();
+  layers_->below = repeatability();
+  layers_->highlighted = repeatability();
+  layers_->hovered = repeatability();
+  layers_->selected = repeatability();
   for (QCPGraph* ring : {layers_->highlighted, layers_->hovered, layers_->selected}) ring->setLayer(marks_layer);
   style_axes();
   ScatterPlot::restyle();
@@ -114,7 +114,7 @@ void ScatterPlot::restyle() {
   };
   for (std::size_t i = 0; i < 6; ++i) layers_->points[i]->setScatterStyle(disc(c.residual[i]));
   constexpr double mark = 8;  // px
-  for (int i = 0; i < kSessionMarks; ++i) {
+  for (int i = 0; i < session_mark_count; ++i) {
     const QColor color = session_mark_color(i);
     const auto at = static_cast<std::size_t>(i);
     layers_->of_session[at]->setScatterStyle(
@@ -247,11 +247,11 @@ void ScatterPlot::fill_points() {
     void add(const ScatterPoint& p) { x += p.x, y += p.y; }
   };
   std::array<Points, 6> steps;
-  std::array<Points, kSessionMarks> of_session, weak_of_session;
+  std::array<Points, session_mark_count> of_session, weak_of_session;
   Points plain, weak;
   for (const ScatterPoint& point : points_) {
     if (point.session >= 0)
-      (point.is_weak ? weak_of_session : of_session)[static_cast<std::size_t>(point.session % kSessionMarks)].add(
+      (point.is_weak ? weak_of_session : of_session)[static_cast<std::size_t>(point.session % session_mark_count)].add(
           point);
     else if (point.is_weak)
       weak.add(point);
@@ -274,7 +274,7 @@ void ScatterPlot::fill() {
   fill_points();
   fill_bars();
   mark_beyond();
-  const Line trend = line_of(trend_), candidate = line_of(candidate_);
+  const Line trend = find_line(trend_), candidate = find_line(candidate_);
   layers_->trend->setData(trend.x, trend.y);
   layers_->low->setData(trend.x, trend.low);
   layers_->high->setData(trend.x, trend.high);
@@ -301,7 +301,7 @@ void ScatterPlot::mark_beyond() {
 }
 
 ScatterPlot::Extent ScatterPlot::extent() const {
-  const double floor = kSigmas * noise_.value_or(0);  // noise alone never fills the plot
+  const double floor = noise_sigmas * noise_.value_or(0);  // noise alone never fills the plot
   Extent e{1e300, -1e300, -floor, floor};
   if (!noise_) e.low = 1e300, e.high = -1e300;
   for (const ScatterPoint& point : points_) {
@@ -323,7 +323,7 @@ void ScatterPlot::fit() {
   if (points_.empty()) return replot();
   fitted_ = extent();
   const double wide = std::max((fitted_.right - fitted_.left) * 0.04, 1e-9),
-               tall = std::max((fitted_.high - fitted_.low) * kMargin, 1e-9);
+               tall = std::max((fitted_.high - fitted_.low) * outer_margin, 1e-9);
   plot_->xAxis->setRange(fitted_.left - wide, fitted_.right + wide);
   plot_->yAxis->setRange(fitted_.low - tall, fitted_.high + tall);
   replot();
@@ -336,8 +336,8 @@ void ScatterPlot::fit_if_outgrown() {
   const double wide = slack * (fitted_.right - fitted_.left), tall = slack * (fitted_.high - fitted_.low);
   const bool is_outgrown = now.left < fitted_.left - wide || now.right > fitted_.right + wide ||
                            now.low < fitted_.low - tall || now.high > fitted_.high + tall;
-  const double floor = kSigmas * noise_.value_or(0);
-  const double margin = kMargin * (fitted_.high - fitted_.low);
+  const double floor = noise_sigmas * noise_.value_or(0);
+  const double margin = outer_margin * (fitted_.high - fitted_.low);
   const bool is_filled_by_noise = fitted_.low - margin > -floor || fitted_.high + margin < floor;
   if (is_outgrown || is_filled_by_noise) fit();
 }
@@ -357,7 +357,7 @@ const ScatterPoint* ScatterPlot::point_at(const QPointF& position) const {
 
 QString ScatterPlot::text_at(const QPointF& position) {
   const ScatterPoint* point = point_at(position);
-  const ObservationId id = point ? point->observation : kNoObservation;
+  const ObservationId id = point ? point->observation : no_observation;
   if (id != hovered_) {
     set_hovered(id);
     emit observation_hovered(id);

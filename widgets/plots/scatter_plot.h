@@ -11,7 +11,7 @@
 namespace handsight::widgets {
 
 struct ScatterPoint {
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
   double x = 0, y = 0;
   std::optional<double> rms_over_sigma;  // colours it; absent: neutral
   int coordinates = 12;
@@ -29,7 +29,7 @@ Span span_of_most(const std::vector<ScatterPoint>& points);
 
 /// x ascending; `low` and `high` bound the band, equal to y where there is none.
 /// Of the noise, on each side of zero, an axis shows so many sigma at least: noise alone never fills a plot.
-inline constexpr double kSigmas = 3;
+inline constexpr double noise_sigmas = 3;
 
 struct TrendPoint {
   double x = 0, y = 0, low = 0, high = 0;
@@ -43,7 +43,7 @@ class ScatterPlot : public PlotWidget {
   void set_points(std::vector<ScatterPoint> points);
   void set_trend(std::vector<TrendPoint> trend);
   void set_candidate(std::vector<TrendPoint> prediction);  // purple, dashed; its band hatched: noise about it
-  /// Half the height that noise alone takes; the y axis never shows less than kSigmas of it on each side.
+  /// Half the height that noise alone takes; the y axis never shows less than noise_sigmas of it on each side.
   /// `is_drawn` false: a band of its own stands about the candidate's curve.
   void set_noise_band(std::optional<double> sigma, bool is_drawn = true);
   void set_selected(ObservationId id);
@@ -86,7 +86,7 @@ class ScatterPlot : public PlotWidget {
   bool draws_noise_ = true;
   std::vector<ObservationId> highlighted_;
   QString x_quantity_, x_unit_, y_quantity_, y_unit_;
-  ObservationId selected_ = kNoObservation, hovered_ = kNoObservation;
+  ObservationId selected_ = no_observation, hovered_ = no_observation;
   std::shared_ptr<Layers> layers_;
   struct Extent {
     double left = 0, right = 0, low = 0, high = 0;

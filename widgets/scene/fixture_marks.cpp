@@ -69,13 +69,13 @@ std::vector<Vector3> ring(const Vector3& middle, double radius) {
 
 }  // namespace
 
-Vector3 middle_of(const SceneFixture& f) {
+Vector3 find_middle(const SceneFixture& f) {
   if (f.kind == SceneFixtureKind::length) return f.root_from_fixture.translation;
   return f.root_from_fixture * Vector3((f.from + f.to) / 2);
 }
 
 void show_fixture(vtkRenderer& renderer, ActorGroup& group, const SceneFixture& f) {
-  const QColor color = f.is_touched ? colors().accent : colors().blame_cameras;
+  const QColor color = f.is_touched ? colors().accent : colors().attribution_to_cameras;
   const double thick = f.is_touched ? 0.004 : 0.0025;  // m
   const Vector3 from = f.root_from_fixture * f.from, to = f.root_from_fixture * f.to;
   switch (f.kind) {

@@ -9,6 +9,6 @@ namespace handsight::widgets {
 void show_fixture(vtkRenderer& renderer, ActorGroup& group, const SceneFixture& fixture);
 
 /// Where it is looked for, m, root frame.
-Vector3 middle_of(const SceneFixture& fixture);
+Vector3 find_middle(const SceneFixture& fixture);
 
 }  // namespace handsight::widgets

@@ -62,7 +62,7 @@ void show_axes(vtkRenderer& renderer, ActorGroup& group, const Rigid& root_from_
   for (std::size_t i = 0; i < 3; ++i) {
     const QColor color = is_estimate ? colors().tcp_est_axes[i] : colors().tcp_axes[i];
     const Vector3 origin = root_from_frame.translation;
-    const Vector3 tip = root_from_frame * Vector3(kAxisLength * Vector3::Unit(static_cast<Eigen::Index>(i)));
+    const Vector3 tip = root_from_frame * Vector3(axis_length * Vector3::Unit(static_cast<Eigen::Index>(i)));
     const auto add = [&](const vtkSmartPointer<vtkPolyData>& surface) {
       auto actor = make_actor(surface, color);
       actor->GetProperty()->LightingOff();
@@ -89,7 +89,7 @@ void show_camera(vtkRenderer& renderer, ActorGroup& group, const SceneCamera& ca
     segments.emplace_back(eye, here);
     segments.emplace_back(here, camera.root_from_camera * Vector3(reach * corners[(i + 1) % 4]));
   }
-  group.add(renderer, lines_actor(segments, colors().blame_cameras, 1.5));
+  group.add(renderer, lines_actor(segments, colors().attribution_to_cameras, 1.5));
   auto body = make_actor(rod(camera.root_from_camera * Vector3(0, 0, -0.05), eye, 0.018), colors().ink2);
   body->PickableOff();
   group.add(renderer, body);

@@ -18,7 +18,7 @@ struct ActorGroup {
   void add(vtkRenderer& renderer, const vtkSmartPointer<vtkActor>& actor);
 };
 
-inline constexpr double kAxisLength = 0.12;  // m
+inline constexpr double axis_length = 0.12;  // m
 
 void show_axes(vtkRenderer& renderer, ActorGroup& group, const Rigid& root_from_frame, bool is_estimate);
 void show_camera(vtkRenderer& renderer, ActorGroup& group, const SceneCamera& camera);

@@ -9,7 +9,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr double kSteepest = 1.5690;  // rad: never quite straight down, where "up" would be lost
+constexpr double steepest = 1.5690;  // rad: never quite straight down, where "up" would be lost
 
 }  // namespace
 
@@ -21,7 +21,7 @@ Vector3 Orbit::eye() const { return target - distance * direction(); }
 
 void Orbit::turn(double by_azimuth, double by_elevation) {
   azimuth = std::remainder(azimuth + by_azimuth, 2 * M_PI);
-  elevation = std::clamp(elevation + by_elevation, -kSteepest, kSteepest);
+  elevation = std::clamp(elevation + by_elevation, -steepest, steepest);
 }
 
 void Orbit::pan(double right_px, double down_px, double height_px) {

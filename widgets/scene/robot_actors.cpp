@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const QColor kPlain(0xB4, 0xB9, 0xBF);
+const QColor plain_chi2(0xB4, 0xB9, 0xBF);
 
 vtkSmartPointer<vtkPolyData> surface_of(const Mesh& mesh) {
   vtkNew<vtkPoints> points;
@@ -178,14 +178,14 @@ RobotActors make_robot_actors(const Robot& robot, const ReadMeshes& meshes) {
   RobotActors actors;
   for (int link = 0; link < static_cast<int>(robot.links.size()); ++link) {
     Covered covered;
-    QColor last = kPlain;
+    QColor last = plain_chi2;
     for (const Shape& shape : robot.links[static_cast<std::size_t>(link)].shapes) {
       const auto surface = shape_surface(shape, meshes, actors.notes);
       if (!surface) continue;
       const QColor color = shape.color ? QColor::fromRgbF(static_cast<float>(std::clamp((*shape.color)[0], 0.0, 1.0)),
                                                           static_cast<float>(std::clamp((*shape.color)[1], 0.0, 1.0)),
                                                           static_cast<float>(std::clamp((*shape.color)[2], 0.0, 1.0)))
-                                       : kPlain;
+                                       : plain_chi2;
       actors.parts.push_back({link, shape.link_from_shape, color, make_actor(surface, color)});
       covered.add(*surface, shape.link_from_shape);
       last = color;

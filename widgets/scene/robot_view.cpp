@@ -25,7 +25,7 @@ void set_surface_format() {
   format.setStencilBufferSize(8);
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
-  // VTK's own warnings would go to the console; what matters is told by notes().
+  // VTK's own warnings would go to the console; what matters is reported by notes().
   vtkObject::GlobalWarningDisplayOff();
 }
 
@@ -65,7 +65,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     button->setToolTip(tr("Looks from there (F, 1 to 6, 0)"));
     button->setAutoRaise(true);
     button->setFont(text_font(TextRole::small));
-    button->setFixedHeight(kRowHeight);
+    button->setFixedHeight(row_height_px);
     button->setFocusPolicy(Qt::NoFocus);  // keys 0 to 6 do the same
     connect(button, &QToolButton::clicked, this, [this, v = view] { look(v); });
     row->addWidget(button);
@@ -239,7 +239,7 @@ void RobotView::look(StandardView view) {
 std::optional<QPointF> RobotView::to_screen(const Vector3& in_root) const { return parts_->to_screen(in_root, size()); }
 
 std::optional<Vector3> RobotView::arrow_tip(ObservationId id) const {
-  const SceneArrow* arrow = parts_->arrow_of(id);
+  const SceneArrow* arrow = parts_->find_arrow(id);
   if (!arrow) return std::nullopt;
   return Vector3(arrow->from + parts_->arrow_times * arrow->residual);
 }

@@ -23,8 +23,8 @@ void RobotView::pick(const QPointF& position, bool take) {
     set_hovered_observation(id);
     emit observation_hovered(id);
   }
-  if (id != kNoObservation) {
-    const SceneArrow* arrow = p.arrow_of(id);
+  if (id != no_observation) {
+    const SceneArrow* arrow = p.find_arrow(id);
     emit read_out(QObject::tr("obs %1: %2 mm").arg(id).arg(short_text(1000 * arrow->residual.norm())));
     if (take) emit observation_selected(id);
     return;
@@ -93,9 +93,9 @@ void RobotView::wheelEvent(QWheelEvent* event) {
 }
 
 void RobotView::leaveEvent(QEvent*) {
-  if (parts_->hovered != kNoObservation) {
-    set_hovered_observation(kNoObservation);
-    emit observation_hovered(kNoObservation);
+  if (parts_->hovered != no_observation) {
+    set_hovered_observation(no_observation);
+    emit observation_hovered(no_observation);
   }
   emit read_out({});
 }
@@ -162,8 +162,8 @@ QString RobotView::save(const QString& path) {
   // Of the robot, not of who looks at it.
   const ObservationId selected = parts_->selected, hovered = parts_->hovered;
   const QString joint = parts_->selected_joint;
-  set_selected_observation(kNoObservation);
-  set_hovered_observation(kNoObservation);
+  set_selected_observation(no_observation);
+  set_hovered_observation(no_observation);
   set_selected_joint({});
   const QImage image = picture(2);
   set_selected_observation(selected);

@@ -85,7 +85,7 @@ double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
   const auto origin = view.to_screen(root_from_frame.translation);
   double longest = 0;
   for (int axis = 0; origin && axis < 3; ++axis)
-    if (const auto tip = view.to_screen(root_from_frame * Vector3(kAxisLength * Vector3::Unit(axis))))
+    if (const auto tip = view.to_screen(root_from_frame * Vector3(axis_length * Vector3::Unit(axis))))
       longest = std::max(longest, std::hypot(tip->x() - origin->x(), tip->y() - origin->y()));
   return longest;
 }
@@ -103,26 +103,26 @@ void RobotView::paint_labels(QPainter& painter) {
   painter.setFont(text_font(TextRole::small));
   std::vector<QRectF> taken;
   const QFontMetricsF label_metrics(painter.font());
-  const auto size_of = [&](const QString& text) {
+  const auto measure_size = [&](const QString& text) {
     return QSizeF(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
   };
   const auto put = [&](const QPointF& at, const QPointF& place, const QString& text, bool is_aside) {
     if (is_aside) {  // a line to what it names
       painter.setPen(QPen(c.ink3, 1));
-      painter.drawLine(at, plate_rect(place, size_of(text)).center());
+      painter.drawLine(at, plate_rect(place, measure_size(text)).center());
     }
     taken.push_back(draw_plate(painter, place, text, c.ink1, c.panel));
   };
   const auto plate = [&](const Vector3& in_root, const QString& text, const QPointF& offset) {
     const auto at = to_screen(in_root);
     if (!at) return;
-    const QPointF place = free_place(*at + offset, size_of(text), taken);
+    const QPointF place = free_place(*at + offset, measure_size(text), taken);
     put(*at, place, text, place != *at + offset);
   };
   const bool is_near = p.tcp && length_on_screen(*this, *p.tcp) > 34;  // from afar letters would hide what they name
   for (int axis = 0; is_near && axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    const Vector3 tip = 1.12 * kAxisLength * Vector3::Unit(axis);
+    const Vector3 tip = 1.12 * axis_length * Vector3::Unit(axis);
     plate(*p.tcp * tip, letters[i], QPointF(4, -7));
     if (p.tcp_est) plate(*p.tcp_est * tip, letters[i] + QStringLiteral("′"), QPointF(4, 9));
   }
@@ -130,13 +130,13 @@ void RobotView::paint_labels(QPainter& painter) {
   constexpr double above = 30, below = 70;  // px: the buttons, the triad and the legend
   const QRectF room(2, above, width() - 4.0, height() - above - below);
   for (const SceneFixture& fixture : p.fixtures)
-    if (const auto at = to_screen(middle_of(fixture)); at && !fixture.name.isEmpty() && room.contains(*at))
-      plate(middle_of(fixture), fixture.name, QPointF(8, -10));
+    if (const auto at = to_screen(find_middle(fixture)); at && !fixture.name.isEmpty() && room.contains(*at))
+      plate(find_middle(fixture), fixture.name, QPointF(8, -10));
   for (const SceneCamera& camera : p.cameras)
     if (const auto at = to_screen(camera.root_from_camera.translation);
         at && !camera.name.isEmpty() && rect().contains(at->toPoint()))
       put(*at,
-          place_on_ground(*at, size_of(camera.name), taken, room,
+          place_on_ground(*at, measure_size(camera.name), taken, room,
                           [&](const QRectF& area) { return covered_share(p.picture, ratio, area); }),
           camera.name, true);
   for (const SceneHand& hand : p.other_hands) plate(hand.root_from_tcp.translation, hand.name, QPointF(10, 12));

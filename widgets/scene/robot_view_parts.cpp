@@ -41,8 +41,8 @@ QColor off_the_ground(const QColor& color) {
 
 }  // namespace
 
-const SceneArrow* RobotViewParts::arrow_of(ObservationId id) const {
-  if (id == kNoObservation) return nullptr;
+const SceneArrow* RobotViewParts::find_arrow(ObservationId id) const {
+  if (id == no_observation) return nullptr;
   const auto found = std::find_if(arrows.begin(), arrows.end(), [id](const auto& a) { return a.observation == id; });
   return found == arrows.end() ? nullptr : &*found;
 }
@@ -182,9 +182,9 @@ void RobotViewParts::make_arrows() {
     show_arrows(*renderer, arrow_actors, arrows, arrow_times, arrow_scale);
   }
   ring_actors.clear(*renderer);
-  if (const SceneArrow* arrow = arrow_of(hovered); arrow && hovered != selected)
+  if (const SceneArrow* arrow = find_arrow(hovered); arrow && hovered != selected)
     show_arrow(*renderer, ring_actors, *arrow, arrow_times, arrow_scale, colors().ink2);
-  if (const SceneArrow* arrow = arrow_of(selected))
+  if (const SceneArrow* arrow = find_arrow(selected))
     show_arrow(*renderer, ring_actors, *arrow, arrow_times, arrow_scale, colors().accent);
   arrows_changed = rings_changed = false;
 }
@@ -193,7 +193,7 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
   std::vector<Vector3> points = interest;
   for (const SceneArrow& arrow : arrows) points.push_back(arrow.from);
   for (const SceneCamera& camera : cameras) points.push_back(camera.root_from_camera.translation);
-  for (const SceneFixture& fixture : fixtures) points.push_back(middle_of(fixture));
+  for (const SceneFixture& fixture : fixtures) points.push_back(find_middle(fixture));
   for (const SceneMarker& marker : markers) points.push_back(marker.in_root);
   for (const ScenePath& path : paths) points.insert(points.end(), path.points.begin(), path.points.end());
   if (tcp) points.push_back(tcp->translation);
@@ -290,7 +290,7 @@ std::optional<QPointF> RobotViewParts::to_screen(const Vector3& in_root, const Q
 }
 
 ObservationId RobotViewParts::arrow_at(const QPointF& position, const QSizeF& size) const {
-  ObservationId best = kNoObservation;
+  ObservationId best = no_observation;
   double nearest = 8;
   for (const SceneArrow& arrow : arrows) {
     const auto from = to_screen(arrow.from, size), to = to_screen(arrow.from + arrow_times * arrow.residual, size);

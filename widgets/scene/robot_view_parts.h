@@ -52,7 +52,7 @@ struct RobotViewParts {
   std::vector<SceneFixture> fixtures;
   std::vector<ScenePath> paths;
   std::optional<SceneEllipsoid> ellipsoid;
-  ObservationId selected = kNoObservation, hovered = kNoObservation;
+  ObservationId selected = no_observation, hovered = no_observation;
   QString selected_joint, empty_text;
 
   RobotActors read_links;  // not yet in the scene
@@ -92,7 +92,7 @@ struct RobotViewParts {
   void make_arrows();
   void set_colors();
   bool has_robot() const { return !robot.links.empty(); }
-  const SceneArrow* arrow_of(ObservationId id) const;
+  const SceneArrow* find_arrow(ObservationId id) const;
   /// Points round what the session is about (hand, markers, arrows, cameras and the links near them), else round the
   /// robot; m, root frame.
   std::vector<Vector3> points_of_interest() const;
@@ -106,7 +106,7 @@ struct RobotViewParts {
   /// The cube in the corner as it is painted now; empty where the view is too narrow for it.
   std::vector<CubeFace> cube(const QSizeF& size) const;
   std::optional<QPointF> to_screen(const Vector3& in_root, const QSizeF& size) const;
-  /// The observation whose arrow is under a position; kNoObservation where there is none.
+  /// The observation whose arrow is under a position; no_observation where there is none.
   ObservationId arrow_at(const QPointF& position, const QSizeF& size) const;
   /// The link under a position (device px, origin below); -1.
   int link_at(double x, double y);

@@ -35,7 +35,7 @@ struct SceneMarker {
 
 /// The residual of a past observation at its TCP, magnified by the view.
 struct SceneArrow {
-  ObservationId observation = kNoObservation;
+  ObservationId observation = no_observation;
   Vector3 from{0, 0, 0};
   Vector3 residual{0, 0, 0};  // m, true size
   std::optional<double> rms_over_sigma;

@@ -60,7 +60,7 @@ std::string diagnosis_line(const std::string& path, const Diagnosis& d, const Se
                      best ? fmt::format("{:.4g}", best->ln_bayes_factor) : "", field(d.reason));
 }
 
-std::string line_of(const std::string& path, bool improves) {
+std::string find_line(const std::string& path, bool improves) {
   try {
     const Session session = is_collection(path) ? open_session(path) : read_session(path);
     if (improves) return diagnosis_line(path, improve(session).last, session);
@@ -113,7 +113,7 @@ class Runner {
     if (process == 0) {
       close(ends[0]);
       most_threads() = 1;  // as many cores as jobs, whoever else computes
-      write_all(ends[1], line_of(o_.sessions[next_], o_.improves));
+      write_all(ends[1], find_line(o_.sessions[next_], o_.improves));
       _exit(0);
     }
     close(ends[1]);

@@ -79,7 +79,7 @@ Json frames_json(const CameraCalibration& c, const GroupedImages& grouped, std::
   return frames;
 }
 
-const char* name_of(BoardShape shape) {
+const char* display_name(BoardShape shape) {
   switch (shape) {
     case BoardShape::held:
       return "described";
@@ -96,11 +96,11 @@ const char* name_of(BoardShape shape) {
 Json board_json(const BoardReport& board, const CameraCalibration& c) {
   Json tried = Json::array(), points = Json::array();
   for (const TriedShape& shape : c.shapes)
-    tried.push_back({{"shape", name_of(shape.shape)},
+    tried.push_back({{"shape", display_name(shape.shape)},
                      {"rms_pixel", number(shape.rms_pixel)},
                      {"held_out_rms_pixel", number(shape.held_out_rms_pixel)}});
   for (const Vector3& point : board.points) points.push_back(numbers(point));
-  return {{"shape", name_of(board.shape)},
+  return {{"shape", display_name(board.shape)},
           {"bend", numbers(board.bend)},
           {"bow_m", number(board.bow)},
           {"off_rms_m", number(board.off_rms)},
@@ -210,7 +210,7 @@ void print(const CamerasArguments& o, const CameraCalibration& c, const BoardRep
                                    : fmt::format("{:<9} {}", model.name, model.failure));
   if (c.shapes.size() > 1)
     for (const TriedShape& shape : c.shapes)
-      out.line(fmt::format("board {:<12} rms {:.4f} px, held out {:.4f} px", name_of(shape.shape), shape.rms_pixel,
+      out.line(fmt::format("board {:<12} rms {:.4f} px, held out {:.4f} px", display_name(shape.shape), shape.rms_pixel,
                            shape.held_out_rms_pixel));
   for (std::size_t i = 0; i < detected.names.size(); ++i) print_camera(out, c, i, detected.names[i]);
   out.line(fmt::format("All: rms {:.4f} px of {} points, held out {:.4f} px", c.bundle.rms_pixel, c.bundle.points,

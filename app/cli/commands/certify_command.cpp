@@ -35,8 +35,8 @@ CertificateRequest from_improvement(const Session& session, Progress& progress) 
     return true;
   };
   const Improvement m = improve(session, options);
-  return certificate_request(session, m.last.model.fit, m.last.model_options, m.certainty.doubt, software,
-                             "found by improve in this session");
+  return certificate_request(session, m.last.model.fit, m.last.model_options,
+                             m.inclusion_probabilities.model_uncertainty, software, "found by improve in this session");
 }
 
 CertificateRequest from_effects(const Session& session, const std::vector<std::string>& effects) {
@@ -66,7 +66,7 @@ PartFit part_of_collection(const CertifyArguments& o, const std::string& title, 
 /// The robot stays as all sessions tell it; what is the session's own is fitted.
 CertificateRequest from_collection(const PartFit& part, const std::string& title) {
   FitOptions options;
-  options.effects = terms_of(part.fit);
+  options.effects = list_terms(part.fit);
   return certificate_request(part.session, fit(part.session, options), options, {}, software,
                              fmt::format("found by improve in the collection {}", title));
 }
@@ -118,7 +118,7 @@ int run(const CertifyArguments& o) {
     session = part.session;
   }
   const CertificateRequest request = of_part ? *of_part : request_of(o, session, progress);
-  const Certificate c = certificate_of(session, request, [&](double done) {
+  const Certificate c = make_certificate(session, request, [&](double done) {
     progress.at(static_cast<std::size_t>(60 + 40 * done));
     return true;
   });

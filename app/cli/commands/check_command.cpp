@@ -6,7 +6,7 @@
 #include "command.h"
 #include "detection/target_finding.h"
 #include "printing/blunder_output.h"
-#include "printing/told_json.h"
+#include "printing/reported_json.h"
 #include "session/collection.h"
 
 namespace handsight::cli {
@@ -24,7 +24,7 @@ void add_lost_target(const Session& session, const TargetSearch& search, Session
   const bool is_seen_elsewhere = std::any_of(session.observations.begin(), session.observations.end(),
                                              [](const Observation& o) { return !o.sightings.empty(); });
   Message text = message("The {} is found in none of the {} observations whose images were looked at.",
-                         description_of(*session.target), search.looked_at);
+                         describe_target(*session.target), search.looked_at);
   if (!search.in_its_place.empty()) text = search.in_its_place;
   (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
 }
@@ -39,7 +39,7 @@ int run_of_collection(const CheckArguments& o) {
   for (const CollectionEntry& entry : collection.entries) {
     o.output.line(entry.title + ":");
     CheckArguments one = o;
-    one.session = folder_of(collection, entry).string();
+    one.session = find_folder(collection, entry).string();
     one.output.json_file.clear();
     Json json;
     one.result = &json;
@@ -63,7 +63,7 @@ int run(const CheckArguments& o) {
   SessionCheck check = check_session(session);
   add_lost_target(session, search, check);
   for (const Message& line : check.contents) o.output.line(line);
-  const auto size = check.problems.empty() ? target_size_of(session) : std::nullopt;
+  const auto size = check.problems.empty() ? find_target_size(session) : std::nullopt;
   if (size) check.warnings.push_back(size->text + " " + size->fix);
   for (const Message& line : check.warnings) o.output.line("warning: " + line);
   for (const Message& line : check.problems) o.output.line("PROBLEM: " + line);
@@ -72,7 +72,7 @@ int run(const CheckArguments& o) {
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
   const std::vector<Blunder> blunders =
-      check.problems.empty() && !settles_it(size) ? blunders_of(session) : std::vector<Blunder>();
+      check.problems.empty() && !settles_it(size) ? list_blunders(session) : std::vector<Blunder>();
   print_blunders(o.output, o.session, blunders);
   Json json = check_json(session, check);
   json["target_size"] = target_size_json(size);

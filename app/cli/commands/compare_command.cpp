@@ -26,7 +26,7 @@ struct CompareArguments {
   Output output;
 };
 
-CalibratedRobot calibration_of(const std::string& path, const std::string& robot) {
+CalibratedRobot make_calibration(const std::string& path, const std::string& robot) {
   if (robot.empty())
     throw InputError(message("{}: a calibration alone has no robot; name its URDF with --robot.", path));
   return calibrated_robot(read_calibration(path), read_urdf(robot), robot, path);
@@ -35,7 +35,7 @@ CalibratedRobot calibration_of(const std::string& path, const std::string& robot
 Comparison compared(const CompareArguments& o) {
   const std::string &older = o.sources[0], &newer = o.sources[1];
   const bool first = is_calibration_file(older), second = is_calibration_file(newer);
-  if (first && second) return compare(calibration_of(older, o.robot), calibration_of(newer, o.robot));
+  if (first && second) return compare(make_calibration(older, o.robot), make_calibration(newer, o.robot));
   if (second)
     throw InputError(
         "The second is a calibration and the first a session: name the calibration first, it is the older one.");
@@ -48,11 +48,11 @@ Comparison compared(const CompareArguments& o) {
   }
   const Session after = open_searched_session(newer);
   CalibratedRobot robot = calibrated_robot(read_calibration(older), after.robot, after.robot_file, older);
-  return compare(o.robot.empty() ? robot : calibration_of(older, o.robot), after);
+  return compare(o.robot.empty() ? robot : make_calibration(older, o.robot), after);
 }
 
 /// A collection's sessions with what it says that they share; sessions by themselves with the same sensor and body.
-std::vector<JoinedMember> members_of(const std::vector<std::string>& sources) {
+std::vector<JoinedMember> list_members(const std::vector<std::string>& sources) {
   const auto open = [](const std::string& path) { return open_searched_session(path); };
   if (sources.size() == 1 && is_collection(sources.front()))
     return opened_members(read_collection(sources.front()), open);
@@ -60,14 +60,14 @@ std::vector<JoinedMember> members_of(const std::vector<std::string>& sources) {
   if (sources.size() == 1 || !std::all_of(sources.begin(), sources.end(), is_session))
     throw InputError(
         "compare takes two sessions or calibrations, or three sessions and more, or one collection; name them so.");
-  Collection all = collection_of(sources, {}, {});
+  Collection all = gather_collection(sources, {}, {});
   for (CollectionEntry& e : all.entries) e.rig = e.body = "the same";
   return opened_members(all, open);
 }
 
 int compare_several(const CompareArguments& o) {
   if (!o.robot.empty()) throw InputError("--robot is for two calibrations; sessions have their own robot.");
-  const SeveralComparison c = compare(members_of(o.sources), o.effects);
+  const SeveralComparison c = compare(list_members(o.sources), o.effects);
   print_comparison(o.output, c);
   o.output.json(comparison_json(c));
   return done;

@@ -6,7 +6,7 @@
 #include "command.h"
 #include "options/driven_poses.h"
 #include "printing/outputs.h"
-#include "printing/told_json.h"
+#include "printing/reported_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -74,10 +74,10 @@ int run(const CorrectArguments& o) {
     o.output.json(list);
     return done;
   }
-  const std::vector<Circumstances> poses = driven_poses(o.poses, source);
+  const std::vector<ObservationState> poses = driven_poses(o.poses, source);
   bool all_reached = true;
   o.output.line("before mm  after mm  sigma mm   command");
-  for (const Circumstances& pose : poses) {
+  for (const ObservationState& pose : poses) {
     const Correction c = corrected(pose, source.model, target);
     all_reached = all_reached && c.reached;
     o.output.line(fmt::format("{:>9.3f} {:>9.3f} {:>9.3f}   {}{}", 1e3 * c.error_before_m, 1e3 * c.error_after_m,

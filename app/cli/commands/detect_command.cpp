@@ -50,7 +50,7 @@ int run(const DetectArguments& o) {
   print_corners(o.output, "right", right);
   Json pairs = Json::array();
   o.output.line("pairs: left right  epipolar px      x        y        z m");
-  for (const CornerPair& p : corner_pairs(stereo_of(*session.rig), left, right)) {
+  for (const CornerPair& p : corner_pairs(make_stereo(*session.rig), left, right)) {
     o.output.line(fmt::format("       {:>4} {:>5}  {:>11.3f} {:>8.4f} {:>8.4f} {:>8.4f}", p.left, p.right,
                               p.point.epipolar_distance, p.point.point.x(), p.point.point.y(), p.point.point.z()));
     pairs.push_back({{"left", p.left},

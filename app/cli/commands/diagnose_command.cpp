@@ -38,13 +38,13 @@ int run(const DiagnoseArguments& o) {
   };
   const Diagnosis d = diagnose(session, options);
   const bool in_full = !o.output.json_file.empty() || !o.proof_file.empty();
-  const Proofs proofs = proofs_of(session, d, in_full);
+  const Proofs proofs = make_proofs(session, d, in_full);
   print_diagnosis(o.output, session, d);
   print_proof(o.output, d, proofs);
-  const std::vector<BillRow> bill = bill_of(d.model.fit);
+  const std::vector<BillRow> bill = make_bill(d.model.fit);
   print_bill(o.output, bill);
   const std::vector<Blunder> blunders =
-      is_size_alone(d) ? std::vector<Blunder>() : blunders_of(d.model.session, d.model.fit);
+      is_size_alone(d) ? std::vector<Blunder>() : list_blunders(d.model.session, d.model.fit);
   print_blunders(o.output, o.session, blunders);
   if (!o.proof_file.empty()) {
     write_output(o.proof_file, proof_csv(d, proofs), "--proof");

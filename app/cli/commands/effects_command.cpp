@@ -14,7 +14,7 @@ struct ScopeWords {
   const char *name, *at;
 };
 
-ScopeWords words_of(EffectScope scope) {
+ScopeWords list_words(EffectScope scope) {
   switch (scope) {
     case EffectScope::joint:
       return {"joint", ", at each joint"};
@@ -46,7 +46,7 @@ Json effect_json(const Effect& effect) {
   Json j{{"id", effect.id},
          {"title", effect.title},
          {"cause", effect.cause},
-         {"scope", words_of(effect.scope).name},
+         {"scope", list_words(effect.scope).name},
          {"parameters", parameters},
          {"visibility", effect.visibility},
          {"check", effect.check},
@@ -58,15 +58,15 @@ Json effect_json(const Effect& effect) {
 
 void print_effect(const Output& output, const Effect& effect) {
   output.line(fmt::format("{}  ({})", effect.id, effect.title));
-  const auto told = [&](const char* what, const std::string& text) {
+  const auto reported = [&](const char* what, const std::string& text) {
     if (!text.empty()) output.line(std::string("  ") + what + text);
   };
-  told("", effect.cause);
+  reported("", effect.cause);
   for (const EffectParameter& p : effect.parameters)
-    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, words_of(effect.scope).at));
-  told("Seen: ", effect.visibility);
-  told("Check: ", effect.check);
-  told("Source: ", effect.source);
+    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, list_words(effect.scope).at));
+  reported("Seen: ", effect.visibility);
+  reported("Check: ", effect.check);
+  reported("Source: ", effect.source);
   if (!effect.definition) return;
   for (const DefinedMove& m : effect.definition->moves) output.line(fmt::format("  Moves {} by {}", m.site, m.formula));
   output.line(fmt::format("  From {}, line {}", effect.definition->file, effect.definition->line));
@@ -78,7 +78,7 @@ int run(const EffectsArguments& o) {
   OwnEffects own;
   if (!o.session.empty()) {
     const Session session = open_session(o.session);
-    own = own_effects_of(session, chain_of(session));
+    own = list_own_effects(session, make_chain(session));
   }
   const auto tell = [&](const Effect& effect) {
     print_effect(o.output, effect);

@@ -12,8 +12,8 @@
 #include "command.h"
 #include "experiment/driver/child_driver.h"
 #include "experiment/loop/experiment.h"
+#include "options/competing_effects.h"
 #include "options/named_effects.h"
-#include "options/rival_effects.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
 
@@ -134,7 +134,7 @@ ExperimentOptions options_of(const ExperimentArguments& o, const Session& sessio
   ExperimentOptions options;
   options.until = goals_of(o);
   add_effects(o.effects, session, options.model.held, options.model.estimated);
-  if (!o.between.empty()) options.between = rivals(o.between, session);
+  if (!o.between.empty()) options.between = competing(o.between, session);
   if (!o.cell.empty()) options.cell = read_cell(o.cell);
   if (!o.box.empty()) {
     const Vector3 a(o.box[0], o.box[1], o.box[2]), b(o.box[3], o.box[4], o.box[5]);

@@ -5,7 +5,7 @@
 
 #include "command.h"
 #include "diagnosis/outliers/flipped_targets.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
@@ -39,16 +39,16 @@ int run(const FitArguments& o) {
   options.fix_markers = o.fix_markers;
   add_effects(o.effects, session, options.effects, options.estimated);
   std::vector<Message> notes;
-  options.camera_images = camera_images_of(o.camera_images, session, notes);
+  options.camera_images = find_camera_images(o.camera_images, session, notes);
   CleanFit clean{session, fit(session, options), {}};
   const auto flipped = flipped_targets(session, clean.fit);
-  if (o.without_wrong_points) clean = clean_model(without_flipped(session, flipped), options);
+  if (o.without_wrong_points) clean = fit_without_outliers(without_flipped(session, flipped), options);
   const Fit& result = clean.fit;
   for (const Message& note : notes) Output::note(note);
-  FitReport told = report(clean.session, result, options);
-  told.held_out_region = held_out_by_region(clean.session, result, options);
-  hold_out_sessions(clean.session, result, options, told);
-  print_fit(o.output, session, result, told, options);
+  FitReport reported = report(clean.session, result, options);
+  reported.held_out_region = held_out_by_region(clean.session, result, options);
+  hold_out_sessions(clean.session, result, options, reported);
+  print_fit(o.output, session, result, reported, options);
   if (options.camera_images) print_camera_images(o.output, *options.camera_images, *result.problem.rig);
   if (!clean.wrong.empty())
     o.output.line(fmt::format("Left out: {} wrong points (wrong_points of --json)", clean.wrong.size()));
@@ -61,9 +61,10 @@ int run(const FitArguments& o) {
     o.output.line(lone_text(lone, session.is_tracker(), false) + " --without-wrong-points fits without.");
   const auto size = is_plain ? other_target_size(clean.session, result, options) : std::nullopt;
   print_target_size(o.output, size);
-  const std::vector<Blunder> blunders = settles_it(size) ? std::vector<Blunder>() : blunders_of(clean.session, result);
+  const std::vector<Blunder> blunders =
+      settles_it(size) ? std::vector<Blunder>() : list_blunders(clean.session, result);
   print_blunders(o.output, o.sessions.front(), blunders);
-  Json json = fit_json(session, result, told, options);
+  Json json = fit_json(session, result, reported, options);
   json["target_size"] = target_size_json(size);
   json["blunders"] = blunders_json(blunders);
   json["lone_observations"] = lone_json(lone);
@@ -72,7 +73,7 @@ int run(const FitArguments& o) {
   if (options.camera_images) json["camera_images"] = camera_images_json(*options.camera_images, *result.problem.rig);
   o.output.json(json);
   if (!o.output.export_file.empty())
-    o.output.calibration(calibration_of(session, result, told, options, "handsight " HANDSIGHT_VERSION));
+    o.output.calibration(make_calibration(session, result, reported, options, "handsight " HANDSIGHT_VERSION));
   return result.converged() && !never_moved(result) ? done : answer_is_no;
 }
 

@@ -31,8 +31,8 @@ int run(const ImproveArguments& o) {
   print_improvement(o.output, session, m);
   o.output.json(improvement_json(session, m));
   if (!o.output.export_file.empty())
-    o.output.calibration(calibration_of(session, m.last.model.fit, m.last.report, m.last.model_options,
-                                        "handsight " HANDSIGHT_VERSION, m.certainty.doubt));
+    o.output.calibration(make_calibration(session, m.last.model.fit, m.last.report, m.last.model_options,
+                                          "handsight " HANDSIGHT_VERSION, m.inclusion_probabilities.model_uncertainty));
   const bool no = m.last.verdict == Verdict::unexplained || m.last.verdict == Verdict::too_few_observations ||
                   !m.last.model.fit.converged();
   return no ? answer_is_no : done;

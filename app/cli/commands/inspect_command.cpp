@@ -8,7 +8,7 @@
 #include "diagnosis/attribution/fresh_poses.h"
 #include "diagnosis/attribution/inspection.h"
 #include "diagnosis/outliers/flipped_targets.h"
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "options/named_effects.h"
 #include "printing/diagnosis_output.h"
 #include "printing/json_values.h"
@@ -29,7 +29,7 @@ struct InspectArguments {
 struct Inspected {
   const Session& session;
   CleanFit clean;
-  FitReport told;
+  FitReport reported;
   Inspection all;
   std::vector<FreshPose> fresh;
   std::vector<FlippedTarget> flipped;
@@ -65,11 +65,11 @@ Inspected inspected(const Session& session, const InspectArguments& o) {
   add_effects(o.effects, session, options.effects, options.estimated);
   std::vector<FlippedTarget> flipped;
   if (session.pose_sensor) flipped = flipped_targets(session, fit(session, options));
-  Inspected result{.session = session, .clean = clean_model(without_flipped(session, flipped), options)};
+  Inspected result{.session = session, .clean = fit_without_outliers(without_flipped(session, flipped), options)};
   result.flipped = flipped;
-  result.told = report(result.clean.session, result.clean.fit, options);
+  result.reported = report(result.clean.session, result.clean.fit, options);
   const SecondLooks looks = o.second_look ? look_again(session, result.clean.fit) : SecondLooks{};
-  result.all = inspect(session, result.clean.fit, result.told, looks);
+  result.all = inspect(session, result.clean.fit, result.reported, looks);
   for (InspectionRow& row : result.all.rows)
     if (result.is_flipped(row.id))
       row.what_would_mend = "its flat target flipped to the mirror tilt: leave the observation out";
@@ -78,7 +78,7 @@ Inspected inspected(const Session& session, const InspectArguments& o) {
   return result;
 }
 
-std::string state_of(const Observation& o) {
+std::string read_state(const Observation& o) {
   switch (o.decision) {
     case Decision::rejected:
       return "rejected";
@@ -89,8 +89,8 @@ std::string state_of(const Observation& o) {
   }
 }
 
-std::string cause_of(const Blame& blame, bool tracker) {
-  switch (blame.letter) {
+std::string cause_of(const ErrorAttribution& attribution, bool tracker) {
+  switch (attribution.letter) {
     case 'C':
       return tracker ? "tracker" : "cameras";
     case 'B':
@@ -139,12 +139,12 @@ std::vector<FreshPose> that_test(const std::vector<FreshPose>& poses) {
 void print(const Inspected& in, int count, const Output& out) {
   const bool tracker = in.session.is_tracker();
   out.line(fmt::format("{}: {} observations, {} used", in.session.title.empty() ? "Session" : in.session.title,
-                       in.told.observations, in.told.used));
+                       in.reported.observations, in.reported.used));
   if (!in.all.noise) out.line("The noise is not known: whose fault an error is cannot be said.");
-  if (in.all.blame.letter != 0)
+  if (in.all.attribution.letter != 0)
     out.line(fmt::format("Blame     robot {} %, marker body {} %, {} {} % of what exceeds the noise",
-                         whole_percent(in.all.blame.robot), whole_percent(in.all.blame.body),
-                         tracker ? "tracker" : "cameras", whole_percent(in.all.blame.cameras)));
+                         whole_percent(in.all.attribution.robot), whole_percent(in.all.attribution.body),
+                         tracker ? "tracker" : "cameras", whole_percent(in.all.attribution.cameras)));
   out.line();
   out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}", "id", "state", "error", "hand off", "turned",
                        "worst", "whose fault, and what would make it right"));
@@ -152,11 +152,12 @@ void print(const Inspected& in, int count, const Output& out) {
   for (std::size_t i = 0; i < std::min(rows.size(), static_cast<std::size_t>(count)); ++i) {
     const InspectionRow& r = *rows[i];
     const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-    const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.blame, tracker);
+    const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.attribution, tracker);
     std::optional<double> off;
     if (r.tcp_from_tcp_est) off = r.tcp_from_tcp_est->translation.norm();
-    out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}{}", r.id, state_of(o), size_text(*r.rms, tracker),
-                         or_dash(off, 1e3, "mm"), or_dash(r.angle, 57.29577951308232, "deg"), worst_text(r, in.rig()),
+    out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}{}", r.id, read_state(o),
+                         size_text(*r.rms, tracker), or_dash(off, 1e3, "mm"),
+                         or_dash(r.angle, 57.29577951308232, "deg"), worst_text(r, in.rig()),
                          cause.empty() ? "noise" : cause, r.what_would_mend.empty() ? "" : ": " + r.what_would_mend));
   }
   if (rows.size() > static_cast<std::size_t>(count))
@@ -175,14 +176,14 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
   const bool tracker = in.session.is_tracker();
   const Json null = nullptr;
   const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-  const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.blame, tracker);
+  const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.attribution, tracker);
   Json worst = nullptr;
   if (r.worst_marker >= 0)
     worst = {{"marker", r.worst_marker},
              {"seen_by", r.worst_camera < 0 ? "tracker" : in.rig()->at(r.worst_camera).name},
              {"off_by", r.worst_size}};
   return {{"id", r.id},
-          {"state", state_of(o)},
+          {"state", read_state(o)},
           {"reason", o.reason},
           {"used", r.is_used},
           {"second_look", r.at_second_look},
@@ -193,7 +194,7 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
           {"tcp_from_tcp_est", r.tcp_from_tcp_est ? motion(*r.tcp_from_tcp_est) : null},
           {"worst", worst},
           {"cause", cause.empty() ? null : Json(cause)},
-          {"blame", {{"cameras", r.blame.cameras}, {"body", r.blame.body}, {"robot", r.blame.robot}}},
+          {"blame", {{"cameras", r.attribution.cameras}, {"body", r.attribution.body}, {"robot", r.attribution.robot}}},
           {"what_would_mend", r.what_would_mend.empty() ? null : Json(r.what_would_mend)},
           {"smallest_visible_pixel", tracker ? null : number(r.smallest_visible)},
           {"smallest_visible_m", tracker ? number(r.smallest_visible) : null},
@@ -203,7 +204,7 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
 Json inspection_json(const Inspected& in) {
   const bool tracker = in.session.is_tracker();
   const Json null = nullptr;
-  const Blame& blame = in.all.blame;
+  const ErrorAttribution& attribution = in.all.attribution;
   Json rows = Json::array(), fresh = Json::array();
   for (const InspectionRow& r : in.all.rows) rows.push_back(row_json(in, r));
   for (const FreshPose& p : in.fresh)
@@ -212,11 +213,11 @@ Json inspection_json(const Inspected& in) {
                      {"allowed_m", number(p.allowed)},
                      {"hit", p.is_hit},
                      {"known_bad", p.is_known_bad}});
-  return {{"observations", in.told.observations},
-          {"used", in.told.used},
+  return {{"observations", in.reported.observations},
+          {"used", in.reported.used},
           {"noise_pixel", tracker ? null : number(in.all.noise)},
           {"noise_m", tracker ? number(in.all.noise) : null},
-          {"blame", {{"cameras", blame.cameras}, {"body", blame.body}, {"robot", blame.robot}}},
+          {"blame", {{"cameras", attribution.cameras}, {"body", attribution.body}, {"robot", attribution.robot}}},
           {"wrong_points", wrong_points_json(in.clean.wrong, in.clean.session)},
           {"lone_observations", lone_json(in.clean.lone)},
           {"flipped_targets", flipped_json(in.flipped)},

@@ -70,14 +70,15 @@ int run(const LabelArguments& options) {
   if (observation.images[0].empty() || observation.images[1].empty())
     throw InputError(message("Observation {} has no images to label; name a left and a right image in its <images>.",
                              observation.id));
-  const std::vector<int> numbers_of = marker_numbers(options, session.marker_count);
+  const std::vector<int> list_numbers = marker_numbers(options, session.marker_count);
   std::vector<Vector2> pointed;
   for (const std::string& text : options.left) pointed.push_back(parse_point(text));
   const Image left =
       read_image(folder(session) / observation.images[0], session.rig->at(0).camera, observation.images[0]);
   const Image right =
       read_image(folder(session) / observation.images[1], session.rig->at(1).camera, observation.images[1]);
-  const FirstLabels labels = label_first(stereo_of(*session.rig), detect_corners(left), detect_corners(right), pointed);
+  const FirstLabels labels =
+      label_first(make_stereo(*session.rig), detect_corners(left), detect_corners(right), pointed);
   Json result{{"observation", observation.id}, {"refusal", labels.refusal}, {"markers", Json::array()}};
   if (!labels.refusal.empty()) {
     options.output.json(result);
@@ -86,10 +87,10 @@ int run(const LabelArguments& options) {
   observation.sightings.clear();
   for (std::size_t m = 0; m < labels.markers.size(); ++m) {
     const LabelledMarker& l = labels.markers[m];
-    Sighting& sighting = observation.sightings.emplace_back(Sighting{.marker = numbers_of[m], .by = MarkedBy::hand});
+    Sighting& sighting = observation.sightings.emplace_back(Sighting{.marker = list_numbers[m], .by = MarkedBy::hand});
     see(sighting, 0, l.left, pixel_sigma(l.left_covariance));
     see(sighting, 1, l.right, pixel_sigma(l.right_covariance));
-    result["markers"].push_back({{"index", numbers_of[m]},
+    result["markers"].push_back({{"index", list_numbers[m]},
                                  {"left", numbers(l.left)},
                                  {"right", numbers(l.right)},
                                  {"point", numbers(l.point.point)},
@@ -97,11 +98,12 @@ int run(const LabelArguments& options) {
                                  {"other_candidates", l.other_candidates}});
     options.output.line(fmt::format(
         "marker {}  left {:8.2f} {:8.2f}  right {:8.2f} {:8.2f}  depth {:.3f} m  {:.2f} px from its epipolar line",
-        numbers_of[m], l.left.x(), l.left.y(), l.right.x(), l.right.y(), l.point.point.z(), l.point.epipolar_distance));
+        list_numbers[m], l.left.x(), l.left.y(), l.right.x(), l.right.y(), l.point.point.z(),
+        l.point.epipolar_distance));
   }
   for (std::size_t a = 0; a < labels.markers.size(); ++a)
     for (std::size_t b = a + 1; b < labels.markers.size(); ++b)
-      options.output.line(fmt::format("side {}-{}  {:.1f} mm", numbers_of[a], numbers_of[b],
+      options.output.line(fmt::format("side {}-{}  {:.1f} mm", list_numbers[a], list_numbers[b],
                                       1e3 * (labels.markers[b].point.point - labels.markers[a].point.point).norm()));
   std::sort(observation.sightings.begin(), observation.sightings.end(),
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });

@@ -8,8 +8,8 @@
 #include "command.h"
 #include "diagnosis/planning/planning.h"
 #include "estimation/fit/part_fit.h"
+#include "options/competing_effects.h"
 #include "options/named_effects.h"
-#include "options/rival_effects.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
 
@@ -126,7 +126,7 @@ PartPlan plan_of_part(const PlanArguments& o, const Session& joined, const Fit& 
     const bool is_free = std::any_of(e.sigmas.begin(), e.sigmas.end(), [](double s) { return s > 0; });
     (is_free ? options.estimated : options.effects).push_back(e.term);
   }
-  if (!o.between.empty()) options.between = rivals(o.between, own.session);
+  if (!o.between.empty()) options.between = competing(o.between, own.session);
   PartPlan result{std::move(own.session), {}};
   result.plan = plan(result.session, options);
   return result;
@@ -180,7 +180,7 @@ int run(const PlanArguments& o) {
   PlanOptions options;
   options.count = o.count;
   add_effects(o.effects, session, options.effects, options.estimated);
-  if (!o.between.empty()) options.between = rivals(o.between, session);
+  if (!o.between.empty()) options.between = competing(o.between, session);
   const Plan p = plan(session, options);
   print(o, session, p);
   o.output.json(plan_json(session, p));

@@ -6,7 +6,7 @@
 #include "options/driven_poses.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
-#include "printing/told_json.h"
+#include "printing/reported_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -18,7 +18,7 @@ struct PredictArguments {
 };
 
 /// Where what was fitted at the hand (the camera on it, else the body) is, and its sigma: position (m), then rotation
-/// (rad), root axes. The flange is taken as it is told.
+/// (rad), root axes. The flange is taken as it is reported.
 Vector6 carried_sigma(const TcpPrediction& p, const PredictionModel& model) {
   // root_from_carried = root_from_hand exp(xi) hand_from_carried: a motion about the hand's origin, told at its place.
   Matrix6 at_place = Matrix6::Identity();
@@ -31,8 +31,8 @@ Vector6 carried_sigma(const TcpPrediction& p, const PredictionModel& model) {
 }
 
 /// `--position` is "x y z roll pitch yaw" of the flange; the joints that stand for it are x y z yaw pitch roll.
-std::vector<Circumstances> flange_poses(const PoseOptions& o, const CalibratedRobot& source) {
-  std::vector<Circumstances> poses = driven_poses(o, source);
+std::vector<ObservationState> flange_poses(const PoseOptions& o, const CalibratedRobot& source) {
+  std::vector<ObservationState> poses = driven_poses(o, source);
   for (std::size_t i = 0; i < o.positions.size(); ++i)
     std::swap(poses[i].sensor[source.chain.joints[3]], poses[i].sensor[source.chain.joints[5]]);
   return poses;
@@ -46,7 +46,7 @@ int run_of_flange(const PredictArguments& o, const CalibratedRobot& source) {
   o.output.line(
       "      x        y        z m     roll    pitch      yaw deg   sigma x  y  z mm       sigma rx  ry  rz deg");
   Json list = Json::array();
-  for (const Circumstances& pose : flange_poses(o.poses, source)) {
+  for (const ObservationState& pose : flange_poses(o.poses, source)) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_body_est.translation,
                   rpy = degrees * rpy_from_rotation(p.root_from_body_est.rotation);
@@ -56,9 +56,9 @@ int run_of_flange(const PredictArguments& o, const CalibratedRobot& source) {
                     "{:>7.4f} {:>7.4f}",
                     t.x(), t.y(), t.z(), rpy.x(), rpy.y(), rpy.z(), 1e3 * s[0], 1e3 * s[1], 1e3 * s[2], degrees * s[3],
                     degrees * s[4], degrees * s[5]));
-    Json told = prediction_json(p, true);
-    told["sigma"] = numbers(s);
-    list.push_back(told);
+    Json reported = prediction_json(p, true);
+    reported["sigma"] = numbers(s);
+    list.push_back(reported);
   }
   o.output.json(list);
   return done;
@@ -75,7 +75,7 @@ int run(const PredictArguments& o) {
     Output::note(
         "The markers do not show how the body is turned; sigma is that of the position, and rotations have none.");
   o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
-  for (const Circumstances& pose : driven_poses(o.poses, source)) {
+  for (const ObservationState& pose : driven_poses(o.poses, source)) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
     const Vector6 s = p.sigma();

@@ -40,7 +40,7 @@ Json size_json(const WatchStep& step) {
   Json sizes = Json::array();
   Eigen::Index next = 0;
   for (const EffectTerm& term : step.terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < term.values.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
       sizes.push_back({{"id", term.id},
@@ -55,7 +55,7 @@ Json size_json(const WatchStep& step) {
 
 Json step_json(const Observation& o, const WatchStep& step) {
   return {{"id", o.id},
-          {"e_value", number(e_value_of(step))},
+          {"e_value", number(compute_e_value(step))},
           {"ln_e_value", number(step.ln_e_value)},
           {"changed", step.changed},
           {"what", step.what},
@@ -80,7 +80,7 @@ class Rechecking {
       std::cout << json_text(step_json(o, *step), -1) << '\n' << std::flush;
     else
       lines_ += json_text(step_json(o, *step), -1) + '\n';
-    options_.output.line(fmt::format("{:>6}  e-value {:>9.3g}  {}{}", o.id, e_value_of(*step),
+    options_.output.line(fmt::format("{:>6}  e-value {:>9.3g}  {}{}", o.id, compute_e_value(*step),
                                      step->changed ? "CHANGED  " : "", step->changed ? step->text : ""));
     std::cout.flush();
     if (!options_.csv.empty()) add_to_log(options_.csv, recheck_entry(utc_now(), o.id, *step));
@@ -97,7 +97,7 @@ class Rechecking {
                           "time). {}.",
                           last_->text)
             : fmt::format("Nothing speaks for a change after {} observations (e-value {:.3g}; 1000 would).", count_,
-                          e_value_of(*last_)));
+                          compute_e_value(*last_)));
     return last_->changed ? answer_is_no : done;
   }
 
@@ -110,7 +110,7 @@ class Rechecking {
 };
 
 /// A session of a tracker that the calibration alone describes.
-Session session_of(const CalibratedRobot& before) {
+Session find_session(const CalibratedRobot& before) {
   if (!before.calibration.fit.noise_m || before.calibration.fit.noise_pixel)
     throw InputError(
         "recheck --driver: a calibration does not say what the cameras are; name a session of the same robot and "
@@ -211,7 +211,7 @@ int run(const RecheckArguments& o) {
   if (session)
     for (const Observation& one : session->observations) rechecking.take(*session, one, o.driver.empty());
   if (!o.watch.empty()) watch(o, *session, rechecking);
-  if (!o.driver.empty()) drive(o, before, session ? *session : session_of(before), session.has_value(), rechecking);
+  if (!o.driver.empty()) drive(o, before, session ? *session : find_session(before), session.has_value(), rechecking);
   return rechecking.finish();
 }
 

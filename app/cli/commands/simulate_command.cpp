@@ -55,7 +55,7 @@ int run_of_collection(const SimulateArguments& o) {
   const Collection given = read_collection(o.like);
   for (std::size_t i = 0; i < given.entries.size(); ++i) {
     SimulateArguments one = o;
-    one.like = folder_of(given, given.entries[i]).string();
+    one.like = find_folder(given, given.entries[i]).string();
     one.out = (std::filesystem::path(o.out) / given.entries[i].title).string();
     one.simulation.seed += i;
     one.output.json_file.clear();
@@ -84,7 +84,7 @@ int run(const SimulateArguments& o) {
   }
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
-  const OwnEffects own = own_effects_of(like, chain_of(like));
+  const OwnEffects own = list_own_effects(like, make_chain(like));
   for (const std::string& effect : o.effects) add_effect_value(effect, like.robot, options.effects, own);
   check_terms(options.effects, like.marker_count);
   for (const std::string& curve : o.curves) options.curves.push_back(parse_curve(curve, like.robot));

@@ -48,10 +48,10 @@ int run(const TargetArguments& o) {
   if (o.target.kind == "touch") return run_touch(o);
   const Target target = target_from(o.target);
   require_output(o.out, "--out");
-  const Sheet sheet = sheet_of(target);
+  const Sheet sheet = make_sheet(target);
   write_output(o.out, file_of(sheet, o), "--out");
   const Output out;
-  out.line(fmt::format("{}: {}", o.out, description_of(target)));
+  out.line(fmt::format("{}: {}", o.out, describe_target(target)));
   out.line(fmt::format("{} sheet of {:.0f} x {:.0f} mm; print it at 100 % and check its ruler.",
                        sheet.paper == "own size" ? "A" : sheet.paper, 1e3 * sheet.width, 1e3 * sheet.height));
   if (looks_the_same_turned(target))

@@ -16,8 +16,8 @@ void add_camera_images_options(const CommandLine& command, CameraImagesOptions& 
   add_target_options(command, options.target, true);
 }
 
-std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOptions& options, const Session& session,
-                                                        std::vector<Message>& notes) {
+std::shared_ptr<const CameraKnowledge> find_camera_images(const CameraImagesOptions& options, const Session& session,
+                                                          std::vector<Message>& notes) {
   if (options.images.empty()) {
     if (is_given(options.target))
       throw InputError("--target says what --camera-images show, and there are none; name them, or leave it out.");
@@ -31,7 +31,7 @@ std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOption
         "The session has no target; say with --target what --camera-images show, for example \"charuco "
         "columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\".");
   const Target target = is_given(options.target) ? target_from(options.target) : *session.target;
-  const GroupedImages grouped = by_cameras_of(
+  const GroupedImages grouped = group_by_cameras(
       group_images(std::vector<std::filesystem::path>(options.images.begin(), options.images.end())), *session.rig);
   std::size_t count = 0;
   for (const CameraImages& camera : grouped.cameras) {

@@ -23,8 +23,8 @@ void add_camera_images_options(const CommandLine& command, CameraImagesOptions& 
 
 /// Null where no images are named; InputError where they are not of the session's cameras. What was taken for what is
 /// told once they are of use, in `notes`.
-std::shared_ptr<const CameraKnowledge> camera_images_of(const CameraImagesOptions& options, const Session& session,
-                                                        std::vector<Message>& notes);
+std::shared_ptr<const CameraKnowledge> find_camera_images(const CameraImagesOptions& options, const Session& session,
+                                                          std::vector<Message>& notes);
 
 /// How far the rig of a fit is from what the images say, in lines and as JSON.
 void print_camera_images(const Output& output, const CameraKnowledge& knowledge, const Rig& fitted);

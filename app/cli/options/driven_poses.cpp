@@ -24,7 +24,7 @@ void say_how_driven(const PoseTable& table, const CalibratedRobot& source) {
                    : "what drifts and slips is taken from the column time, in the session's seconds.");
 }
 
-std::vector<Circumstances> table_poses(const std::string& file, const CalibratedRobot& source) {
+std::vector<ObservationState> table_poses(const std::string& file, const CalibratedRobot& source) {
   std::vector<Message> notes;
   const PoseTable table = read_pose_table(file, source.joint_names, &notes);
   for (const Message& note : notes) Output::note(note);
@@ -35,7 +35,7 @@ std::vector<Circumstances> table_poses(const std::string& file, const Calibrated
     if (!table.velocities.empty()) pose.velocity = table.velocities[i];
     if (!table.times.empty()) pose.time = table.times[i];
   }
-  return circumstances_at(source.chain, poses, source.times);
+  return states_at(source.chain, poses, source.times);
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ void add_pose_options(const CommandLine& command, PoseOptions& options) {
                  "CSV with one pose a line; columns time and velocity_JOINT say how the robot comes there");
 }
 
-std::vector<Circumstances> driven_poses(const PoseOptions& o, const CalibratedRobot& source) {
-  std::vector<Circumstances> all;
+std::vector<ObservationState> driven_poses(const PoseOptions& o, const CalibratedRobot& source) {
+  std::vector<ObservationState> all;
   const auto count = source.joint_names.size();
   for (const std::string& text : o.positions) {
     const auto numbers = parse_numbers(text);
@@ -60,11 +60,11 @@ std::vector<Circumstances> driven_poses(const PoseOptions& o, const CalibratedRo
       if (!bounds::joint.hold(number))
         throw InputError(message("--position \"{}\" holds {:g}; expected numbers from {:g} to {:g}.", text, number,
                                  bounds::joint.lowest, bounds::joint.highest));
-    all.push_back(circumstances_at(source.chain, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
-                                                     numbers->data(), static_cast<Eigen::Index>(count)))));
+    all.push_back(states_at(source.chain, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                                              numbers->data(), static_cast<Eigen::Index>(count)))));
   }
   if (!o.file.empty())
-    for (Circumstances& pose : table_poses(o.file, source)) all.push_back(std::move(pose));
+    for (ObservationState& pose : table_poses(o.file, source)) all.push_back(std::move(pose));
   if (all.empty()) throw InputError("No pose to predict; give --position \"q1 q2 ...\" or --positions FILE.csv.");
   return all;
 }

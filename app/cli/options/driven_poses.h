@@ -14,6 +14,6 @@ void add_pose_options(const CommandLine& command, PoseOptions& options);
 
 /// What the options name, those of --position first, each at rest and from nowhere. InputError where there is none or
 /// one is wrong. Prints what of the table was used.
-std::vector<Circumstances> driven_poses(const PoseOptions& options, const CalibratedRobot& source);
+std::vector<ObservationState> driven_poses(const PoseOptions& options, const CalibratedRobot& source);
 
 }  // namespace handsight::cli

@@ -36,8 +36,8 @@ void share(const std::vector<std::string>& lists, const char* option, std::strin
 
 }  // namespace
 
-Collection collection_of(const std::vector<std::string>& paths, const std::vector<std::string>& same_rig,
-                         const std::vector<std::string>& same_body) {
+Collection gather_collection(const std::vector<std::string>& paths, const std::vector<std::string>& same_rig,
+                             const std::vector<std::string>& same_body) {
   Collection collection;
   for (const std::string& path : paths) {
     const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();

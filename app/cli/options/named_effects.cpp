@@ -36,8 +36,8 @@ std::vector<std::string> apart(const std::vector<std::string>& texts, const OwnE
 
 void add_effects(const std::vector<std::string>& texts, const Session& session, std::vector<EffectTerm>& held,
                  std::vector<EffectTerm>& estimated) {
-  const Chain chain = chain_of(session);
-  const OwnEffects own = own_effects_of(session, chain);
+  const Chain chain = make_chain(session);
+  const OwnEffects own = list_own_effects(session, chain);
   for (const std::string& text : apart(texts, own)) {
     if (text.find('=') != std::string::npos) {
       add_effect_value(text, session.robot, held, own);

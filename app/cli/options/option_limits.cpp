@@ -9,7 +9,7 @@
 namespace handsight::cli {
 
 void check_terms(const std::vector<EffectTerm>& terms, int marker_count) {
-  if (const int needed = markers_of(terms); needed > marker_count)
+  if (const int needed = count_markers(terms); needed > marker_count)
     throw InputError(
         message("An effect is named at marker {}; the session has the markers 0 to {}.", needed - 1, marker_count - 1));
   for (const EffectTerm& term : terms)

@@ -16,12 +16,12 @@ namespace {
 /// Which part of a collection is meant; where none is named, the first, if all have one hand and one mount.
 int part_meant(const Session& joined, const std::string& title) {
   if (!title.empty() || joined.parts.empty()) return part_named(joined, title);
-  const auto mount_of = [&](const SessionPart& p) -> const std::string& {
+  const auto find_mount = [&](const SessionPart& p) -> const std::string& {
     return p.mount == 0 ? joined.mount.link : joined.other_mounts[static_cast<std::size_t>(p.mount - 1)].link;
   };
   if (joined.is_touch()) return 0;
   for (const SessionPart& p : joined.parts)
-    if (p.tcp != joined.tcp || mount_of(p) != joined.mount.link)
+    if (p.tcp != joined.tcp || find_mount(p) != joined.mount.link)
       throw InputError(
           message("{}: its sessions have several hands or sensors; say which with --session, for example --session {}.",
                   joined.title, p.title));
@@ -29,10 +29,10 @@ int part_meant(const Session& joined, const std::string& title) {
 }
 
 /// One session of several, with the robot that all of them tell.
-CalibratedRobot robot_of_part(const Session& joined, const Fit& fitted, const FitReport& told,
+CalibratedRobot robot_of_part(const Session& joined, const Fit& fitted, const FitReport& reported,
                               const FitOptions& options, int part) {
   const PartFit own = fit_of_part(joined, fitted, part);
-  const FitReport report_of_it = report_of(part_reports(joined, fitted, told)[static_cast<std::size_t>(part)]);
+  const FitReport report_of_it = make_report(part_reports(joined, fitted, reported)[static_cast<std::size_t>(part)]);
   return calibrated_robot(own.session, own.fit, report_of_it, options, "handsight " HANDSIGHT_VERSION);
 }
 
@@ -51,10 +51,10 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   FitOptions options;
   add_effects(effects, session, options.effects, options.estimated);
   const Fit fitted = fit(session, options);
-  const FitReport told = report(session, fitted, options);
+  const FitReport reported = report(session, fitted, options);
   CalibratedRobot robot = session.parts.empty()
-                              ? calibrated_robot(session, fitted, told, options, "handsight " HANDSIGHT_VERSION)
-                              : robot_of_part(session, fitted, told, options, part_meant(session, part));
+                              ? calibrated_robot(session, fitted, reported, options, "handsight " HANDSIGHT_VERSION)
+                              : robot_of_part(session, fitted, reported, options, part_meant(session, part));
   if (!has_urdf) return robot;
   robot.urdf_text = read_file(urdf);
   robot.urdf_file = urdf.filename().string();
@@ -64,7 +64,7 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
 
 /// That of the session that is named; where none is, the first, if all have one hand and one mount.
 Calibration calibration_meant(const Calibration& all, const std::string& session, const std::string& path) {
-  if (!session.empty()) return session_of(all, session);
+  if (!session.empty()) return find_session(all, session);
   for (const Calibration& one : all.sessions)
     if (one.tcp != all.tcp || one.mount != all.mount)
       throw InputError(

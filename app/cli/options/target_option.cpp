@@ -20,7 +20,7 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 
 Target target_from_xml(const std::string& text) {
   const auto document = parse_xml(text, "--target");
-  return read_target(root_of(*document, "--target", "target"));
+  return read_target(require_root(*document, "--target", "target"));
 }
 
 /// Of a file that is a <target>, or a session's.
@@ -28,8 +28,8 @@ Target target_from_xml_file(const std::string& file) {
   const auto document = parse_xml(read_file(file), file);
   const tinyxml2::XMLElement* root = document->RootElement();
   if (root && std::string_view(root->Name()) == "handsight_session")
-    return read_target(required_child(root_of(*document, file, "handsight_session"), "target"));
-  return read_target(root_of(*document, file, "target"));
+    return read_target(required_child(require_root(*document, file, "handsight_session"), "target"));
+  return read_target(require_root(*document, file, "target"));
 }
 
 /// A target of this kind in words.

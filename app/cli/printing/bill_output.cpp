@@ -27,7 +27,7 @@ Json bill_json(const std::vector<BillRow>& rows) {
                     {"probability", number(row.probability)},
                     {"too_large", row.too_large},
                     {"pushes_back", row.pushes_back},
-                    {"cannot_be_told_from", row.cannot_be_told_from ? Json(*row.cannot_be_told_from) : null}});
+                    {"cannot_be_told_from", row.indistinguishable_from ? Json(*row.indistinguishable_from) : null}});
   return list;
 }
 

@@ -28,7 +28,7 @@ std::vector<Blunder> blunders_of_parts(const Session& joined) {
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     if (joined.parts[p].fixture >= 0) continue;
     const Session part = part_session(joined, static_cast<int>(p));
-    for (Blunder& b : blunders_of(part)) {
+    for (Blunder& b : list_blunders(part)) {
       b.session = joined.parts[p].title;
       b.folder = part.file.parent_path().string();
       all.push_back(std::move(b));
@@ -39,9 +39,9 @@ std::vector<Blunder> blunders_of_parts(const Session& joined) {
 
 }  // namespace
 
-std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
+std::vector<Blunder> list_blunders(const Session& session, const Fit& fit) {
   if (!session.parts.empty()) return session.is_touch() ? std::vector<Blunder>() : blunders_of_parts(session);
-  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
+  if (std::vector<Blunder> reported = blunders_in_files(session); !reported.empty()) return reported;
   if (!may_be_a_blunder(session, fit)) return {};
   Progress progress("looks for mistakes", 100);
   try {
@@ -50,16 +50,16 @@ std::vector<Blunder> blunders_of(const Session& session, const Fit& fit) {
       return true;
     });
   } catch (const InputError& error) {
-    // Looking for mistakes is beside what was asked for: what was found without it is told all the same.
+    // Looking for mistakes is beside what was asked for: what was found without it is reported all the same.
     Output::note(fmt::format("Mistakes of a whole kind could not be looked for: {}", error.what()));
     return {};
   }
 }
 
-std::optional<TargetSize> target_size_of(const Session& session) {
+std::optional<TargetSize> find_target_size(const Session& session) {
   if (!session.target && !session.pose_sensor) return std::nullopt;
   try {
-    const auto sample = sample_of(session, most_observations, most_observations);
+    const auto sample = take_sample(session, most_observations, most_observations);
     const Session& judged = sample ? sample->session : session;
     return other_target_size(judged, fit(judged, {.smallest_step = 1e-6}), {.smallest_step = 1e-6});
   } catch (const InputError&) {
@@ -67,12 +67,12 @@ std::optional<TargetSize> target_size_of(const Session& session) {
   }
 }
 
-std::vector<Blunder> blunders_of(const Session& session) {
-  if (std::vector<Blunder> told = blunders_in_files(session); !told.empty()) return told;
+std::vector<Blunder> list_blunders(const Session& session) {
+  if (std::vector<Blunder> reported = blunders_in_files(session); !reported.empty()) return reported;
   try {
-    const auto sample = sample_of(session, most_observations, most_observations);
+    const auto sample = take_sample(session, most_observations, most_observations);
     const Fit quick = fit(sample ? sample->session : session, {.smallest_step = 1e-6});
-    return blunders_of(session, quick);
+    return list_blunders(session, quick);
   } catch (const InputError&) {  // nothing to fit, which the command says itself
     return {};
   }
@@ -119,7 +119,7 @@ void print_blunders_of_one(const Output& out, const std::string& session_path, s
   for (const Blunder& b : blunders) {
     out.line("  " + b.text);
     out.line("  " + b.fix);
-    fixes += " --fix " + name_of(b);
+    fixes += " --fix " + display_name(b);
   }
   out.line(fmt::format("  Or: handsight-cli convert {}{} --out NEW", session_path, fixes));
 }

@@ -11,16 +11,17 @@ namespace handsight::cli {
 
 /// Those of a session by its fit, with a bar while they are sought; none where so little is left that there is nothing
 /// to look for.
-std::vector<Blunder> blunders_of(const Session& session, const Fit& fit);
+std::vector<Blunder> list_blunders(const Session& session, const Fit& fit);
 
 /// The same where there is no fit yet: a plain one is made of at most 100 observations. None where nothing can be
 /// fitted.
-std::vector<Blunder> blunders_of(const Session& session);
+std::vector<Blunder> list_blunders(const Session& session);
 
 /// other_target_size by such a plain fit; nothing where nothing can be fitted.
-std::optional<TargetSize> target_size_of(const Session& session);
+std::optional<TargetSize> find_target_size(const Session& session);
 
-/// A target of another size than described (target_size.h), which is told in place of blunders where it leaves little.
+/// A target of another size than described (target_size.h), which is reported in place of blunders where it leaves
+/// little.
 bool settles_it(const std::optional<TargetSize>& size);
 void print_target_size(const Output& output, const std::optional<TargetSize>& size);
 /// scale, sigma, text, fix, rms_before_pixel and rms_after_pixel (or ..._m); null where there is none.

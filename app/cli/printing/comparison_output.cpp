@@ -17,7 +17,7 @@ Json change_json(const Change& c) {
   Json parameters = Json::array();
   Eigen::Index s = 0;
   for (const EffectTerm& t : c.terms) {
-    const Effect& effect = effect_of(t);
+    const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
       parameters.push_back({{"id", t.id},
@@ -74,7 +74,7 @@ Json comparison_json(const Comparison& c) {
   return {{"verdict", verdict_name(c.verdict)},
           {"reason", c.sentence},
           {"changes", changes},
-          {"cannot_be_told_from", c.cannot_be_told_from},
+          {"cannot_be_told_from", c.indistinguishable_from},
           {"threshold", number(c.threshold)},
           {"numbers", numbers},
           {"hand_mean_m", number(c.hand_mean_m)},
@@ -98,9 +98,9 @@ Json candidate_json(const ChangeCandidate& c) {
 
 Json between_json(const ChangeBetween& c) {
   Json json = change_json(c.change);
-  json["before"] = c.told.before;
-  json["after"] = c.told.after;
-  json["probability"] = number(c.told.probability);
+  json["before"] = c.reported.before;
+  json["after"] = c.reported.after;
+  json["probability"] = number(c.reported.probability);
   json["text"] = c.text;
   json["alternatives"] = Json::array();
   for (const ChangeCandidate& other : c.alternatives) json["alternatives"].push_back(candidate_json(other));
@@ -113,7 +113,7 @@ void print_change(const Output& output, const ChangeBetween& c) {
   const auto line = [&](const ChangeCandidate& x) {
     output.line(fmt::format("{:<22} {:<14} {:>6.1f} %   {}", x.id, x.where, 100 * x.probability, sessions_text(x)));
   };
-  line(c.told);
+  line(c.reported);
   for (const ChangeCandidate& other : c.alternatives) {
     ChangeCandidate shown = other;
     shown.id = "  or " + other.id;
@@ -133,7 +133,7 @@ void print_comparison(const Output& output, const SeveralComparison& c) {
     output.line();
     for (const ChangeBetween& change : c.changes)
       output.line(fmt::format("{}{} moves the hand by {:.3f} mm in the mean over these poses, at most {:.3f} mm.",
-                              change.told.id, change.told.where.empty() ? "" : " of " + change.told.where,
+                              change.reported.id, change.reported.where.empty() ? "" : " of " + change.reported.where,
                               1e3 * change.hand_mean_m, 1e3 * change.hand_max_m));
   }
   output.line();

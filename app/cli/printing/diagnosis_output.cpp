@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/percent.h"
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/residuals/trend.h"
 #include "diagnosis/story/story.h"
@@ -24,7 +24,7 @@ namespace {
 Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
   Json list = Json::array();
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
-    const Effect& effect = effect_of(c.terms[t]);
+    const Effect& effect = term_effect(c.terms[t]);
     const std::string of = place_name(effect, c.terms[t].joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       list.push_back({{"of", of.empty() ? Json(nullptr) : Json(of)},
@@ -52,7 +52,7 @@ std::string unnamed_id(const Variable& v) {
 
 Json check_json(const DiagnosisCandidate& c) {
   if (!c.check) return nullptr;
-  return {{"text", effect_of(c.terms.front()).check},
+  return {{"text", term_effect(c.terms.front()).check},
           {"prediction", prediction_text(*c.check)},
           {"value", number(c.check->value)},
           {"sigma", number(c.check->sigma)},
@@ -62,11 +62,11 @@ Json check_json(const DiagnosisCandidate& c) {
 
 /// What is known of an unnamed function; as a curve that a model may take in where it could be written as one.
 void add_curve_keys(const Session& session, const DiagnosisCandidate& c, Json& j) {
-  const LocaliserTerm& best = c.unnamed->localiser.best;
-  j["variable"] = c.unnamed->localiser.variable->name;
-  j["site"] = best.site == LocaliserSite::joint ? session.robot.joints[static_cast<std::size_t>(best.joint)].name
-              : best.site == LocaliserSite::tcp ? "hand"
-                                                : "mount";
+  const EmpiricalErrorTerm& best = c.unnamed->empirical_error.best;
+  j["variable"] = c.unnamed->empirical_error.variable->name;
+  j["site"] = best.site == EmpiricalErrorSite::joint ? session.robot.joints[static_cast<std::size_t>(best.joint)].name
+              : best.site == EmpiricalErrorSite::tcp ? "hand"
+                                                     : "mount";
   j["formula"] = j["definition"] = nullptr;
   if (c.terms.empty()) return;
   const EffectDefinition& definition = *c.terms.front().own->definition;
@@ -78,7 +78,7 @@ void add_curve_keys(const Session& session, const DiagnosisCandidate& c, Json& j
 Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
-  Json j{{"id", c.unnamed ? unnamed_id(*c.unnamed->localiser.variable) : c.id},
+  Json j{{"id", c.unnamed ? unnamed_id(*c.unnamed->empirical_error.variable) : c.id},
          {"named", !c.unnamed},
          {"where", c.where},
          {"ln_bayes_factor", number(c.ln_bayes_factor)},
@@ -91,7 +91,7 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"parameters", parameters_json(session, c)},
          {"plausible", c.plausible},
          {"noncentrality_of_plausible_size", number(c.visibility)},
-         {"cannot_be_told_from", c.cannot_be_told_from},
+         {"cannot_be_told_from", c.indistinguishable_from},
          {"check", check_json(c)},
          {"explanation", c.explanation}};
   j["unnamed"] = c.unnamed.has_value();
@@ -99,18 +99,18 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   return j;
 }
 
-Json blame_json(const Blame& blame) {
-  return {{"cameras", blame.cameras}, {"body", blame.body}, {"robot", blame.robot}};
+Json attribution_json(const ErrorAttribution& attribution) {
+  return {{"cameras", attribution.cameras}, {"body", attribution.body}, {"robot", attribution.robot}};
 }
 
-Json observation_json(const ObservationBlame& o, const Rig* rig) {
+Json observation_json(const ObservationAttribution& o, const Rig* rig) {
   const bool tracker = !rig;
   const Json null = nullptr;
   const std::string change = change_text(o.change, rig);
-  const char* cause = o.blame.letter == 'C' ? "cameras" : o.blame.letter == 'B' ? "body" : "robot";
+  const char* cause = o.attribution.letter == 'C' ? "cameras" : o.attribution.letter == 'B' ? "body" : "robot";
   return {{"id", o.id},
-          {"blame", blame_json(o.blame)},
-          {"cause", o.blame.letter == 0 ? null : Json(cause)},
+          {"blame", attribution_json(o.attribution)},
+          {"cause", o.attribution.letter == 0 ? null : Json(cause)},
           {"single_change", change.empty() ? null : Json(change)},
           {"smallest_visible_pixel", tracker ? null : number(o.smallest_visible)},
           {"smallest_visible_m", tracker ? number(o.smallest_visible) : null}};
@@ -121,8 +121,8 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
   const bool tracker = !rig;
   constexpr int most = 5;
   int odd = 0;
-  for (const ObservationBlame& o : d.observations) {
-    if (o.blame.letter != 'C' && o.blame.letter != 'B') continue;
+  for (const ObservationAttribution& o : d.observations) {
+    if (o.attribution.letter != 'C' && o.attribution.letter != 'B') continue;
     if (++odd > most) continue;
     const std::string visible = o.smallest_visible
                                     ? fmt::format(" (an error under {} here could not be seen)",
@@ -137,7 +137,7 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
 /// The curve through the residuals over what they follow, and its band.
 Json trend_json(const DiagnosisPattern& p) {
   Json points = Json::array();
-  for (const TrendPoint& t : trend_of(p.against.values, p.residual.values))
+  for (const TrendPoint& t : compute_trend(p.against.values, p.residual.values))
     points.push_back({{"x", number(t.x)}, {"y", number(t.y)}, {"low", number(t.low)}, {"high", number(t.high)}});
   return points;
 }
@@ -179,7 +179,7 @@ const char* next_text(StoryNext next) {
 }
 
 Json story_json(const Diagnosis& d) {
-  const Story s = story_of(d);
+  const Story s = find_story(d);
   Json causes = Json::array(), stand_ins = Json::array();
   for (const StoryCause& c : s.causes)
     causes.push_back({{"id", c.id}, {"where", c.where}, {"left", number(c.left)}, {"believable", c.believable}});
@@ -207,17 +207,18 @@ std::string sure(double ln_bayes_factor) {
 
 void print_diagnosis(const Output& out, const Session& session, const Diagnosis& d) {
   const bool tracker = session.is_tracker();
-  const Story story = story_of(d);
+  const Story story = find_story(d);
   out.line(fmt::format("{}: {}", session.title.empty() ? "Session" : session.title, verdict_text(d.verdict)));
   out.line(story_text(story, d));
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
-  const std::string scatter = d.verdict == Verdict::adequate ? scatter_text(d.scatter) : "";
+  const std::string repeatability = d.verdict == Verdict::adequate ? repeatability_text(d.repeatability) : "";
   out.line(fmt::format("Error     {}{}{}", error_line(story.error), story.error.noise ? "" : "; noise unknown",
-                       scatter.empty() ? "" : "; scatter as of " + scatter));
-  if (d.blame.letter != 0)
+                       repeatability.empty() ? "" : "; scatter as of " + repeatability));
+  if (d.attribution.letter != 0)
     out.line(fmt::format("Blame     robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
-                         whole_percent(d.blame.robot), whole_percent(d.blame.body), whole_percent(d.blame.cameras)));
+                         whole_percent(d.attribution.robot), whole_percent(d.attribution.body),
+                         whole_percent(d.attribution.cameras)));
   for (const Message& text : undetermined_texts(d.model.fit)) out.line("Note      " + text);
   print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
   if (!d.model.lone.empty()) out.line("Left out  " + lone_text(d.model.lone, tracker));
@@ -228,7 +229,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   for (const DiagnosisCandidate& c : d.candidates) {
     if (is_invisible(c, d)) continue;  // told below
     if (++shown > 8) break;
-    const std::string name = c.unnamed ? "(unnamed) " + c.unnamed->localiser.variable->name : c.id;
+    const std::string name = c.unnamed ? "(unnamed) " + c.unnamed->empirical_error.variable->name : c.id;
     std::string held = "-";
     if (c.held_out) held = error_text(*c.held_out);
     out.line(fmt::format("{:<26} {:>8}  {:>9}  {:>10}  {}", name, sure(c.ln_bayes_factor), held,
@@ -268,9 +269,9 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"held_out_region_mean_m", number(d.report.held_out_region.mean_m)},
          {"noise_pixel", tracker ? null : number(d.noise)},
          {"noise_m", tracker ? number(d.noise) : null},
-         {"blame", blame_json(d.blame)},
-         {"joint_repeatability_rad", d.scatter.joints},
-         {"place_scatter_m", d.scatter.place},
+         {"blame", attribution_json(d.attribution)},
+         {"joint_repeatability_rad", d.repeatability.joints},
+         {"place_scatter_m", d.repeatability.place},
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
   j["undetermined"] = undetermined_texts(d.model.fit);
@@ -289,7 +290,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
   j["wrong_points"] = wrong_points_json(d.model.wrong, d.model.session);
   j["lone_observations"] = lone_json(d.model.lone);
   Json observations = Json::array();
-  for (const ObservationBlame& o : d.observations)
+  for (const ObservationAttribution& o : d.observations)
     observations.push_back(observation_json(o, d.model.session.rig ? &*d.model.session.rig : nullptr));
   j["per_observation"] = observations;
   if (d.sample)

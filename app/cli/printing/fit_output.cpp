@@ -44,7 +44,7 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
   Json list = Json::array();
   for (const FittedEffect& e : effects) {
     if (e.term.id != id) continue;
-    const Effect* effect = &effect_of(e.term);
+    const Effect* effect = &term_effect(e.term);
     for (std::size_t p = 0; p < effect->parameters.size(); ++p)
       list.push_back(
           {{"of", e.term.joint >= 0 ? Json(place_name(*effect, e.term.joint, session.robot)) : Json(nullptr)},
@@ -68,10 +68,10 @@ Json effects_json(const Session& session, const std::vector<FittedEffect>& effec
   for (const FittedEffect& e : effects)
     if (e.term.own) own.push_back(e.term.own);
   for (const Effect* effect : catalogue_beside(own)) add(effect->id, nullptr);
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   for (const FittedEffect& e : effects)
-    if (e.term.own && std::find(told.begin(), told.end(), e.term.id) == told.end()) {
-      told.push_back(e.term.id);
+    if (e.term.own && std::find(reported.begin(), reported.end(), e.term.id) == reported.end()) {
+      reported.push_back(e.term.id);
       add(e.term.id, e.term.own->definition.get());
     }
   return list;
@@ -82,7 +82,7 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
   out.line();
   out.line("Effects in the model");
   for (const FittedEffect& e : fit.effects) {
-    const Effect& effect = effect_of(e.term);
+    const Effect& effect = term_effect(e.term);
     const std::string place = place_name(effect, e.term.joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
@@ -104,9 +104,9 @@ Json deviation_sigma(const Fit& fit, const ObservationReport& o) {
   return numbers(Vector6(*fit.noise * o.deviation->unit_covariance.diagonal().cwiseMax(0).cwiseSqrt()));
 }
 
-Json observations_json(const Fit& fit, const FitReport& told) {
+Json observations_json(const Fit& fit, const FitReport& reported) {
   Json list = Json::array();
-  for (const ObservationReport& o : told.per_observation)
+  for (const ObservationReport& o : reported.per_observation)
     list.push_back({{"id", o.id},
                     {"rms_pixel", number(o.rms_pixel)},
                     {"rms_m", number(o.rms_m)},
@@ -135,20 +135,21 @@ Json undetermined_json(const Session& session, const Fit& fit) {
   return list;
 }
 
-void print_errors(const Output& out, const Fit& fit, const FitReport& told) {
-  const bool pixels = told.fitted.rms_pixel.has_value();
+void print_errors(const Output& out, const Fit& fit, const FitReport& reported) {
+  const bool pixels = reported.fitted.rms_pixel.has_value();
   if (pixels)
     out.line(fmt::format("Error     {} rms fitted, {} held out; noise {}",
-                         text_or_unknown(told.fitted.rms_pixel, 1, "px"),
-                         text_or_unknown(told.held_out.rms_pixel, 1, "px"), text_or_unknown(fit.noise, 1, "px")));
-  out.line(fmt::format("{}{} mean, {} rms, {} max fitted; {} mean held out{}", pixels ? "          " : "Error     ",
-                       text_or_unknown(told.fitted.mean_m, 1e3, "mm"), text_or_unknown(told.fitted.rms_m, 1e3, "mm"),
-                       text_or_unknown(told.fitted.max_m, 1e3, "mm"), text_or_unknown(told.held_out.mean_m, 1e3, "mm"),
-                       pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm a coordinate")));
-  if (told.held_out_region.rms_m || told.held_out_region.rms_pixel)
+                         text_or_unknown(reported.fitted.rms_pixel, 1, "px"),
+                         text_or_unknown(reported.held_out.rms_pixel, 1, "px"), text_or_unknown(fit.noise, 1, "px")));
+  out.line(fmt::format(
+      "{}{} mean, {} rms, {} max fitted; {} mean held out{}", pixels ? "          " : "Error     ",
+      text_or_unknown(reported.fitted.mean_m, 1e3, "mm"), text_or_unknown(reported.fitted.rms_m, 1e3, "mm"),
+      text_or_unknown(reported.fitted.max_m, 1e3, "mm"), text_or_unknown(reported.held_out.mean_m, 1e3, "mm"),
+      pixels ? "" : "; noise " + text_or_unknown(fit.noise, 1e3, "mm a coordinate")));
+  if (reported.held_out_region.rms_m || reported.held_out_region.rms_pixel)
     out.line(fmt::format("          {} where a region of poses is held out: elsewhere it may be as large",
-                         pixels ? text_or_unknown(told.held_out_region.rms_pixel, 1, "px")
-                                : text_or_unknown(told.held_out_region.mean_m, 1e3, "mm") + " mean"));
+                         pixels ? text_or_unknown(reported.held_out_region.rms_pixel, 1, "px")
+                                : text_or_unknown(reported.held_out_region.mean_m, 1e3, "mm") + " mean"));
   if (fit.chi2_per_dof) out.line(fmt::format("          chi-squared per degree of freedom {:.2f}", *fit.chi2_per_dof));
 }
 
@@ -180,10 +181,11 @@ void print_answer(const Output& out, const Session& session, const Fit& fit) {
 
 }  // namespace
 
-void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
+void print_fit(const Output& out, const Session& session, const Fit& fit, const FitReport& reported,
+               const FitOptions&) {
   out.line(fmt::format("{}: {} observations, {} used", session.title.empty() ? "Session" : session.title,
-                       told.observations, told.used));
-  for (const Unused& u : told.rejected) out.line(fmt::format("  not used: {} ({})", u.id, u.reason));
+                       reported.observations, reported.used));
+  for (const Unused& u : reported.rejected) out.line(fmt::format("  not used: {} ({})", u.id, u.reason));
   out.line();
   const bool is_answer = !has_no_answer(fit);
   if (is_answer)
@@ -191,30 +193,30 @@ void print_fit(const Output& out, const Session& session, const Fit& fit, const 
   else
     out.line("tcp_from_body: NO ANSWER; no number of this fit is one to be used");
   out.line();
-  print_errors(out, fit, told);
+  print_errors(out, fit, reported);
   if (fit.objective == Objective::angle_axis)
     out.line(fmt::format("          weights: {:.3f} mm and {:.4f} deg", 1e3 * fit.angle_axis_sigma_m,
                          degrees * fit.angle_axis_sigma_rad));
   if (is_answer) print_effects(out, session, fit);
   std::string outliers;
-  for (const ObservationReport& o : told.per_observation)
+  for (const ObservationReport& o : reported.per_observation)
     if (o.outlier) outliers += (outliers.empty() ? "" : ", ") + std::to_string(o.id);
   if (!outliers.empty()) out.line("Stand out of the others: " + outliers);
-  print_parts(out, session, fit, told);
+  print_parts(out, session, fit, reported);
   for (const Message& note : fit.notes) out.line("Note: " + note);
 }
 
-Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions&) {
-  Json result{{"converged", fit.converged()}, {"observations", told.observations}, {"used", told.used}};
+Json fit_json(const Session& session, const Fit& fit, const FitReport& reported, const FitOptions&) {
+  Json result{{"converged", fit.converged()}, {"observations", reported.observations}, {"used", reported.used}};
   Json rejected = Json::array();
-  for (const Unused& u : told.rejected) rejected.push_back({{"id", u.id}, {"reason", u.reason}});
+  for (const Unused& u : reported.rejected) rejected.push_back({{"id", u.id}, {"reason", u.reason}});
   result["rejected"] = rejected;
-  result.update(errors_json(told.fitted, ""));
-  result["max_m"] = number(told.fitted.max_m);
-  result.update(errors_json(told.held_out, "held_out_"));
-  result["held_out_region_pixel"] = number(told.held_out_region.rms_pixel);
-  result["held_out_region_rms_m"] = number(told.held_out_region.rms_m);
-  result["held_out_region_mean_m"] = number(told.held_out_region.mean_m);
+  result.update(errors_json(reported.fitted, ""));
+  result["max_m"] = number(reported.fitted.max_m);
+  result.update(errors_json(reported.held_out, "held_out_"));
+  result["held_out_region_pixel"] = number(reported.held_out_region.rms_pixel);
+  result["held_out_region_rms_m"] = number(reported.held_out_region.rms_m);
+  result["held_out_region_mean_m"] = number(reported.held_out_region.mean_m);
   const bool tracker = session.is_tracker();
   const Json noise = number(fit.noise), null = nullptr;
   const Json estimated = fit.noise_estimate ? number(fit.noise_estimate->sigma) : null;
@@ -234,12 +236,12 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& told, con
   result["markers"] = markers;
   result["mount_from_sensor"] = motion(estimate(fit).mount_from_sensor);
   result["effects"] = effects_json(session, fit.effects);
-  result["per_observation"] = observations_json(fit, told);
+  result["per_observation"] = observations_json(fit, reported);
   if (!session.parts.empty()) {
-    result["held_out_session_pixel"] = number(told.held_out_session.rms_pixel);
-    result["held_out_session_rms_m"] = number(told.held_out_session.rms_m);
-    result["held_out_session_mean_m"] = number(told.held_out_session.mean_m);
-    result[session.is_touch() ? "fixtures" : "sessions"] = parts_json(session, fit, told);
+    result["held_out_session_pixel"] = number(reported.held_out_session.rms_pixel);
+    result["held_out_session_rms_m"] = number(reported.held_out_session.rms_m);
+    result["held_out_session_mean_m"] = number(reported.held_out_session.mean_m);
+    result[session.is_touch() ? "fixtures" : "sessions"] = parts_json(session, fit, reported);
   }
   result["notes"] = fit.notes;
   return result;

@@ -7,12 +7,12 @@
 
 namespace handsight::cli {
 
-void print_fit(const Output& output, const Session& session, const Fit& fit, const FitReport& told,
+void print_fit(const Output& output, const Session& session, const Fit& fit, const FitReport& reported,
                const FitOptions& options);
-Json fit_json(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options);
+Json fit_json(const Session& session, const Fit& fit, const FitReport& reported, const FitOptions& options);
 
 /// Of several sessions together what is each one's own, beside what belongs to all; nothing of a session by itself.
-void print_parts(const Output& output, const Session& session, const Fit& fit, const FitReport& told);
-Json parts_json(const Session& session, const Fit& fit, const FitReport& told);
+void print_parts(const Output& output, const Session& session, const Fit& fit, const FitReport& reported);
+Json parts_json(const Session& session, const Fit& fit, const FitReport& reported);
 
 }  // namespace handsight::cli

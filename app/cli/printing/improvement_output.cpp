@@ -16,10 +16,10 @@
 namespace handsight::cli {
 namespace {
 
-/// The noise of one coordinate as it is told beside an error.
+/// The noise of one coordinate as it is reported beside an error.
 std::string noise_or_unknown(const std::optional<double>& value, bool tracker) {
   if (!value) return "unknown";
-  return tracker ? fmt::format("{:.3f} mm", 1e3 * as_told(*value, false)) : fmt::format("{:.3f} px", *value);
+  return tracker ? fmt::format("{:.3f} mm", 1e3 * as_reported(*value, false)) : fmt::format("{:.3f} px", *value);
 }
 
 /// What else went and came with a step that is not the first.
@@ -31,9 +31,9 @@ std::string changes_text(const ImprovementStep& s) {
 }
 
 /// "backlash (axis_4) 23 %, payload 8 %"
-std::string certainty_text(const Certainty& certainty, bool of_model) {
+std::string inclusion_probability_text(const InclusionProbabilities& inclusion_probabilities, bool of_model) {
   std::vector<std::string> texts;
-  for (const NameCertainty& n : certainty.names) {
+  for (const InclusionProbability& n : inclusion_probabilities.names) {
     if (n.is_in_model != of_model) continue;
     const std::string where = n.where.empty() ? "" : " (" + listed(n.where) + ")";
     // Never quite sure, nor quite sure that not.
@@ -43,15 +43,16 @@ std::string certainty_text(const Certainty& certainty, bool of_model) {
   return listed(texts);
 }
 
-void print_certainty(const Output& out, const Certainty& certainty) {
-  const std::string of_model = certainty_text(certainty, true), others = certainty_text(certainty, false);
+void print_inclusion_probabilities(const Output& out, const InclusionProbabilities& inclusion_probabilities) {
+  const std::string of_model = inclusion_probability_text(inclusion_probabilities, true),
+                    others = inclusion_probability_text(inclusion_probabilities, false);
   if (!of_model.empty()) out.line("How sure its names are: " + of_model + ".");
   if (!others.empty()) out.line("What may be there too: " + others + ". Predictions allow for it.");
 }
 
-Json certainty_json(const Certainty& certainty) {
+Json inclusion_probabilities_json(const InclusionProbabilities& inclusion_probabilities) {
   Json list = Json::array();
-  for (const NameCertainty& n : certainty.names)
+  for (const InclusionProbability& n : inclusion_probabilities.names)
     list.push_back({{"id", n.id}, {"where", n.where}, {"probability", n.probability}, {"in_model", n.is_in_model}});
   return list;
 }
@@ -76,12 +77,12 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
   out.line();
-  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(story_of(m.last), m.last)));
+  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(find_story(m.last), m.last)));
   if (m.named_share && m.unnamed_share)
     out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
                          whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
   print_bill(out, m.bill);
-  print_certainty(out, m.certainty);
+  print_inclusion_probabilities(out, m.inclusion_probabilities);
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
 }
@@ -135,7 +136,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"hand_m", number(row.hand_m)}});
   j["worth"] = worth;
   j["bill"] = bill_json(m.bill);
-  j["certainty"] = certainty_json(m.certainty);
+  j["certainty"] = inclusion_probabilities_json(m.inclusion_probabilities);
   return j;
 }
 

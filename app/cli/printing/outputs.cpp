@@ -46,7 +46,7 @@ void note_input(const fs::path& file) {
 }
 
 void note_inputs(const Session& session) {
-  for (const fs::path& file : files_of(session)) note_input(file);
+  for (const fs::path& file : list_files(session)) note_input(file);
 }
 
 void require_output(const std::string& file, const char* option) {

@@ -12,12 +12,12 @@
 namespace handsight::cli {
 namespace {
 
-std::string error_of(const ErrorSummary& e) {
+std::string compute_error(const ErrorSummary& e) {
   if (e.rms_pixel) return fmt::format("{:.3f} px", *e.rms_pixel);
   return e.mean_m ? fmt::format("{:.3f} mm", 1e3 * *e.mean_m) : "unknown";
 }
 
-std::string place_of(const Rigid& m) {
+std::string locate(const Rigid& m) {
   const Vector3 xyz = 1e3 * m.translation, rpy = degrees * rpy_from_rotation(m.rotation);
   return fmt::format("{:.3f} {:.3f} {:.3f} mm, rpy {:.3f} {:.3f} {:.3f} deg", xyz.x(), xyz.y(), xyz.z(), rpy.x(),
                      rpy.y(), rpy.z());
@@ -42,33 +42,33 @@ Json observations_json(const PartReport& part) {
 
 }  // namespace
 
-void print_parts(const Output& out, const Session& session, const Fit& fit, const FitReport& told) {
-  const std::vector<PartReport> parts = part_reports(session, fit, told);
+void print_parts(const Output& out, const Session& session, const Fit& fit, const FitReport& reported) {
+  const std::vector<PartReport> parts = part_reports(session, fit, reported);
   if (parts.empty()) return;
   out.line();
   out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", session.is_touch() ? "fixture" : "session", "used",
                        "fitted", "held out", "robot from the"));
   out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", "", "", "", "", "others alone"));
   for (const PartReport& p : parts)
-    out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", p.title, p.used, error_of(p.fitted), error_of(p.held_out),
-                         error_of(p.held_out_session)));
+    out.line(fmt::format("{:<20} {:>6} {:>12} {:>12} {:>14}", p.title, p.used, compute_error(p.fitted),
+                         compute_error(p.held_out), compute_error(p.held_out_session)));
   for (const PartReport& p : parts) {
     if (session.is_touch()) {
       if (p.found.mount_covariance)
-        out.line(fmt::format("{}: its frame on its link {}", p.title, place_of(p.found.mount_from_sensor)));
+        out.line(fmt::format("{}: its frame on its link {}", p.title, locate(p.found.mount_from_sensor)));
       continue;
     }
     const Vector6 sigma = origin_sigma(p.found.tcp_from_body, p.found.covariance);
-    out.line(fmt::format("{}: tcp_from_body {} (+- {:.3f} {:.3f} {:.3f} mm)", p.title, place_of(p.found.tcp_from_body),
+    out.line(fmt::format("{}: tcp_from_body {} (+- {:.3f} {:.3f} {:.3f} mm)", p.title, locate(p.found.tcp_from_body),
                          1e3 * sigma[0], 1e3 * sigma[1], 1e3 * sigma[2]));
     if (p.found.mount_covariance)
-      out.line(fmt::format("{}: mount {}", std::string(p.title.size(), ' '), place_of(p.found.mount_from_sensor)));
+      out.line(fmt::format("{}: mount {}", std::string(p.title.size(), ' '), locate(p.found.mount_from_sensor)));
   }
 }
 
-Json parts_json(const Session& session, const Fit& fit, const FitReport& told) {
+Json parts_json(const Session& session, const Fit& fit, const FitReport& reported) {
   Json list = Json::array();
-  for (const PartReport& p : part_reports(session, fit, told)) {
+  for (const PartReport& p : part_reports(session, fit, reported)) {
     Json one{{"title", p.title}, {"observations", p.observations}, {"used", p.used}};
     one["tcp_from_body"] = {{"matrix", motion(p.found.tcp_from_body)}, {"covariance", matrix(p.found.covariance)}};
     one["mount"] = {{"matrix", motion(p.found.mount_from_sensor)},

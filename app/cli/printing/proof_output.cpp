@@ -51,19 +51,19 @@ Json plots_json(const std::vector<ProofPlot>& plots) {
   return list;
 }
 
-std::string name_of(const DiagnosisCandidate& c) {
-  return c.unnamed ? "unnamed: " + c.unnamed->localiser.variable->name : c.id;
+std::string display_name(const DiagnosisCandidate& c) {
+  return c.unnamed ? "unnamed: " + c.unnamed->empirical_error.variable->name : c.id;
 }
 
 }  // namespace
 
-Proofs proofs_of(const Session& session, const Diagnosis& d, bool in_full) {
+Proofs make_proofs(const Session& session, const Diagnosis& d, bool in_full) {
   Proofs proofs;
   if (d.verdict == Verdict::too_few_observations) return proofs;
-  if (in_full) proofs.model = proof_of(session, d.model.fit, d.model.fit.problem.terms);
+  if (in_full) proofs.model = make_proof(session, d.model.fit, d.model.fit.problem.terms);
   for (const DiagnosisCandidate& c : d.candidates) {
     if (!proofs.candidates.empty() && (!in_full || c.ln_bayes_factor < d.threshold)) break;
-    proofs.candidates.push_back(proof_of(d, c));
+    proofs.candidates.push_back(make_proof(d, c));
   }
   return proofs;
 }
@@ -88,7 +88,7 @@ std::string proof_csv(const Diagnosis& d, const Proofs& proofs) {
   std::string text = proof_csv_head();
   for (const ProofPlot& plot : proofs.model) text += proof_csv_lines("in the model", plot);
   for (std::size_t i = 0; i < proofs.candidates.size(); ++i)
-    for (const ProofPlot& plot : proofs.candidates[i]) text += proof_csv_lines(name_of(d.candidates[i]), plot);
+    for (const ProofPlot& plot : proofs.candidates[i]) text += proof_csv_lines(display_name(d.candidates[i]), plot);
   return text;
 }
 

@@ -13,7 +13,7 @@ struct Proofs {
 };
 
 /// Of the first candidate, and (`in_full`) of all others that pass the threshold.
-Proofs proofs_of(const Session& session, const Diagnosis& diagnosis, bool in_full);
+Proofs make_proofs(const Session& session, const Diagnosis& diagnosis, bool in_full);
 
 /// The sentences of the first candidate.
 void print_proof(const Output& output, const Diagnosis& diagnosis, const Proofs& proofs);

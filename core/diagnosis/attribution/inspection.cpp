@@ -150,12 +150,12 @@ class ShownStretches {
     const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = order_.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, order_.size()));
     problem_ = {};
-    Session shown = part_of(session_, {begin, end});
+    Session shown = take_part(session_, {begin, end});
     count_everything(looks_, shown);
     if (session_.pose_sensor) shown = shown_as_fitted(shown, estimate(fit_));
-    problem_ = make_problem(shown, chain_of(shown), terms_of(fit_));
+    problem_ = make_problem(shown, make_chain(shown), list_terms(fit_));
     if (!problem_.terms.empty()) {
-      problem_.set_slip_frames_of(fit_.problem);
+      problem_.copy_slip_frames(fit_.problem);
       place_observations(problem_);
     }
     for (ProblemObservation& o : problem_.observations) {
@@ -178,7 +178,7 @@ class ShownStretches {
 ResidualParts measure_row(const Problem& problem, const ProblemObservation& seen, const Unknowns& unknowns,
                           InspectionRow& row) {
   row.root_from_tcp = seen.root_from_tcp;
-  row.root_from_sensor = seen.root_from_mount * mount_of(seen, unknowns) * seen.sensor_motion;
+  row.root_from_sensor = seen.root_from_mount * find_mount(seen, unknowns) * seen.sensor_motion;
   return measure(problem, seen, unknowns, row);
 }
 
@@ -192,8 +192,8 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   if (row.noise_m) *row.noise_m *= *noise;
   if (row.noise_of_hand_m) *row.noise_of_hand_m *= *noise;
   row.ratio = *row.rms / *noise;
-  row.blame = blame_of(parts, *noise, typical);
-  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.blame.letter);
+  row.attribution = attribute_error(parts, *noise, typical);
+  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.attribution.letter);
   row.what_would_mend = change_text(change, problem.rig_or_null());
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }
@@ -229,7 +229,7 @@ Inspection inspect(const Session& session, const Fit& fit, const FitReport& repo
     if (row.is_used) used.push_back(parts.back());
   });
   const TypicalParts typical = typical_parts(used);
-  if (fit.noise && *fit.noise > 0) inspection.blame = blame_of(used, *fit.noise);
+  if (fit.noise && *fit.noise > 0) inspection.attribution = attribute_error(used, *fit.noise);
   auto next = parts.begin();
   shown.each([&](const Problem& problem, const ProblemObservation& o, int index) {
     judge(problem, o, estimate(fit), fit.noise, *next++, typical, inspection.rows[static_cast<std::size_t>(index)]);

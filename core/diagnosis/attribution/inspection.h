@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/message.h"
-#include "diagnosis/attribution/blame.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/outliers/lone_observations.h"
 #include "estimation/online/second_look.h"
 #include "estimation/report/fit_report.h"
@@ -57,7 +57,7 @@ struct InspectionRow {
   int worst_marker = -1;
   int worst_camera = -1;  // of the rig; -1: a tracker
   double worst_size = 0;  // px (m), length
-  Blame blame;
+  ErrorAttribution attribution;
   bool outlier = false;                    // stands out of the other observations
   Message what_would_mend;                 // a sentence (change_text); empty: nothing to mend
   std::optional<double> smallest_visible;  // px (m): an error of one corner below it could not be seen here
@@ -67,7 +67,7 @@ struct Inspection {
   std::vector<InspectionRow> rows;  // one for each observation of the session, in its order
   std::optional<double> noise;      // px or m, of one coordinate
   std::optional<double> noise_m;    // m: what noise alone makes of the used markers' distances in space
-  Blame blame;                      // of the used observations together
+  ErrorAttribution attribution;     // of the used observations together
   bool in_pixels = true;
 };
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/shown_number.h"
-#include "diagnosis/attribution/blame.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "estimation/problem/body_pose.h"
 
 namespace handsight {

@@ -6,7 +6,7 @@
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 
-#include "diagnosis/attribution/blame.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/evidence/body_rows.h"
 #include "geometry/orthonormal_columns.h"
 

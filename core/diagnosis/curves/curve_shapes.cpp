@@ -78,7 +78,7 @@ double quantile(Eigen::VectorXd x, double share) {
 
 }  // namespace
 
-CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) {
+CurveShape make_shape(const ShapeVariable& v, ShapeFamily family, double setting) {
   CurveShape s{family, shortened_number(setting)};
   const double unit = usual_size(*v.variable);
   const Eigen::ArrayXd u = v.variable->values.array() / unit;
@@ -125,11 +125,11 @@ CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting) 
   return s;
 }
 
-std::vector<CurveShape> shapes_of(const Variable& variable, const std::vector<Variable>& angles) {
+std::vector<CurveShape> list_shapes(const Variable& variable, const std::vector<Variable>& angles) {
   const ShapeVariable v{&variable};
   std::vector<CurveShape> shapes;
   const auto add = [&](ShapeFamily family, double setting, bool at_joint, bool at_rigid) {
-    shapes.push_back(shape_of(v, family, setting));
+    shapes.push_back(make_shape(v, family, setting));
     shapes.back().at_joint = at_joint;
     shapes.back().at_rigid = at_rigid;
   };
@@ -141,7 +141,7 @@ std::vector<CurveShape> shapes_of(const Variable& variable, const std::vector<Va
       for (const double share : quantiles) add(ShapeFamily::step, quantile(variable.values, share), true, true);
       for (const Variable& other : angles)
         if (other.kind == VariableKind::angle && other.joint > variable.joint)
-          shapes.push_back(shape_of({&variable, &other}, ShapeFamily::product, 0));
+          shapes.push_back(make_shape({&variable, &other}, ShapeFamily::product, 0));
       break;
     case VariableKind::torque:
       add(ShapeFamily::signed_square, 0, true, false);

@@ -39,10 +39,10 @@ struct ShapeVariable {
 };
 
 /// The shape of a family with this setting.
-CurveShape shape_of(const ShapeVariable& v, ShapeFamily family, double setting);
+CurveShape make_shape(const ShapeVariable& v, ShapeFamily family, double setting);
 
 /// All shapes of one variable that are tried. `angles` are the variables that products may take.
-std::vector<CurveShape> shapes_of(const Variable& v, const std::vector<Variable>& angles);
+std::vector<CurveShape> list_shapes(const Variable& v, const std::vector<Variable>& angles);
 
 /// Settings between this one's neighbours in the list that is tried: where a finer search looks. Equal: nothing to do.
 std::pair<double, double> setting_range(const CurveShape& shape);

@@ -50,7 +50,7 @@ Eigen::Matrix3Xd tcp_places(const Problem& problem) {
   Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(problem.observations.size()));
   for (Eigen::Index i = 0; i < all.cols(); ++i) {
     const auto index = static_cast<std::size_t>(problem.observations[static_cast<std::size_t>(i)].index);
-    const Circumstances& c = source.circumstances[index];
+    const ObservationState& c = source.states[index];
     all.col(i) = c.tcp ? *c.tcp : nominal_tcp(source.chain, c.sensor);
   }
   return all;

@@ -11,7 +11,7 @@ constexpr double joint_size = 1e-3;                    // rad (m): plausible
 constexpr double shift_size = 1e-3, turn_size = 2e-3;  // m, rad
 
 struct Place {
-  LocaliserSite kind;
+  EmpiricalErrorSite kind;
   int joint;
   Eigen::VectorXd sizes;
   std::vector<Eigen::MatrixXd>
@@ -54,8 +54,8 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
     tcp.push_back(adjoint(o.sensor_from_tcp) * rigid_sizes().asDiagonal());
     mount.push_back(-Matrix6(rigid_sizes().asDiagonal()));
   }
-  places.push_back({LocaliserSite::tcp, -1, rigid_sizes(), std::move(tcp)});
-  places.push_back({LocaliserSite::mount, -1, rigid_sizes(), std::move(mount)});
+  places.push_back({EmpiricalErrorSite::tcp, -1, rigid_sizes(), std::move(tcp)});
+  places.push_back({EmpiricalErrorSite::mount, -1, rigid_sizes(), std::move(mount)});
   const Chain& chain = problem.source->chain;
   for (std::size_t j = 0; j < chain.joints.size(); ++j) {
     std::vector<Eigen::MatrixXd> directions;
@@ -65,7 +65,8 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
       largest = std::max(largest, m.observations[i].by_joints.col(static_cast<Eigen::Index>(j)).norm());
     }
     if (largest > 0)
-      places.push_back({LocaliserSite::joint, chain.joints[j], Eigen::VectorXd::Constant(1, joint_size), directions});
+      places.push_back(
+          {EmpiricalErrorSite::joint, chain.joints[j], Eigen::VectorXd::Constant(1, joint_size), directions});
   }
   std::vector<CurveSite> sites(places.size());
   each_part(static_cast<int>(places.size()), true,

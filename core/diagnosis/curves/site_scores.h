@@ -7,11 +7,11 @@
 
 namespace handsight {
 
-enum class LocaliserSite { joint, tcp, mount };
+enum class EmpiricalErrorSite { joint, tcp, mount };
 
 /// A site of the chain and what the measurements say of its directions, whitened; a row an observation.
 struct CurveSite {
-  LocaliserSite kind = LocaliserSite::joint;
+  EmpiricalErrorSite kind = EmpiricalErrorSite::joint;
   int joint = -1;                       // of the robot, where the site is a joint
   Eigen::VectorXd sizes;                // plausible, per direction: rad or m
   Eigen::MatrixXd information;          // the directions' information, column by column: observations x directions^2

@@ -40,11 +40,11 @@ Variable as_written(const Variable& v) {
   return written;
 }
 
-std::vector<Variable> variables_of(const Problem& problem, const Unknowns& u) {
+std::vector<Variable> list_variables(const Problem& problem, const Unknowns& u) {
   std::vector<Variable> list;
   const Robot& robot = problem.source->chain.robot;
-  const auto at = [&](const ProblemObservation& o) -> const Circumstances& {
-    return problem.source->circumstances[static_cast<std::size_t>(o.index)];
+  const auto at = [&](const ProblemObservation& o) -> const ObservationState& {
+    return problem.source->states[static_cast<std::size_t>(o.index)];
   };
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];

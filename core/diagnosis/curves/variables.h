@@ -31,6 +31,6 @@ Variable as_written(const Variable& v);
 
 /// Those that vary over the observations. `problem` must hold torques (EffectMotion); a mimic joint has an angle and a
 /// torque like any other.
-std::vector<Variable> variables_of(const Problem& problem, const Unknowns& unknowns);
+std::vector<Variable> list_variables(const Problem& problem, const Unknowns& unknowns);
 
 }  // namespace handsight

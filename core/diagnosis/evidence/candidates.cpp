@@ -17,7 +17,7 @@ std::vector<double> step_orders(const Problem& model, int most) {
   for (std::size_t i = 0; i < kept; ++i) {
     const std::size_t place = margin + (2 * i + 1) * inner / (2 * kept);
     const auto index = static_cast<std::size_t>(model.observations[place].index);
-    orders.push_back(model.source->circumstances[index].order);
+    orders.push_back(model.source->states[index].order);
   }
   return orders;
 }
@@ -38,9 +38,9 @@ std::vector<std::vector<double>> choices_of(const Effect& effect, const std::vec
   return all;
 }
 
-std::vector<double> sizes_of(const Effect& effect, const Problem& model) {
+std::vector<double> list_sizes(const Effect& effect, const Problem& model) {
   std::vector<double> sizes;
-  for (const EffectParameter& p : effect.parameters) sizes.push_back(plausible_size(p, model.source->chain));
+  for (const EffectParameter& p : effect.parameters) sizes.push_back(prior_sigma(p, model.source->chain));
   return sizes;
 }
 
@@ -57,7 +57,7 @@ bool has_choice(const Effect& effect, int place, const std::vector<double>& valu
   if (!chooses) return true;
   const auto count = static_cast<Eigen::Index>(chain.joints.size());
   Sites sites = unmoved_sites(chain);
-  effect.move(circumstances_at(chain, Eigen::VectorXd::Ones(count)), place, sizes, sites);
+  effect.move(states_at(chain, Eigen::VectorXd::Ones(count)), place, sizes, sites);
   const JointChange& j = sites.robot.joints[static_cast<std::size_t>(place)];
   return j.angle != 0 || !j.frame.isZero(0) || !j.after.isZero(0) || j.compliance != 0 || j.lateral_compliance != 0 ||
          j.gap != 0;
@@ -92,7 +92,7 @@ void add_unit(const Effect& effect, const EffectTerm& term, CandidateEffect& can
 }
 
 void Offer::operator()(const Effect& effect, std::shared_ptr<const Effect> own) const {
-  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), own};
+  CandidateEffect candidate{&effect, {}, list_sizes(effect, model), own};
   for (const int place : effect_places(effect, model.source->chain)) {
     if (effect.scope == EffectScope::marker && !model.marker_is_seen[static_cast<std::size_t>(place)]) continue;
     for (const std::vector<double>& values : choices_of(effect, orders)) {
@@ -120,16 +120,16 @@ Candidates all_candidates(const Problem& model, int most_orders) {
   return candidates;
 }
 
-Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& terms) {
+Candidates list_candidates(const Problem& model, const std::vector<EffectTerm>& terms) {
   Candidates candidates;
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     EffectTerm at = term;
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) at.values[p] = 0;
-    candidates.effects.push_back({&effect, {}, sizes_of(effect, model), term.own});
+    candidates.effects.push_back({&effect, {}, list_sizes(effect, model), term.own});
     add_unit(effect, at, candidates.effects.back(), candidates.problem, candidates.base_effects);
   }
   place_observations(candidates.problem);
@@ -143,8 +143,8 @@ Candidates at_place(const Problem& model, const EffectTerm& term, const std::vec
   Candidates candidates;
   candidates.problem = model;
   candidates.base_effects = model.effect_count();
-  const Effect& effect = effect_of(term);
-  CandidateEffect candidate{&effect, {}, sizes_of(effect, model), term.own};
+  const Effect& effect = term_effect(term);
+  CandidateEffect candidate{&effect, {}, list_sizes(effect, model), term.own};
   for (const std::vector<double>& values : choices) {
     EffectTerm at = term;
     at.values = values;
@@ -158,15 +158,15 @@ Candidates at_place(const Problem& model, const EffectTerm& term, const std::vec
 }  // namespace
 
 Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
-  std::vector<std::vector<double>> choices = choices_of(effect_of(term), step_orders(model, most_orders));
+  std::vector<std::vector<double>> choices = choices_of(term_effect(term), step_orders(model, most_orders));
   std::erase_if(choices, [&](const std::vector<double>& values) {
-    return !has_choice(effect_of(term), term.joint, values, model.source->chain);
+    return !has_choice(term_effect(term), term.joint, values, model.source->chain);
   });
   return at_place(model, term, choices);
 }
 
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   std::vector<std::vector<double>> choices;
   for (const double order : orders) {
     choices.push_back(term.values);

@@ -31,7 +31,7 @@ struct Candidates {
 Candidates all_candidates(const Problem& model, int most_orders = 24);
 
 /// These terms alone, each a unit of its own; their choices count, their numbers do not.
-Candidates candidates_of(const Problem& model, const std::vector<EffectTerm>& terms);
+Candidates list_candidates(const Problem& model, const std::vector<EffectTerm>& terms);
 
 /// All choices of a term's effect at its place alone, as `all_candidates` offers them.
 Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders = 24);

@@ -13,7 +13,7 @@
 
 namespace handsight {
 
-static constexpr auto& scales = plausible_scales;
+static constexpr auto& scales = prior_scales;
 static_assert(scales[largest_usual] == largest_usual_scale);
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
@@ -35,7 +35,7 @@ namespace {
 
 struct ScaledScore {
   double ln_bayes_factor = 0;
-  double largest = 0;               // of the estimate's numbers, plausible sizes
+  double largest = 0;               // of the estimate's numbers, prior sigmas
   Eigen::LLT<Eigen::MatrixXd> llt;  // of I + s^2 A
 };
 
@@ -79,11 +79,12 @@ struct WhitenedRows {
 };
 
 /// Adds to `rows` what is observation `i`'s.
-double whiten_observation(const LinearModel& model, std::size_t i, const Scatter& scatter, WhitenedRows& rows) {
+double whiten_observation(const LinearModel& model, std::size_t i, const Repeatability& repeatability,
+                          WhitenedRows& rows) {
   const LinearObservation& o = model.observations[i];
   const auto by_place = o.by_body.leftCols<3>();
-  Eigen::MatrixXd v = std::pow(scatter.joints, 2) * o.by_joints * o.by_joints.transpose() +
-                      std::pow(scatter.place, 2) * by_place * by_place.transpose();
+  Eigen::MatrixXd v = std::pow(repeatability.joints, 2) * o.by_joints * o.by_joints.transpose() +
+                      std::pow(repeatability.place, 2) * by_place * by_place.transpose();
   v.diagonal().array() += 1;
   const Eigen::LLT<Eigen::MatrixXd> llt(v);
   rows.whiteners[i] = llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count));
@@ -93,18 +94,18 @@ double whiten_observation(const LinearModel& model, std::size_t i, const Scatter
 }
 
 /// `external`: the model's, or the base's columns of it.
-WhitenedRows whitened_rows(const LinearModel& model, Columns external, const Scatter& scatter) {
+WhitenedRows whitened_rows(const LinearModel& model, Columns external, const Repeatability& repeatability) {
   constexpr std::size_t of_a_part = 32;
   WhitenedRows rows{{}, external, model.external_error};
   for (const LinearObservation& o : model.observations)
     rows.whiteners.emplace_back(Eigen::MatrixXd::Identity(o.count, o.count));
-  if (!scatter.is_any()) return rows;
+  if (!repeatability.is_any()) return rows;
   const std::size_t count = model.observations.size(), parts = (count + of_a_part - 1) / of_a_part;
   std::vector<double> ln_volumes(count);
   each_part(static_cast<int>(parts), parts >= 3, [&](int part) {
     const std::size_t first = static_cast<std::size_t>(part) * of_a_part;
     for (std::size_t i = first; i < std::min(first + of_a_part, count); ++i)
-      ln_volumes[i] = whiten_observation(model, i, scatter, rows);
+      ln_volumes[i] = whiten_observation(model, i, repeatability, rows);
   });
   for (const double ln_volume : ln_volumes) rows.ln_volume += ln_volume;
   return rows;
@@ -156,11 +157,11 @@ double ln_over_scales(std::span<const double> x) {
   return ln_mean_exp(weighed) + std::log(static_cast<double>(scales.size()));
 }
 
-WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise) {
+WhitenedModel whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise) {
   WhitenedModel w;
   w.model = &model;
-  w.scatter = scatter;
-  WhitenedRows rows = whitened_rows(model, model.external, scatter);
+  w.repeatability = repeatability;
+  WhitenedRows rows = whitened_rows(model, model.external, repeatability);
   const auto by_base = rows.external.leftCols(model.base);
   const SettledBase base = settled(sums_of(model, rows), model.prior, noise);
   Eigen::MatrixXd shared = column_products(by_base, rows.external.rightCols(model.candidates()));
@@ -179,8 +180,8 @@ WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const Noi
   return w;
 }
 
-BaseEvidence::BaseEvidence(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise)
-    : sums_(sums_of(model, whitened_rows(model, model.external.leftCols(model.base), scatter))), noise_(noise) {}
+BaseEvidence::BaseEvidence(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise)
+    : sums_(sums_of(model, whitened_rows(model, model.external.leftCols(model.base), repeatability))), noise_(noise) {}
 
 double BaseEvidence::ln_with(const BasePrior& prior) const { return settled(sums_, prior, noise_).ln_evidence; }
 
@@ -211,7 +212,7 @@ Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count) {
   return s;
 }
 
-Score part_of(const Score& whole, std::span<const Eigen::Index> parameters) {
+Score take_part(const Score& whole, std::span<const Eigen::Index> parameters) {
   const auto count = static_cast<Eigen::Index>(parameters.size());
   Score part{Eigen::MatrixXd(count, count), Eigen::VectorXd(count)};
   for (Eigen::Index i = 0; i < count; ++i) {
@@ -282,7 +283,7 @@ FactorsWithout ln_bayes_factors_without(const Score& score, std::span<const Para
 std::vector<double> ln_bayes_factors_beside(const Score& all, std::span<const Eigen::Index> chosen,
                                             std::span<const ParameterGroup> groups, const WhitenedModel& w,
                                             const NoiseKnowledge& noise) {
-  const Score own = part_of(all, chosen);
+  const Score own = take_part(all, chosen);
   Eigen::MatrixXd shared(chosen.size(), all.gradient.size());
   for (std::size_t i = 0; i < chosen.size(); ++i)
     shared.row(static_cast<Eigen::Index>(i)) = all.information.row(chosen[i]);

@@ -10,9 +10,9 @@
 
 namespace handsight {
 
-/// Effects may be as large as plausible, or by these factors smaller and larger: the plausible size is what is usual,
+/// Effects may be as large as plausible, or by these factors smaller and larger: the prior sigma is what is usual,
 /// not a wall. Where a hobby arm's zeros were set by eye they are thirty times as far off as a factory's.
-inline constexpr std::array<double, 6> plausible_scales{0.1, 0.3, 1, 3, 10, 30};
+inline constexpr std::array<double, 6> prior_scales{0.1, 0.3, 1, 3, 10, 30};
 /// How much of the prior each of them has.
 inline constexpr std::array<double, 6> scale_shares{0.24, 0.24, 0.24, 0.24, 0.03, 0.01};
 /// The largest that surprises nobody.
@@ -26,18 +26,18 @@ struct NoiseKnowledge {
 
 /// What is drawn anew in every observation, beside the measurements' noise: each joint's value, and the hand's place as
 /// the sensor sees it (a coordinate of it).
-struct Scatter {
+struct Repeatability {
   double joints = 0;  // rad
   double place = 0;   // m
 
   bool is_any() const { return joints > 0 || place > 0; }
-  bool operator==(const Scatter&) const = default;
+  bool operator==(const Repeatability&) const = default;
 };
 
 /// A linear model whitened for a scatter, its own parameters projected out.
 struct WhitenedModel {
   const LinearModel* model = nullptr;
-  Scatter scatter;
+  Repeatability repeatability;
   std::vector<Eigen::MatrixXd> whiteners;  // per observation, count x count
   Eigen::MatrixXd external;                // rows x (base + candidates)
   Eigen::VectorXd external_error;
@@ -48,7 +48,7 @@ struct WhitenedModel {
   double ln_evidence = 0;            // of the model, up to a constant that all scatters share
 };
 
-WhitenedModel whiten(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise);
+WhitenedModel whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise);
 
 /// What the measurements say of a model's own parameters under one scatter.
 struct BaseSums {
@@ -60,7 +60,7 @@ struct BaseSums {
 /// The evidence of a model's own parameters alone, for one prior after another.
 class BaseEvidence {
  public:
-  BaseEvidence(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise);
+  BaseEvidence(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise);
   /// WhitenedModel::ln_evidence, were this the model's prior.
   double ln_with(const BasePrior& prior) const;
 
@@ -69,7 +69,7 @@ class BaseEvidence {
   NoiseKnowledge noise_;
 };
 
-/// What the data say of some parameters in units of their plausible size: information A and score b after the model's
+/// What the data say of some parameters in units of their prior sigma: information A and score b after the model's
 /// own parameters are projected out.
 struct Score {
   Eigen::MatrixXd information;
@@ -79,9 +79,9 @@ struct Score {
 Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count);
 
 /// The part of a score for these of its parameters.
-Score part_of(const Score& whole, std::span<const Eigen::Index> parameters);
+Score take_part(const Score& whole, std::span<const Eigen::Index> parameters);
 
-/// ln of the Bayes factor for a score at plausible sizes times `scale` alone.
+/// ln of the Bayes factor for a score at prior sigmas times `scale` alone.
 double ln_bayes_factor_at(const Score& score, double scale, const WhitenedModel& w, const NoiseKnowledge& noise);
 
 /// ln of the mean over the scales, by their shares, of the Bayes factor for a score.

@@ -8,12 +8,12 @@
 namespace handsight {
 namespace {
 
-using ScaleValues = std::array<double, plausible_scales.size()>;
+using ScaleValues = std::array<double, prior_scales.size()>;
 
 /// The logarithms of one choice's Bayes factors, scale by scale.
 struct OneChoice {
   ScaleValues values{};
-  double largest = 0;  // of its estimate at the largest usual scale, plausible sizes
+  double largest = 0;  // of its estimate at the largest usual scale, prior sigmas
 
   /// False where the scale must be asked.
   bool follows(std::size_t scale, Eigen::Index numbers) {
@@ -57,7 +57,7 @@ class Exchanging {
  public:
   Exchanging(const Score& all, std::span<const Eigen::Index> chosen, const WhitenedModel& w,
              const NoiseKnowledge& noise)
-      : all_(all), w_(w), noise_(noise), own_(part_of(all, chosen)), shared_(chosen.size(), all.gradient.size()) {
+      : all_(all), w_(w), noise_(noise), own_(take_part(all, chosen)), shared_(chosen.size(), all.gradient.size()) {
     for (std::size_t i = 0; i < chosen.size(); ++i)
       shared_.row(static_cast<Eigen::Index>(i)) = all.information.row(chosen[i]);
   }
@@ -65,11 +65,11 @@ class Exchanging {
   std::vector<OfExchange> factors(std::span<const NumberExchange> exchanges) const {
     std::vector<OfExchange> all;
     for (const NumberExchange& e : exchanges) all.push_back({{}, std::vector<OneChoice>(e.coming.size())});
-    for (std::size_t scale = 0; scale < plausible_scales.size(); ++scale) {
+    for (std::size_t scale = 0; scale < prior_scales.size(); ++scale) {
       std::optional<ChosenNumbers> chosen;
       for (std::size_t e = 0; e < exchanges.size(); ++e)
         if (must_ask(scale, exchanges[e], all[e])) {
-          if (!chosen) chosen = chosen_at(plausible_scales[scale], own_, shared_);
+          if (!chosen) chosen = chosen_at(prior_scales[scale], own_, shared_);
           ask(scale, *chosen, exchanges[e], all[e]);
         }
     }

@@ -51,7 +51,7 @@ class Builder {
   LinearModel build() {
     const Eigen::Index candidates = p_.effect_count() - base_effects_;
     Eigen::Index total = 0;
-    for (const ProblemObservation& o : p_.observations) total += std::min<Eigen::Index>(6, rows_of(o));
+    for (const ProblemObservation& o : p_.observations) total += std::min<Eigen::Index>(6, take_rows(o));
     if (holds_robot_scale(p_)) ++total;
     model_.external.resize(total, model_.base + candidates);
     model_.external_error.resize(total);
@@ -69,7 +69,7 @@ class Builder {
   }
 
  private:
-  static Eigen::Index rows_of(const ProblemObservation& o) {
+  static Eigen::Index take_rows(const ProblemObservation& o) {
     Eigen::Index rows = 0;
     for (const Sighting& s : o.sightings) rows += row_count(s);
     return rows;
@@ -79,7 +79,7 @@ class Builder {
   Rows rows_at(const ProblemObservation& o, const Rigid& sensor_from_tcp) const {
     Rows rows;
     const Eigen::Index inner = model_.internal.cols();
-    rows.by_body.resize(rows_of(o), 6);
+    rows.by_body.resize(take_rows(o), 6);
     rows.rest = Eigen::MatrixXd::Zero(rows.by_body.rows(), inner);
     const bool base_is_direct = p_.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
     Eigen::Index row = 0;
@@ -134,7 +134,7 @@ class Builder {
     part.by_body = Eigen::MatrixXd(qr.matrixR().topRows(part.count).template triangularView<Eigen::Upper>()) *
                    qr.colsPermutation().transpose();
     part.sensor_from_tcp = sensor_from_tcp;
-    const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u_) * o.sensor_motion);
+    const Rigid sensor_from_root = inverse(o.root_from_mount * find_mount(o, u_) * o.sensor_motion);
     part.joint_motions = adjoint(sensor_from_root) * o.motion.tcp_by_value;
     // A problem without effects has no motions by joints.
     for (Eigen::Index j = 0; j < part.joint_motions.cols(); ++j)
@@ -232,7 +232,7 @@ class Builder {
     model_.prior.precision = model_.prior.gradient = Eigen::VectorXd::Zero(model_.base);
     for (Eigen::Index c = 0; c < base_effects_; ++c) {
       const double plausible = p_.columns_of_effects[static_cast<std::size_t>(c)].sigma;
-      const double sigma = plausible * times_plausible(u_.effects[c] / plausible);
+      const double sigma = plausible * times_prior_sigma(u_.effects[c] / plausible);
       const Eigen::Index column = p_.effect_column() + c;
       model_.external.col(column) *= sigma;
       model_.internal.row(column) *= sigma;
@@ -256,9 +256,9 @@ class Builder {
 
 }  // namespace
 
-double times_plausible(double in_plausible_sizes) {
+double times_prior_sigma(double in_prior_sigmas) {
   constexpr double not_surprising = 3;
-  return std::max(1.0, std::abs(in_plausible_sizes) / not_surprising);
+  return std::max(1.0, std::abs(in_prior_sigmas) / not_surprising);
 }
 
 LinearModel linear_model(const Problem& problem, const Unknowns& unknowns, Eigen::Index base_effects, double noise) {

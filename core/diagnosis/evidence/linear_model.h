@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fitted model and candidates for what it lacks, linearised: rows in units of the noise, effects in units of their
-// plausible size (markers and mount in m and rad). In every observation the six motions of the body part the rows in
+// prior sigma (markers and mount in m and rad). In every observation the six motions of the body part the rows in
 // two: the external ones, which anything may explain, and the internal ones, which only cameras and markers can.
 #pragma once
 
@@ -41,10 +41,10 @@ struct LinearModel {
   Eigen::Index candidates() const { return external.cols() - base; }
 };
 
-/// By how much more than its plausible size a number of the model is let, which is so many plausible sizes: three of
-/// them surprise nobody, and what is clearly larger is so whatever is added. Held at its plausible size it would be
+/// By how much more than its prior sigma a number of the model is let, which is so many prior sigmas: three of
+/// them surprise nobody, and what is clearly larger is so whatever is added. Held at its prior sigma it would be
 /// cheaper in parts, and anything that can carry a part of it would seem to be there.
-double times_plausible(double in_plausible_sizes);
+double times_prior_sigma(double in_prior_sigmas);
 
 /// `problem` stands at `unknowns`; its first `base_effects` effect columns are the model's, the others candidates.
 /// `noise` is that of one coordinate (px or m).

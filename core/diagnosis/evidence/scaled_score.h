@@ -11,7 +11,7 @@ namespace handsight {
 struct NoiseKnowledge;
 struct WhitenedModel;
 
-inline constexpr std::size_t largest_usual = 3;  // into plausible_scales: largest_usual_scale
+inline constexpr std::size_t largest_usual = 3;  // into prior_scales: largest_usual_scale
 
 double ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt);
 

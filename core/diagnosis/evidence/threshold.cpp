@@ -13,7 +13,7 @@ namespace {
 constexpr int draws = 400;
 constexpr double false_alarms = 0.005;
 constexpr double least_threshold = 4;
-constexpr auto& scales = plausible_scales;
+constexpr auto& scales = prior_scales;
 
 /// One choice of places: under noise alone its score has independent normal components with these variances.
 struct NullScore {
@@ -59,9 +59,9 @@ std::vector<std::vector<NullScore>> null_scores(const WhitenedModel& w, const Ca
 
 }  // namespace
 
-double simulated_threshold(const LinearModel& model, const Candidates& candidates, const Scatter& scatter,
+double simulated_threshold(const LinearModel& model, const Candidates& candidates, const Repeatability& repeatability,
                            const NoiseKnowledge& knowledge) {
-  const WhitenedModel w = whiten(model, scatter, knowledge);
+  const WhitenedModel w = whiten(model, repeatability, knowledge);
   std::vector<std::vector<std::vector<NullScore>>> effects;
   for (const CandidateEffect& c : candidates.effects) effects.push_back(null_scores(w, c));
   std::mt19937_64 random(20261121);
@@ -86,7 +86,7 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
   for (std::size_t i = tail; i < largest.size(); ++i)
     excess += (largest[i] - largest[tail]) / static_cast<double>(largest.size() - tail);
   const double quantile = largest[tail] + excess * std::log(0.1 / false_alarms);
-  return std::max(quantile, least_threshold) + (scatter.is_any() ? more_with_scatter : 0);
+  return std::max(quantile, least_threshold) + (repeatability.is_any() ? more_with_repeatability : 0);
 }
 
 }  // namespace handsight

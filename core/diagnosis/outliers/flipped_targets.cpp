@@ -14,7 +14,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double clearly_turned = 3 * degree;
 constexpr double many_times = 5;      // the usual turn
-constexpr double right_again = 0.35;  // of the turn as it was told
+constexpr double right_again = 0.35;  // of the turn as it was reported
 
 double angle_between(const Matrix3& a, const Matrix3& b) {
   return vector_from_rotation(Matrix3(a.transpose() * b)).norm();
@@ -48,7 +48,7 @@ struct Shown {
 
 Shown shown_in(const Session& session, const Rigid& mount_from_sensor) {
   Shown shown;
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   for (std::size_t i = 0; i < session.observations.size(); ++i) {
     const Observation& o = session.observations[i];
     if (!o.target_pose || !is_used(o)) continue;

@@ -20,8 +20,9 @@ struct FlippedTarget {
 /// The pose with the tilt mirrored about the line of sight to the target's origin; the target is flat, its normal z.
 Rigid mirrored_tilt(const Rigid& sensor_from_target);
 
-/// The observations of a pose sensor that are far off as they are told and right once their tilt is mirrored, in order;
-/// empty for other sensors. They may be in the fit or not: the target's place on the TCP is judged by the majority.
+/// The observations of a pose sensor that are far off as they are reported and right once their tilt is mirrored, in
+/// order; empty for other sensors. They may be in the fit or not: the target's place on the TCP is judged by the
+/// majority.
 std::vector<FlippedTarget> flipped_targets(const Session& session, const Fit& fit);
 
 /// The session with these excluded.

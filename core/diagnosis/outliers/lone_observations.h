@@ -15,7 +15,7 @@ struct LoneObservation {
   double others = 0;  // the largest of theirs
 };
 
-/// Those without which the fit leaves every other observation at least six times better than it foretells these: no
+/// Those without which the fit leaves every other observation at least six times better than it predicts these: no
 /// effect bends one pose alone. At most one in twenty, and none where they are several at the beginning or the end of
 /// the session: that is what a slip looks like. Nothing where it leaves less than ten times the noise, or with fewer
 /// than eight others. `fit`: of this session with these options, by images and free markers.

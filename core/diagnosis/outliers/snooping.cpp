@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "diagnosis/evidence/body_rows.h"
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "estimation/fit/fit_noise.h"
 #include "estimation/problem/problem_part.h"
 #include "geometry/orthonormal_columns.h"
@@ -43,7 +43,7 @@ std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o
   p.rows = count;
   p.error = rows.error;
   const Eigen::MatrixXd q = orthonormal_columns(rows.by_body);
-  const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion);
+  const Rigid sensor_from_root = inverse(o.root_from_mount * find_mount(o, u) * o.sensor_motion);
   const Eigen::MatrixXd by_joints = q.transpose() * rows.by_body * (adjoint(sensor_from_root) * o.motion.tcp_by_value);
   const Eigen::MatrixXd shown = by_joints * by_joints.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(shown);
@@ -87,19 +87,20 @@ double robust_noise(const std::vector<Squares>& all) {
 }
 
 /// Of all rows of an observation, with joints that err by `scatter` (rad).
-double chi_squared(const Squares& p, double noise, double scatter) {
+double chi_squared(const Squares& p, double noise, double repeatability) {
   double chi2 = p.internal_squares / (noise * noise);
   for (Eigen::Index k = 0; k < 6; ++k)
-    chi2 += p.external_error[k] * p.external_error[k] / (noise * noise + scatter * scatter * p.joint_variance[k]);
+    chi2 += p.external_error[k] * p.external_error[k] /
+            (noise * noise + repeatability * repeatability * p.joint_variance[k]);
   return chi2;
 }
 
 /// The joints' random error (rad) for which the middle observation is as likely as it should be.
-double joint_scatter(const std::vector<Squares>& all, double noise) {
-  ChiSquared middle_of(0.5);
-  const auto excess = [&](double scatter) {
+double joint_repeatability(const std::vector<Squares>& all, double noise) {
+  ChiSquared find_middle(0.5);
+  const auto excess = [&](double repeatability) {
     std::vector<double> ratios;
-    for (const Squares& p : all) ratios.push_back(chi_squared(p, noise, scatter) / middle_of.at(p.rows));
+    for (const Squares& p : all) ratios.push_back(chi_squared(p, noise, repeatability) / find_middle.at(p.rows));
     return median(ratios) > 1;
   };
   if (!excess(0)) return 0;
@@ -113,9 +114,9 @@ double joint_scatter(const std::vector<Squares>& all, double noise) {
 
 /// The least likely point of an observation, if it is less likely than `wrong_by_chance`.
 std::optional<WrongPoint> worst_point(const Session& session, const ProblemObservation& observed, const Parted& p,
-                                      double noise, double scatter, ChiSquared& likely) {
+                                      double noise, double repeatability, ChiSquared& likely) {
   // V^-1 = (1 - Q diag(m) Q^T) / noise^2 with m = g / (1 + g).
-  const Eigen::VectorXd g = scatter * scatter / (noise * noise) * p.joint_variance;
+  const Eigen::VectorXd g = repeatability * repeatability / (noise * noise) * p.joint_variance;
   const Eigen::VectorXd m = g.array() / (1 + g.array());
   const Eigen::VectorXd z = (p.error - p.motions * (m.asDiagonal() * p.external_error)) / (noise * noise);
   std::optional<WrongPoint> worst;
@@ -177,17 +178,17 @@ std::vector<WrongPoint> wrong_points(const Session& session, const Fit& f) {
   // What the session declares is the least: points of one rigid thing (a tracker's) may fit each other far better than
   // they are right, and are none the worse for it.
   const double noise = std::max(robust_noise(all), declared_noise(session).value_or(finest_noise(session)));
-  const double scatter = joint_scatter(all, noise);
+  const double repeatability = joint_repeatability(all, noise);
   ChiSquared likely(wrong_by_chance);
   // No point takes more from chi-squared than all rows have: few observations need a second look.
   const double least = (1 - 1e-9) * likely.at(1);
   places.clear();
   for (const Squares& p : all)
-    if (chi_squared(p, noise, scatter) >= least) places.push_back(p.place);
+    if (chi_squared(p, noise, repeatability) >= least) places.push_back(p.place);
   see_motions(f.problem, places, [&](const Problem& some, const ProblemObservation& o, std::size_t) {
     const auto p = parted(some, o, unknowns);
     if (!p) return;
-    if (const auto w = worst_point(session, o, *p, noise, scatter, likely)) wrong.push_back(*w);
+    if (const auto w = worst_point(session, o, *p, noise, repeatability, likely)) wrong.push_back(*w);
   });
   return wrong;
 }
@@ -216,7 +217,7 @@ FitOptions from_there(const FitOptions& options, const Fit& fit) {
 constexpr double nothing = std::numeric_limits<double>::min();
 
 /// Which points are wrong does not hang on what no Bayes factor shows.
-FitOptions roughly(FitOptions options, const Weighing& by) {
+FitOptions roughly(FitOptions options, const NoiseModel& by) {
   set_quick(by, options);
   return options;
 }
@@ -239,7 +240,7 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
     is_rough = bends;
     FitOptions again = from_there(options, clean.fit);
     if (is_rough)
-      again = roughly(again, weighing(clean.fit));
+      again = roughly(again, noise_model(clean.fit));
     else if (again.least_gain == 0)
       again.least_gain = nothing;
     clean.fit.problem = {};  // of a long session every copy counts

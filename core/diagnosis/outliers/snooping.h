@@ -31,7 +31,7 @@ struct CleanFit {
   Session session;  // without the wrong points
   Fit fit;
   std::vector<WrongPoint> wrong;
-  std::vector<LoneObservation> lone = {};  // left out whole, by clean_model; excluded in `session`
+  std::vector<LoneObservation> lone = {};  // left out whole, by fit_without_outliers; excluded in `session`
 };
 
 CleanFit clean_fit(const Session& session, const FitOptions& options);

@@ -12,15 +12,15 @@ namespace {
 /// What is known before any measurement, so that what nothing determines has a size too.
 constexpr double marker_sigma_m = 0.3, mount_sigma_m = 0.3, mount_sigma_rad = 1.0;
 
-/// Does a change of every observation's circumstances change what the terms do?
+/// Does a change of every observation's observation states change what the terms do?
 template <class Change>
 bool depends_on(const Fit& fit, const Change& change) {
   const Chain& chain = fit.problem.source->chain;
-  Circumstances plain = circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
-  Circumstances changed = plain;
+  ObservationState plain = states_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
+  ObservationState changed = plain;
   change(changed);
   for (EffectTerm term : fit.problem.terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < term.values.size(); ++p)
       if (!effect.parameters[p].is_choice) term.values[p] = 1;
     const Sites a = moved_sites(plain, {term}), b = moved_sites(changed, {term});
@@ -81,14 +81,14 @@ void ExpectedPoses::linearise(const std::vector<Eigen::VectorXd>& poses, const s
                               const Eigen::VectorXd& before, const PoseJudge& judge) {
   auto source = std::make_shared<ProblemSource>();
   source->chain = fit_.problem.source->chain;
-  const Circumstances from = circumstances_at(source->chain, before);
+  const ObservationState from = states_at(source->chain, before);
   const auto chain_of_look = [&](const Look& look) -> const Chain& {
     return look.part < 0 ? source->chain : source->chain.parts[static_cast<std::size_t>(look.part)];
   };
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    Circumstances c = circumstances_at(chain_of_look(looks[i]), poses[i]);
+    ObservationState c = states_at(chain_of_look(looks[i]), poses[i]);
     c.approach = (c.sensor - from.sensor).cwiseSign();
-    source->circumstances.push_back(std::move(c));
+    source->states.push_back(std::move(c));
   }
   Problem problem = fit_.problem;
   problem.source = source;
@@ -174,11 +174,11 @@ Vector6 ExpectedPoses::sigma_of_body() const {
 }
 
 bool ExpectedPoses::depends_on_approach() const {
-  return depends_on(fit_, [](Circumstances& c) { c.approach.setOnes(); });
+  return depends_on(fit_, [](ObservationState& c) { c.approach.setOnes(); });
 }
 
 bool ExpectedPoses::depends_on_velocity() const {
-  return depends_on(fit_, [](Circumstances& c) { c.velocity.setOnes(); });
+  return depends_on(fit_, [](ObservationState& c) { c.velocity.setOnes(); });
 }
 
 }  // namespace handsight

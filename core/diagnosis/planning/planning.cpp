@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "diagnosis/planning/rivalry.h"
+#include "diagnosis/planning/model_discrimination.h"
 #include "diagnosis/planning/touch_pool.h"
 #include "diagnosis/ranking/refitting.h"
 #include "estimation/fit/undetermined.h"
@@ -26,7 +26,7 @@ constexpr std::size_t kept_in_pool = 500;  // after the first step, where steps 
 double noise_to_reckon(const Session& session, const Fit& f) {
   const double unknown = session.is_tracker() ? 2e-4 : 0.2;
   if (!f.noise || !(*f.noise > 0)) return f.residual_rms > 0 ? f.residual_rms : unknown;
-  return f.covariance_kind == CovarianceKind::scatter ? std::max(*f.noise, f.residual_rms) : *f.noise;
+  return f.covariance_kind == CovarianceKind::repeatability ? std::max(*f.noise, f.residual_rms) : *f.noise;
 }
 
 bool are_same(const std::vector<EffectTerm>& a, const std::vector<EffectTerm>& b) {
@@ -47,7 +47,8 @@ class Planner {
     plan.rotation_is_observed = base_.rotation_is_observed;
     judge_.emplace(session_, base_);
     for (const Fit* f : fits()) models_.emplace_back(*f, noise_);
-    if (options_.between) suspicions_ = {Suspicion(models_[1], models_[2]), Suspicion(models_[2], models_[1])};
+    if (options_.between)
+      suspicions_ = {ModelDiscrimination(models_[1], models_[2]), ModelDiscrimination(models_[2], models_[1])};
     fill_pool();
     before_ = session_.observations.back().position;
     look_at_pool();
@@ -68,7 +69,7 @@ class Planner {
       throw InputError(message("The number of poses to plan is {}; expected 1 to {} (--count).", options_.count,
                                most_planned_poses));
     if (!options_.between) return;
-    const RivalEffects& r = *options_.between;
+    const CompetingEffects& r = *options_.between;
     if (are_same(r.first, r.second))
       throw InputError(
           message("\"{}\" and \"{}\" are the same effect at the same places; give two that differ "
@@ -254,11 +255,11 @@ class Planner {
 
   void judge_the_rivals(Plan& plan) const {
     if (!options_.between || plan.poses.empty()) return;
-    const Weighing by{weighing(base_).knowledge, noise_};
+    const NoiseModel by{noise_model(base_).knowledge, noise_};
     const Eigen::Index model_columns = base_.problem.effect_count();
     plan.ln_bayes_factor_before =
         fit_evidence(first_, model_columns, by).ln_evidence - fit_evidence(second_, model_columns, by).ln_evidence;
-    const RivalEffects& r = *options_.between;
+    const CompetingEffects& r = *options_.between;
     const double total = total_.mean();
     plan.tells_apart = total >= no_difference * static_cast<double>(plan.poses.size());
     if (!plan.tells_apart) {
@@ -294,7 +295,7 @@ class Planner {
     if (!base_.noise)
       plan.notes.push_back(message("The noise is neither declared nor to be estimated: {:.3g} {} is assumed.", noise_,
                                    session_.is_tracker() ? "m" : "px"));
-    if (!options_.between && base_.covariance_kind == CovarianceKind::scatter)
+    if (!options_.between && base_.covariance_kind == CovarianceKind::repeatability)
       plan.notes.push_back(
           "The model does not fit down to the noise, so what it leaves is reckoned as noise; find what is missing "
           "first (handsight-cli diagnose) and give it with --effects.");
@@ -315,14 +316,14 @@ class Planner {
   Fit base_, first_, second_;
   double noise_ = 1;
   std::optional<PoseJudge> judge_;
-  std::vector<ExpectedPoses> models_;  // the model; then it with the first and with the second effect
-  std::vector<Suspicion> suspicions_;  // the first is true, the second is
-  std::vector<Eigen::VectorXd> pool_;  // that are left
-  std::vector<int> fixtures_;          // per pose of the pool: what it touches; empty: nothing
-  std::vector<std::size_t> rows_;      // per pose of the pool: its place among the models' rows
-  Eigen::VectorXd before_;             // the pose before the next
-  Vector2 total_ = Vector2::Zero();    // ln Bayes factors expected so far
-  bool looks_anew_ = false;            // what a pose shows depends on the one before
+  std::vector<ExpectedPoses> models_;            // the model; then it with the first and with the second effect
+  std::vector<ModelDiscrimination> suspicions_;  // the first is true, the second is
+  std::vector<Eigen::VectorXd> pool_;            // that are left
+  std::vector<int> fixtures_;                    // per pose of the pool: what it touches; empty: nothing
+  std::vector<std::size_t> rows_;                // per pose of the pool: its place among the models' rows
+  Eigen::VectorXd before_;                       // the pose before the next
+  Vector2 total_ = Vector2::Zero();              // ln Bayes factors expected so far
+  bool looks_anew_ = false;                      // what a pose shows depends on the one before
 };
 
 }  // namespace

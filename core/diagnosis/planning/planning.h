@@ -9,8 +9,8 @@
 
 namespace handsight {
 
-/// What is compared where two effects are to be told apart; each joins the model in turn.
-struct RivalEffects {
+/// What is compared where two effects are to be distinguished; each joins the model in turn.
+struct CompetingEffects {
   std::string first_name, second_name;    // as the user wrote them
   std::vector<EffectTerm> first, second;  // numbers are estimated, choices are set
 };
@@ -19,7 +19,7 @@ struct PlanOptions {
   int count = 10;                     // poses, 1 to most_planned_poses
   std::vector<EffectTerm> effects;    // in the model, held
   std::vector<EffectTerm> estimated;  // in the model, estimated
-  std::optional<RivalEffects> between;
+  std::optional<CompetingEffects> between;
   int pool = 2000;  // poses to choose from; fewer for models so large that it would take long
   std::uint64_t seed = 1;
   std::function<bool(const Eigen::VectorXd&)> may_take;  // says no of poses that cannot be had; empty: all can

@@ -46,7 +46,7 @@ class Fixtures {
 
   /// The tip, or the TCP, in the fixture's frame.
   Vector3 place(std::size_t f, const Eigen::VectorXd& position, bool of_tip) const {
-    const Circumstances c = circumstances_at(chain_.parts[f], position);
+    const ObservationState c = states_at(chain_.parts[f], position);
     const ObservedEnds seen = observed_ends(c, moved_sites(c, fit_.problem.terms));
     const Rigid root_from_fixture =
         seen.ends.root_from_mount * estimate(fit_).mount(static_cast<int>(f)) * seen.mount_motion;
@@ -74,7 +74,7 @@ class Fixtures {
 };
 
 /// A posture from anywhere, or near one that was taken.
-Eigen::VectorXd start_of(const Session& session, const PoseJudge& judge, std::mt19937_64& random) {
+Eigen::VectorXd make_start(const Session& session, const PoseJudge& judge, std::mt19937_64& random) {
   const bool anywhere = uniform(random) < 0.5;
   const auto taken = static_cast<std::size_t>(uniform(random) * static_cast<double>(session.observations.size()));
   Eigen::VectorXd position = session.observations[taken].position;
@@ -104,7 +104,7 @@ TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& ju
       const Eigen::Index numbers = held_by(kind, Vector3::Zero()).size();
       const Eigen::VectorXd wanted = Eigen::VectorXd::Constant(numbers, numbers > 1 ? 0 : touched.values[like]);
       const auto position =
-          touching_posture(tip, kind, wanted, start_of(session, judge, random), judge.lower(), judge.upper());
+          touching_posture(tip, kind, wanted, make_start(session, judge, random), judge.lower(), judge.upper());
       if (!position || judge.violation(*position) > 0 || !fixtures.is_as_touched(f, *position)) continue;
       pool.poses.push_back(*position);
       pool.fixtures.push_back(static_cast<int>(f));

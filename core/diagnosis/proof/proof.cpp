@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/evidence/observation_rows.h"
-#include "diagnosis/evidence/weighing.h"
 #include "diagnosis/proof/proof_sites.h"
 #include "effects/units.h"
 
@@ -38,11 +38,11 @@ Eigen::Index column_of(const Problem& p, std::size_t term, std::size_t parameter
 }
 
 /// Every number that is estimated, with its site; probes of the sites become further terms of the problem.
-std::vector<Number> numbers_of(Standing& s, const std::vector<EffectTerm>& terms,
-                               const std::vector<std::vector<double>>& sigmas) {
+std::vector<Number> list_numbers(Standing& s, const std::vector<EffectTerm>& terms,
+                                 const std::vector<std::vector<double>>& sigmas) {
   std::vector<Number> list;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const Effect& effect = effect_of(terms[t]);
+    const Effect& effect = term_effect(terms[t]);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const Eigen::Index column = column_of(s.problem, s.terms[t], p);
       if (column < 0) continue;
@@ -60,11 +60,11 @@ std::vector<Number> numbers_of(Standing& s, const std::vector<EffectTerm>& terms
   for (const Number& n : list)
     if (n.site.entry && std::find(entries.begin(), entries.end(), *n.site.entry) == entries.end()) {
       entries.push_back(*n.site.entry);
-      const std::shared_ptr<const Effect> probe = probe_of(entries.back());
+      const std::shared_ptr<const Effect> probe = make_probe(entries.back());
       probes.push_back(term_of(*probe, -1, probe));
     }
   const Eigen::Index before = s.problem.columns();
-  if (!probes.empty()) s.problem = candidates_of(s.problem, probes).problem;
+  if (!probes.empty()) s.problem = list_candidates(s.problem, probes).problem;
   for (Number& n : list)
     if (n.site.entry) n.probe = before + (std::find(entries.begin(), entries.end(), *n.site.entry) - entries.begin());
   s.step.conservativeResize(s.problem.columns());
@@ -154,13 +154,13 @@ void add_point(const Standing& s, const ObservationRows& rows, std::size_t place
 
 std::vector<ProofPlot> plots_of(const Session& session, Standing s, const std::vector<EffectTerm>& terms,
                                 const std::vector<std::vector<double>>& sigmas) {
-  const std::vector<std::vector<Number>> groups = by_site(numbers_of(s, terms, sigmas));
+  const std::vector<std::vector<Number>> groups = by_site(list_numbers(s, terms, sigmas));
   std::vector<ProofPlot> plots;
   for (const std::vector<Number>& group : groups) {
     const ProofSite& site = group.front().site;
     const EffectTerm& term = terms[group.front().number.term];
     ProofPlot plot;
-    plot.of = place_name(effect_of(term), term.joint, session.robot);
+    plot.of = place_name(term_effect(term), term.joint, session.robot);
     plot.quantity = site.quantity, plot.unit = site.unit;
     plot.against = site.against, plot.against_unit = site.against_unit;
     for (const Number& n : group) plot.numbers.push_back(n.number);
@@ -189,7 +189,7 @@ std::vector<ProofPlot> plots_of(const Session& session, Standing s, const std::v
 std::optional<std::vector<std::size_t>> places_in(const Problem& p, const std::vector<EffectTerm>& terms) {
   std::vector<std::size_t> places;
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     const auto found = std::find_if(p.terms.rbegin(), p.terms.rend(), [&](const EffectTerm& t) {
       if (t.id != term.id || t.joint != term.joint) return false;
       for (std::size_t i = 0; i < effect.parameters.size(); ++i)
@@ -204,7 +204,7 @@ std::optional<std::vector<std::size_t>> places_in(const Problem& p, const std::v
 
 /// The candidate's numbers as they stand, and what the model's own take up of them.
 Standing linear_standing(const Fit& model, double noise, const std::vector<EffectTerm>& terms) {
-  Standing s{candidates_of(with_motions(model.problem), terms).problem, estimate(model), {}, {}, noise};
+  Standing s{list_candidates(with_motions(model.problem), terms).problem, estimate(model), {}, {}, noise};
   const Eigen::Index base = s.problem.columns() - (s.problem.effect_count() - model.problem.effect_count());
   s.unknowns.effects = effect_values(s.problem);
   for (std::size_t t = 0; t < terms.size(); ++t) s.terms.push_back(s.problem.terms.size() - terms.size() + t);
@@ -224,8 +224,8 @@ Standing linear_standing(const Fit& model, double noise, const std::vector<Effec
 
 }  // namespace
 
-std::vector<ProofPlot> proof_of(const Session& session, const Fit& fit, const std::vector<EffectTerm>& terms) {
-  Standing s{with_motions(fit.problem), estimate(fit), {}, {}, weighing(fit).noise};
+std::vector<ProofPlot> make_proof(const Session& session, const Fit& fit, const std::vector<EffectTerm>& terms) {
+  Standing s{with_motions(fit.problem), estimate(fit), {}, {}, noise_model(fit).noise};
   const auto places = places_in(s.problem, terms);
   if (terms.empty() || !places) return {};
   s.terms = *places;
@@ -243,9 +243,9 @@ std::vector<ProofPlot> proof_of(const Session& session, const Fit& fit, const st
   return plots_of(session, std::move(s), present, sigmas);
 }
 
-std::vector<ProofPlot> proof_of(const Diagnosis& d, const DiagnosisCandidate& c) {
+std::vector<ProofPlot> make_proof(const Diagnosis& d, const DiagnosisCandidate& c) {
   if (c.terms.empty()) return {};
-  const double noise = weighing(d.model.fit).noise;
+  const double noise = noise_model(d.model.fit).noise;
   const Session& session = d.model.session;
   if (c.full_fit && c.full_fit->start) {
     const FitOptions& o = *c.full_fit;

@@ -47,10 +47,10 @@ struct ProofPlot {
 };
 
 /// Of effects that this fit estimates, by what it leaves: the strongest plot first. `terms` must be terms of the fit.
-std::vector<ProofPlot> proof_of(const Session& session, const Fit& fit, const std::vector<EffectTerm>& terms);
+std::vector<ProofPlot> make_proof(const Session& session, const Fit& fit, const std::vector<EffectTerm>& terms);
 
 /// Of a candidate: by its full fit where there was one, else linear. Empty where the candidate has no terms.
-std::vector<ProofPlot> proof_of(const Diagnosis& diagnosis, const DiagnosisCandidate& candidate);
+std::vector<ProofPlot> make_proof(const Diagnosis& diagnosis, const DiagnosisCandidate& candidate);
 
 /// How well the points follow the curve: the share of their squares (in units of their sigmas) that it takes away, 0 to
 /// 1. Noise alone takes none; a cause that is wrong leaves most of them where they are.

@@ -63,7 +63,7 @@ std::vector<Entry> entries_of(Sites& s) {
 
 /// What one unit of the number moves in every observation: observations x entries.
 Eigen::MatrixXd moved_entries(const Problem& p, const EffectTerm& term, std::size_t parameter) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   std::vector<double> values(effect.parameters.size(), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (effect.parameters[i].is_choice) values[i] = term.values[i];
@@ -72,7 +72,7 @@ Eigen::MatrixXd moved_entries(const Problem& p, const EffectTerm& term, std::siz
   for (std::size_t i = 0; i < p.observations.size(); ++i) {
     Sites sites = unmoved_sites(p.source->chain);
     const auto at = static_cast<std::size_t>(p.observations[i].index);
-    effect.move(p.source->circumstances[at], term.joint, values, sites);
+    effect.move(p.source->states[at], term.joint, values, sites);
     const std::vector<Entry> entries = entries_of(sites);
     if (i == 0)
       moved.resize(static_cast<Eigen::Index>(p.observations.size()), static_cast<Eigen::Index>(entries.size()));
@@ -87,13 +87,13 @@ Eigen::VectorXd per_observation(const Problem& p, const Value& value) {
   Eigen::VectorXd all(static_cast<Eigen::Index>(p.observations.size()));
   for (std::size_t i = 0; i < p.observations.size(); ++i) {
     const ProblemObservation& o = p.observations[i];
-    all[static_cast<Eigen::Index>(i)] = value(o, p.source->circumstances[static_cast<std::size_t>(o.index)]);
+    all[static_cast<Eigen::Index>(i)] = value(o, p.source->states[static_cast<std::size_t>(o.index)]);
   }
   return all;
 }
 
 /// The moment of gravity across the joint's axis, of the nominal robot.
-double moment_across(const Chain& chain, const Circumstances& c, int joint) {
+double moment_across(const Chain& chain, const ObservationState& c, int joint) {
   const Posture posture = solve_posture(chain.robot, c.sensor, chain.gravity);
   const auto j = static_cast<std::size_t>(joint);
   const Vector3 axis = posture.root_from_joint[j].rotation * chain.robot.joints[j].axis;
@@ -110,7 +110,7 @@ Followed angle_of(const Problem& p, int joint) {
   const Joint& j = p.source->chain.robot.joints[static_cast<std::size_t>(joint)];
   const bool slides = j.kind == JointKind::prismatic;
   return {slides ? message("position of {}", j.name) : message("angle of {}", j.name), slides ? "m" : "rad",
-          per_observation(p, [&](const auto&, const Circumstances& c) { return c.sensor[joint]; })};
+          per_observation(p, [&](const auto&, const ObservationState& c) { return c.sensor[joint]; })};
 }
 
 Followed torque_of(const Problem& p, int joint) {
@@ -122,22 +122,22 @@ Followed torque_of(const Problem& p, int joint) {
 Followed approach_of(const Problem& p, int joint) {
   return {
       message("direction in which {} last moved", p.source->chain.robot.joints[static_cast<std::size_t>(joint)].name),
-      "sign", per_observation(p, [&](const auto&, const Circumstances& c) { return c.approach[joint]; })};
+      "sign", per_observation(p, [&](const auto&, const ObservationState& c) { return c.approach[joint]; })};
 }
 
 Followed velocity_of(const Problem& p, int joint) {
   const Joint& j = p.source->chain.robot.joints[static_cast<std::size_t>(joint)];
   return {message("velocity of {}", j.name), j.kind == JointKind::prismatic ? "m/s" : "rad/s",
-          per_observation(p, [&](const auto&, const Circumstances& c) { return c.velocity[joint]; })};
+          per_observation(p, [&](const auto&, const ObservationState& c) { return c.velocity[joint]; })};
 }
 
 Followed order(const Problem& p) {
   return {"order of the observations", "number",
-          per_observation(p, [](const auto&, const Circumstances& c) { return static_cast<double>(c.order); })};
+          per_observation(p, [](const auto&, const ObservationState& c) { return static_cast<double>(c.order); })};
 }
 
 Followed time_or_order(const Problem& p) {
-  Followed time{"time", "s", per_observation(p, [](const auto&, const Circumstances& c) { return c.elapsed; })};
+  Followed time{"time", "s", per_observation(p, [](const auto&, const ObservationState& c) { return c.elapsed; })};
   return time.values.size() > 0 && time.values.maxCoeff() > time.values.minCoeff() ? time : order(p);
 }
 
@@ -147,7 +147,7 @@ bool in_proportion(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 }
 
 /// "distance from the sensor" of a curve's title, where that is what it follows.
-std::optional<Followed> place_of(const Problem& p, const Effect& effect, const std::string& variable) {
+std::optional<Followed> locate(const Problem& p, const Effect& effect, const std::string& variable) {
   if (effect.is_unnamed())
     if (const auto place = followed_place(p, *effect.definition)) {
       const std::string name = followed_variable(*effect.definition);
@@ -156,7 +156,7 @@ std::optional<Followed> place_of(const Problem& p, const Effect& effect, const s
   for (int axis = 0; axis < 3; ++axis)
     if (variable == std::string("tcp_") + "xyz"[axis])
       return Followed{message("place of the TCP along {} of the sensor's link", "xyz"[axis]), "m",
-                      per_observation(p, [&](const auto&, const Circumstances& c) {
+                      per_observation(p, [&](const auto&, const ObservationState& c) {
                         return (c.tcp ? *c.tcp : nominal_tcp(p.source->chain, c.sensor))[axis];
                       })};
   return std::nullopt;
@@ -176,7 +176,7 @@ std::optional<Followed> named_in_formula(const Problem& p, const Effect& effect,
       if (place >= 0 && name == "approach") return approach_of(p, place);
       if (name == "time" || name == "seconds") return time_or_order(p);
       if (name == "order") return order(p);
-      if (name.starts_with("tcp_")) return place_of(p, effect, name);
+      if (name.starts_with("tcp_")) return locate(p, effect, name);
       for (std::size_t j = 0; j < robot.joints.size(); ++j) {
         if (!robot.joints[j].moves()) continue;
         if (name == "q_" + formula_name(robot.joints[j].name)) return angle_of(p, static_cast<int>(j));
@@ -246,7 +246,7 @@ std::optional<Followed> load_of(const Problem& p, const Entry& e) {
     case EntryKind::bend:
       return Followed{message("gravity's moment across the axis of {}",
                               p.source->chain.robot.joints[static_cast<std::size_t>(e.joint)].name),
-                      "N m", per_observation(p, [&](const auto&, const Circumstances& c) {
+                      "N m", per_observation(p, [&](const auto&, const ObservationState& c) {
                         return moment_across(p.source->chain, c, e.joint);
                       })};
     default:
@@ -257,7 +257,7 @@ std::optional<Followed> load_of(const Problem& p, const Entry& e) {
 }  // namespace
 
 ProofSite proof_site(const Problem& p, const EffectTerm& term, std::size_t parameter) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   const EffectParameter& number = effect.parameters[parameter];
   const Eigen::MatrixXd moved = moved_entries(p, term, parameter);
   std::optional<Eigen::Index> entry;
@@ -295,12 +295,12 @@ ProofSite proof_site(const Problem& p, const EffectTerm& term, std::size_t param
   return site;
 }
 
-std::shared_ptr<const Effect> probe_of(std::size_t entry) {
+std::shared_ptr<const Effect> make_probe(std::size_t entry) {
   auto probe = std::make_shared<Effect>();
   probe->id = fmt::format("probe_{}", entry);
   probe->scope = EffectScope::session;
   probe->parameters = {{"size", "", 1}};
-  probe->move = [entry](const Circumstances&, int, std::span<const double> values, Sites& sites) {
+  probe->move = [entry](const ObservationState&, int, std::span<const double> values, Sites& sites) {
     *entries_of(sites)[entry].value += values[0];
   };
   return probe;

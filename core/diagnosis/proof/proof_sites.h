@@ -23,6 +23,6 @@ struct ProofSite {
 ProofSite proof_site(const Problem& problem, const EffectTerm& term, std::size_t parameter);
 
 /// An effect of one number that moves one entry of the sites by it.
-std::shared_ptr<const Effect> probe_of(std::size_t entry);
+std::shared_ptr<const Effect> make_probe(std::size_t entry);
 
 }  // namespace handsight

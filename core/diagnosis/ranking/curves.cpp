@@ -46,17 +46,17 @@ class Search {
  public:
   Search(const WhitenedModel& w, const NoiseKnowledge& noise) : w_(w), noise_(noise) {}
 
-  double factor_of(const Form& f) const { return factor_of(f, score_at(w_, *f.site, f.shape.values)); }
+  double make_factor(const Form& f) const { return make_factor(f, score_at(w_, *f.site, f.shape.values)); }
 
-  double factor_of(const Form& f, const Score& whole) const {
-    return ln_bayes_factor(part_of(whole, parameters_of(f)), w_, noise_);
+  double make_factor(const Form& f, const Score& whole) const {
+    return ln_bayes_factor(take_part(whole, parameters_of(f)), w_, noise_);
   }
 
   /// The setting between its neighbours that suits best (golden section).
   void settle_setting(Form& f) const {
     auto [low, high] = setting_range(f.shape);
     if (!(high > low)) return;
-    if (f.shape.family == ShapeFamily::wave && f.site->kind == LocaliserSite::joint &&
+    if (f.shape.family == ShapeFamily::wave && f.site->kind == EmpiricalErrorSite::joint &&
         f.variable.variable->kind == VariableKind::angle && f.variable.variable->joint == f.site->joint)
       low = std::max(low, catalogue_turns);
     if (!(high > low)) return;
@@ -86,7 +86,7 @@ class Search {
       for (std::size_t i = 0; i < f.directions.size(); ++i) {
         Form less = f;
         less.directions.erase(less.directions.begin() + static_cast<std::ptrdiff_t>(i));
-        less.ln_factor = factor_of(less, whole);
+        less.ln_factor = make_factor(less, whole);
         if (less.ln_factor > best.ln_factor) best = less;
       }
       shrunk = best.directions.size() < f.directions.size();
@@ -95,15 +95,15 @@ class Search {
   }
 
   Eigen::VectorXd estimate_of(const Form& f) const {
-    const Score s = part_of(score_at(w_, *f.site, f.shape.values), parameters_of(f));
+    const Score s = take_part(score_at(w_, *f.site, f.shape.values), parameters_of(f));
     return linear_estimate(s, w_, noise_).value;
   }
 
  private:
   Form at(const Form& f, double setting) const {
     Form other = f;
-    other.shape = shape_of(f.variable, f.shape.family, setting);
-    other.ln_factor = factor_of(other);
+    other.shape = make_shape(f.variable, f.shape.family, setting);
+    other.ln_factor = make_factor(other);
     return other;
   }
 
@@ -120,19 +120,19 @@ const Variable* other_factor(const CurveShape& product, const Variable& v, const
 /// Every form of a variable that a formula can write, at every site, with its evidence.
 void add_forms(const Search& search, const std::vector<CurveSite>& sites, const Variable& v,
                const std::vector<Variable>& variables, std::vector<Form>& forms) {
-  std::vector<CurveShape> shapes = shapes_of(v, variables);
-  if (v.kind == VariableKind::angle) shapes.push_back(shape_of({&v}, ShapeFamily::line, 0));
+  std::vector<CurveShape> shapes = list_shapes(v, variables);
+  if (v.kind == VariableKind::angle) shapes.push_back(make_shape({&v}, ShapeFamily::line, 0));
   for (const CurveShape& shape : shapes) {
     if (shape.formulas.empty()) continue;
     ShapeVariable of{&v};
     if (shape.family == ShapeFamily::product) of.other = other_factor(shape, v, variables);
     for (const CurveSite& site : sites) {
-      const bool at_joint = site.kind == LocaliserSite::joint, own = site.joint == v.joint;
+      const bool at_joint = site.kind == EmpiricalErrorSite::joint, own = site.joint == v.joint;
       if (!at_joint && (!shape.at_rigid || shape.family == ShapeFamily::line)) continue;
       if (at_joint && own && (!shape.at_joint || shape.family == ShapeFamily::line)) continue;
       if (at_joint && !own && v.kind == VariableKind::torque) continue;
       Form f{&site, of, shape, all_directions(site)};
-      f.ln_factor = search.factor_of(f);
+      f.ln_factor = search.make_factor(f);
       forms.push_back(std::move(f));
     }
   }
@@ -140,7 +140,7 @@ void add_forms(const Search& search, const std::vector<CurveSite>& sites, const 
 
 /// "x", "rz" of a rigid site; empty of a joint.
 std::string axis_name(const Form& f, Eigen::Index direction) {
-  return f.site->kind == LocaliserSite::joint ? "" : motion_axes[direction];
+  return f.site->kind == EmpiricalErrorSite::joint ? "" : motion_axes[direction];
 }
 
 std::string parameter_name(const Form& f, Eigen::Index function, Eigen::Index direction) {
@@ -152,15 +152,15 @@ std::string parameter_name(const Form& f, Eigen::Index function, Eigen::Index di
 }
 
 std::string site_text(const Form& f, const Robot& robot) {
-  if (f.site->kind == LocaliserSite::joint)
+  if (f.site->kind == EmpiricalErrorSite::joint)
     return "the angle of " + robot.joints[static_cast<std::size_t>(f.site->joint)].name;
   std::string axes;
   for (const Eigen::Index d : f.directions) axes += (axes.empty() ? "" : ", ") + axis_name(f, d);
-  return fmt::format("{} ({})", f.site->kind == LocaliserSite::tcp ? "the hand" : "the sensor's mount", axes);
+  return fmt::format("{} ({})", f.site->kind == EmpiricalErrorSite::tcp ? "the hand" : "the sensor's mount", axes);
 }
 
 EffectDefinition definition_of(const Form& f, const std::string& id, const Robot& robot) {
-  const bool at_joint = f.site->kind == LocaliserSite::joint;
+  const bool at_joint = f.site->kind == EmpiricalErrorSite::joint;
   EffectDefinition d;
   d.id = id;
   d.unnamed = true;
@@ -170,7 +170,7 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
                     f.variable.variable->name, f.shape.text);
   d.cause.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(d.cause.front())));
   const bool slides = at_joint && robot.joints[static_cast<std::size_t>(f.site->joint)].kind == JointKind::prismatic;
-  const std::string prefix = f.site->kind == LocaliserSite::tcp ? "hand_" : "mount_";
+  const std::string prefix = f.site->kind == EmpiricalErrorSite::tcp ? "hand_" : "mount_";
   for (const Eigen::Index direction : f.directions) {
     std::string formula;
     for (Eigen::Index function = 0; function < f.shape.values.cols(); ++function) {
@@ -188,17 +188,18 @@ EffectDefinition definition_of(const Form& f, const std::string& id, const Robot
 
 std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
                                      const std::vector<Variable>& variables,
-                                     const std::vector<RankedLocaliser>& localisers, const std::string& id) {
+                                     const std::vector<RankedEmpiricalError>& empirical_errors, const std::string& id) {
   const Robot& robot = problem.source->chain.robot;
   const std::vector<CurveSite> sites = curve_sites(w, problem);
   const Search search(w, noise);
   std::vector<Form> forms;
   std::vector<Variable> followed;  // as formulas give them
   followed.reserve(most_variables);
-  for (const RankedLocaliser& l : localisers) {
-    if (l.ln_bayes_factor < localisers.front().ln_bayes_factor - near_best || followed.size() == most_variables) break;
-    if (l.localiser.variable->formula.empty()) continue;
-    followed.push_back(as_written(*l.localiser.variable));
+  for (const RankedEmpiricalError& l : empirical_errors) {
+    if (l.ln_bayes_factor < empirical_errors.front().ln_bayes_factor - near_best || followed.size() == most_variables)
+      break;
+    if (l.empirical_error.variable->formula.empty()) continue;
+    followed.push_back(as_written(*l.empirical_error.variable));
     add_forms(search, sites, followed.back(), variables, forms);
   }
   if (forms.empty()) return std::nullopt;
@@ -231,8 +232,8 @@ std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledg
   found.ln_factor = best->ln_factor;
   found.ln_ways = ln_forms + best->ln_factor - best_value;
   found.variable = best->variable.variable->name;
-  found.where = best->site->kind == LocaliserSite::tcp ? "hand"
-                : best->site->kind == LocaliserSite::mount
+  found.where = best->site->kind == EmpiricalErrorSite::tcp ? "hand"
+                : best->site->kind == EmpiricalErrorSite::mount
                     ? "mount"
                     : robot.joints[static_cast<std::size_t>(best->site->joint)].name;
   return found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves: what a localiser found, settled in form, setting and directions, as a term that a model may take in like an
-// effect (effects/own_effect.h).
+// Curves: what an empirical error term found, settled in form, setting and directions, as a term that a model may take
+// in like an effect (effects/own_effect.h).
 #pragma once
 
 #include "diagnosis/ranking/ranking.h"
@@ -15,11 +15,12 @@ struct FoundCurve {
   std::string where;     // the joint that it moves, "hand" or "mount"
 };
 
-/// The best curve of these localisers (those near the first in evidence are looked at); none where no formula can say
-/// what they follow. `w` is whitened for the first one's scatter, `id` is what the curve is to be called.
+/// The best curve of these empirical error terms (those near the first in evidence are looked at); none where no
+/// formula can say what they follow. `w` is whitened for the first one's scatter, `id` is what the curve is to be
+/// called.
 std::optional<FoundCurve> find_curve(const WhitenedModel& w, const NoiseKnowledge& noise, const Problem& problem,
                                      const std::vector<Variable>& variables,
-                                     const std::vector<RankedLocaliser>& localisers, const std::string& id);
+                                     const std::vector<RankedEmpiricalError>& empirical_errors, const std::string& id);
 
 /// "curve_1" or the first number that none of the terms has.
 std::string next_curve_id(const std::vector<EffectTerm>& terms);
@@ -33,8 +34,8 @@ std::string followed_variable(const EffectDefinition& curve);
 /// "angle", or "hand_x, hand_z": the sites that it moves.
 std::string sites_text(const EffectDefinition& definition);
 
-/// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...". A place is told once,
-/// as u: "hand_z: z_slope*u + z_bow*u^2; u = (... - 1.31)/0.42".
+/// "sine*sin(3.3*q)" and the like, one formula a site: "hand_x: x_sine*sin(3.3*q_arm_4) + ...". A place is reported
+/// once, as u: "hand_z: z_slope*u + z_bow*u^2; u = (... - 1.31)/0.42".
 std::string formula_text(const EffectDefinition& definition);
 
 }  // namespace handsight

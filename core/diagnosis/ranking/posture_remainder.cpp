@@ -71,8 +71,8 @@ LinearModel with_remainder(const LinearModel& model, const Eigen::MatrixXd& by_w
 struct Likeliest {
   double without = -1e300, with = -1e300;
 
-  void take(const LinearModel& model, const Scatter& scatter, const NoiseKnowledge& noise) {
-    const WhitenedModel w = whiten(model, scatter, noise);
+  void take(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise) {
+    const WhitenedModel w = whiten(model, repeatability, noise);
     without = std::max(without, w.ln_evidence);
     with = std::max(with, w.ln_evidence + ln_bayes_factor(score(w, 0, model.candidates()), w, noise));
   }
@@ -80,19 +80,19 @@ struct Likeliest {
 
 }  // namespace
 
-double ln_factor_beside_posture(const Fit& without, const std::vector<EffectTerm>& terms, const Scatter& scatter,
-                                const Weighing& weighing) {
-  const Candidates candidates = candidates_of(without.problem, terms);
+double ln_factor_beside_posture(const Fit& without, const std::vector<EffectTerm>& terms,
+                                const Repeatability& repeatability, const NoiseModel& noise_model) {
+  const Candidates candidates = list_candidates(without.problem, terms);
   const LinearModel model =
-      linear_model(candidates.problem, estimate(without), candidates.base_effects, weighing.noise);
+      linear_model(candidates.problem, estimate(without), candidates.base_effects, noise_model.noise);
   const Eigen::MatrixXd features = posture_features(candidates.problem);
   const double left = place_left(model);
   Likeliest likeliest;
-  likeliest.take(model, scatter, weighing.knowledge);
+  likeliest.take(model, repeatability, noise_model.knowledge);
   for (const double length : lengths) {
     const Eigen::MatrixXd by_wave = waves_over(features, length);
     for (const double size : sizes)
-      likeliest.take(with_remainder(model, by_wave, size * left), scatter, weighing.knowledge);
+      likeliest.take(with_remainder(model, by_wave, size * left), repeatability, noise_model.knowledge);
   }
   return likeliest.with - likeliest.without;
 }

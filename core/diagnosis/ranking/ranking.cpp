@@ -8,15 +8,15 @@
 
 #include "base/combinations.h"
 #include "base/threads.h"
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 
 namespace handsight {
 namespace {
 
-constexpr double least_visible = 1e-2;  // chi-squared of a plausible size below which a unit is left out of choices
+constexpr double least_visible = 1e-2;  // chi-squared of a prior sigma below which a unit is left out of choices
 constexpr std::size_t most_in_pairs = 6;
 
-std::vector<Eigen::Index> columns_of(const CandidateEffect& c, const std::vector<std::size_t>& units) {
+std::vector<Eigen::Index> list_columns(const CandidateEffect& c, const std::vector<std::size_t>& units) {
   std::vector<Eigen::Index> columns;
   for (const std::size_t u : units)
     for (Eigen::Index i = 0; i < c.units[u].count; ++i) columns.push_back(c.units[u].first - c.units.front().first + i);
@@ -43,21 +43,21 @@ class EffectRanker {
     all_ = score(w_, first, c_.units.back().first + c_.units.back().count - first);
     std::vector<std::size_t> seen;
     for (std::size_t u = 0; u < c_.units.size(); ++u)
-      if (part_of(all_, columns_of(c_, {u})).information.trace() >= least_visible) seen.push_back(u);
+      if (take_part(all_, list_columns(c_, {u})).information.trace() >= least_visible) seen.push_back(u);
     if (seen.size() < 3) return;
-    const double before = r.ln_best, shift = before - factor_of(r.units);  // the scatter's own share
-    r.ln_best = factor_of(r.units);
+    const double before = r.ln_best, shift = before - make_factor(r.units);  // the scatter's own share
+    r.ln_best = make_factor(r.units);
     double best = r.ln_best - ln_choose(static_cast<double>(seen.size()), static_cast<double>(r.units.size()));
     extend(seen, seen.size(), best, r);
     r.ln_best += shift;
     std::sort(r.units.begin(), r.units.end());
-    finish(part_of(all_, columns_of(c_, r.units)), r);
+    finish(take_part(all_, list_columns(c_, r.units)), r);
   }
 
   RankedEffect rank() {
     RankedEffect r;
     r.candidate = &c_;
-    r.scatter = w_.scatter;
+    r.repeatability = w_.repeatability;
     if (sits_at_joints(*c_.effect)) {
       rank_joints(r);
     } else {
@@ -73,7 +73,8 @@ class EffectRanker {
       whole = score(w_, c_.units[r.units[0]].first, c_.units[r.units[0]].count);
     } else {
       const Eigen::Index first = c_.units.front().first;
-      whole = part_of(score(w_, first, c_.units.back().first + c_.units.back().count - first), columns_of(c_, r.units));
+      whole =
+          take_part(score(w_, first, c_.units.back().first + c_.units.back().count - first), list_columns(c_, r.units));
     }
     finish(whole, r);
   }
@@ -102,8 +103,8 @@ class EffectRanker {
     finish(best, r);
   }
 
-  double factor_of(const std::vector<std::size_t>& units) const {
-    return ln_bayes_factor(part_of(all_, columns_of(c_, units)), w_, noise_);
+  double make_factor(const std::vector<std::size_t>& units) const {
+    return ln_bayes_factor(take_part(all_, list_columns(c_, units)), w_, noise_);
   }
 
   /// One joint, a pair, some, or all of them.
@@ -114,14 +115,14 @@ class EffectRanker {
     std::vector<std::size_t> seen;
     std::vector<double> singles;
     for (std::size_t u = 0; u < c_.units.size(); ++u) {
-      const Score s = part_of(all_, columns_of(c_, {u}));
+      const Score s = take_part(all_, list_columns(c_, {u}));
       if (s.information.trace() < least_visible) continue;
       seen.push_back(u);
       singles.push_back(ln_bayes_factor(s, w_, noise_));
     }
     if (seen.empty()) {
       r.units = {0};
-      finish(part_of(all_, columns_of(c_, r.units)), r);
+      finish(take_part(all_, list_columns(c_, r.units)), r);
       return;
     }
     const std::size_t n = seen.size();
@@ -139,20 +140,20 @@ class EffectRanker {
         for (std::size_t b = a + 1; b < n; ++b) {
           // Joints that show little alone seldom do in pairs: the better of the two stands for them.
           const bool exact = b < most_in_pairs || (a < 2 && b < 12);
-          const double factor = exact ? factor_of({seen[order[a]], seen[order[b]]}) : singles[order[a]] - 1;
+          const double factor = exact ? make_factor({seen[order[a]], seen[order[b]]}) : singles[order[a]] - 1;
           pairs.push_back(factor);
           if (exact) take({seen[order[a]], seen[order[b]]}, factor, n, best, r);
         }
       classes.push_back(ln_mean_exp(pairs));
       if (n > 2 && !has_choices(*c_.effect)) {
-        const double all = factor_of(seen);
+        const double all = make_factor(seen);
         classes.push_back(all);
         take(seen, all, n, best, r);
       }
     }
     r.ln_bayes_factor = ln_mean_exp(classes);
     std::sort(r.units.begin(), r.units.end());
-    finish(part_of(all_, columns_of(c_, r.units)), r);
+    finish(take_part(all_, list_columns(c_, r.units)), r);
   }
 
   void take(const std::vector<std::size_t>& units, double factor, std::size_t n, double& best, RankedEffect& r) const {
@@ -173,7 +174,7 @@ class EffectRanker {
         std::vector<std::size_t> more = from;
         more.push_back(u);
         const double before = best;
-        take(more, factor_of(more), n, best, r);
+        take(more, make_factor(more), n, best, r);
         grown = grown || best > before;
       }
     }
@@ -184,7 +185,7 @@ class EffectRanker {
         std::vector<std::size_t> less = from;
         less.erase(less.begin() + static_cast<std::ptrdiff_t>(i));
         const double before = best;
-        take(less, factor_of(less), n, best, r);
+        take(less, make_factor(less), n, best, r);
         shrunk = shrunk || best > before;
       }
     }
@@ -205,11 +206,11 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
   std::stable_sort(best.begin(), best.end(),
                    [](const auto* a, const auto* b) { return a->ln_bayes_factor > b->ln_bayes_factor; });
   if (best.size() > most) best.resize(most);
-  for (const Scatter& scatter : ranking.scatters) {
+  for (const Repeatability& repeatability : ranking.scatters) {
     std::optional<WhitenedModel> w;
     for (RankedEffect* r : best) {
-      if (r->scatter != scatter) continue;
-      if (!w) w = whiten(model, scatter, noise);
+      if (r->repeatability != repeatability) continue;
+      if (!w) w = whiten(model, repeatability, noise);
       EffectRanker(*w, noise, *r->candidate).search_places(*r);
     }
   }
@@ -233,22 +234,22 @@ std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
 Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candidates& candidates,
              const std::vector<Variable>& variables) {
   Ranking ranking;
-  ranking.scatters = scatter_levels(model, noise);
+  ranking.scatters = repeatability_levels(model, noise);
   std::vector<double> evidence;
   std::vector<std::vector<RankedEffect>> effects;
-  std::vector<std::vector<Localiser>> localisers;
-  for (const Scatter& scatter : ranking.scatters) {
-    const WhitenedModel w = whiten(model, scatter, noise);
+  std::vector<std::vector<EmpiricalError>> empirical_errors;
+  for (const Repeatability& repeatability : ranking.scatters) {
+    const WhitenedModel w = whiten(model, repeatability, noise);
     evidence.push_back(w.ln_evidence);
     effects.emplace_back(candidates.effects.size());
     each_part(static_cast<int>(candidates.effects.size()), true, [&](int i) {
       const auto e = static_cast<std::size_t>(i);
       effects.back()[e] = EffectRanker(w, noise, candidates.effects[e]).rank();
     });
-    localisers.push_back(localise(w, noise, candidates.problem, variables));
+    empirical_errors.push_back(localise(w, noise, candidates.problem, variables));
   }
   const auto top = std::max_element(evidence.begin(), evidence.end());
-  ranking.scatter = ranking.scatters[static_cast<std::size_t>(top - evidence.begin())];
+  ranking.repeatability = ranking.scatters[static_cast<std::size_t>(top - evidence.begin())];
   for (std::size_t e = 0; e < effects.front().size(); ++e) {
     std::size_t best = 0;
     for (std::size_t s = 1; s < evidence.size(); ++s)
@@ -259,13 +260,14 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
     r.visibility = effects[0][e].visibility;
     ranking.effects.push_back(std::move(r));
   }
-  for (std::size_t l = 0; l < localisers.front().size(); ++l) {
+  for (std::size_t l = 0; l < empirical_errors.front().size(); ++l) {
     std::size_t best = 0;
     for (std::size_t s = 1; s < evidence.size(); ++s)
-      if (evidence[s] + localisers[s][l].ln_bayes_factor > evidence[best] + localisers[best][l].ln_bayes_factor)
+      if (evidence[s] + empirical_errors[s][l].ln_bayes_factor >
+          evidence[best] + empirical_errors[best][l].ln_bayes_factor)
         best = s;
-    const double factor = localisers[best][l].ln_bayes_factor + evidence[best] - *top + ln_odds_of_unnamed;
-    ranking.localisers.push_back({localisers[best][l], factor, ranking.scatters[best]});
+    const double factor = empirical_errors[best][l].ln_bayes_factor + evidence[best] - *top + ln_odds_of_unnamed;
+    ranking.empirical_errors.push_back({empirical_errors[best][l], factor, ranking.scatters[best]});
   }
   search_places_of_the_best(model, noise, ranking);
   const WhitenedModel plain = whiten(model, {}, noise);
@@ -275,7 +277,7 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
   });
   const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
   std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);
-  std::stable_sort(ranking.localisers.begin(), ranking.localisers.end(), better);
+  std::stable_sort(ranking.empirical_errors.begin(), ranking.empirical_errors.end(), better);
   return ranking;
 }
 

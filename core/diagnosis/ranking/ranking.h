@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The catalogue's effects and the localisers in the order of their evidence, with the joints' repeatability profiled
-// out and a choice of joints inside every effect (docs/method.md, "Ranking what is missing").
+// The catalogue's effects and the empirical error terms in the order of their evidence, with the joints' repeatability
+// profiled out and a choice of joints inside every effect (docs/method.md, "Ranking what is missing").
 #pragma once
 
-#include "diagnosis/curves/localisers.h"
+#include "diagnosis/curves/empirical_errors.h"
 #include "diagnosis/evidence/candidates.h"
 
 namespace handsight {
@@ -16,24 +16,24 @@ struct RankedEffect {
   double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best
   std::vector<std::size_t> units;  // the best choice of places
   double ln_best = 0;              // of that choice alone
-  LinearEstimate estimate;         // of its parameters, unit by unit, in plausible sizes
-  Scatter scatter;                 // at which
+  LinearEstimate estimate;         // of its parameters, unit by unit, in prior sigmas
+  Repeatability repeatability;     // at which
   double gained_squares = 0;       // chi-squared that the best choice takes away
   int parameters = 0;              // of the best choice
-  double visibility = 0;  // chi-squared expected of the plausible size at all places: below 30 it cannot be seen
+  double visibility = 0;           // chi-squared expected of the prior sigma at all places: below 30 it cannot be seen
 };
 
-struct RankedLocaliser {
-  Localiser localiser;
+struct RankedEmpiricalError {
+  EmpiricalError empirical_error;
   double ln_bayes_factor = 0;  // prior odds against anything unnamed included
-  Scatter scatter;
+  Repeatability repeatability;
 };
 
 struct Ranking {
-  std::vector<RankedEffect> effects;        // best first
-  std::vector<RankedLocaliser> localisers;  // best first
-  Scatter scatter;                          // that suits the model as it is
-  std::vector<Scatter> scatters;            // that were tried
+  std::vector<RankedEffect> effects;                   // best first
+  std::vector<RankedEmpiricalError> empirical_errors;  // best first
+  Repeatability repeatability;                         // that suits the model as it is
+  std::vector<Repeatability> scatters;                 // that were tried
 };
 
 /// A ranked effect at its linear estimate.

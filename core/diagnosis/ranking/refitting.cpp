@@ -5,22 +5,22 @@
 #include <array>
 #include <cmath>
 
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 
 namespace handsight {
 namespace {
 
-/// The plausible sizes of a fit's last effect numbers, in units of what its linear model lets them be.
+/// The prior sigmas of a fit's last effect numbers, in units of what its linear model lets them be.
 Eigen::ArrayXd plausible_in_model(const Fit& fit, const Problem& problem, Eigen::Index last) {
   const Eigen::VectorXd values = estimate(fit).effects.tail(last);
   const auto first = problem.columns_of_effects.size() - static_cast<std::size_t>(last);
   Eigen::ArrayXd sizes(last);
   for (Eigen::Index i = 0; i < last; ++i)
-    sizes[i] = 1 / times_plausible(values[i] / problem.columns_of_effects[first + static_cast<std::size_t>(i)].sigma);
+    sizes[i] = 1 / times_prior_sigma(values[i] / problem.columns_of_effects[first + static_cast<std::size_t>(i)].sigma);
   return sizes;
 }
 
-/// With the plausible sizes of the last columns times these.
+/// With the prior sigmas of the last columns times these.
 BasePrior at_scales(const BasePrior& plain, const Eigen::ArrayXd& times) {
   const Eigen::Index added = times.size();
   const Eigen::ArrayXd squares = times * times;
@@ -33,43 +33,43 @@ BasePrior at_scales(const BasePrior& plain, const Eigen::ArrayXd& times) {
 
 }  // namespace
 
-FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing) {
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const NoiseModel& noise_model) {
   const Problem problem = with_motions(fit.problem);
-  const LinearModel model = linear_model(problem, estimate(fit), problem.effect_count(), weighing.noise);
+  const LinearModel model = linear_model(problem, estimate(fit), problem.effect_count(), noise_model.noise);
   const Eigen::ArrayXd plausible = plausible_in_model(fit, problem, problem.effect_count() - first_new);
   FitEvidence best{-1e300, {}};
-  for (const Scatter& scatter : scatter_levels(model, weighing.knowledge)) {
-    const BaseEvidence evidence(model, scatter, weighing.knowledge);
+  for (const Repeatability& repeatability : repeatability_levels(model, noise_model.knowledge)) {
+    const BaseEvidence evidence(model, repeatability, noise_model.knowledge);
     const auto at_scale = [&](double scale) {
       return evidence.ln_with(at_scales(model.prior, scale * plausible)) - (scale * plausible).log().sum();
     };
-    std::array<double, plausible_scales.size()> values{};
-    for (std::size_t i = 0; i < values.size() && plausible.size() > 0; ++i) values[i] = at_scale(plausible_scales[i]);
+    std::array<double, prior_scales.size()> values{};
+    for (std::size_t i = 0; i < values.size() && plausible.size() > 0; ++i) values[i] = at_scale(prior_scales[i]);
     const double value = plausible.size() > 0 ? ln_over_scales(values) : at_scale(1);
-    if (value > best.ln_evidence) best = {value, scatter};
+    if (value > best.ln_evidence) best = {value, repeatability};
   }
   return best;
 }
 
-double ln_evidence_of(const CleanFit& model, const Weighing& weighing) {
-  return fit_evidence(model.fit, model.fit.problem.effect_count(), weighing).ln_evidence;
+double compute_ln_evidence(const CleanFit& model, const NoiseModel& noise_model) {
+  return fit_evidence(model.fit, model.fit.problem.effect_count(), noise_model).ln_evidence;
 }
 
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 const Weighing& weighing, std::optional<double> ln_before) {
+                 const NoiseModel& noise_model, std::optional<double> ln_before) {
   Refit r;
   r.options = model_options;
   r.options.start = estimate(model.fit);
   r.options.estimated.insert(r.options.estimated.end(), added.begin(), added.end());
-  set_quick(weighing, r.options);
+  set_quick(noise_model, r.options);
   r.added = added.size();
   r.fit = fit(model.session, r.options);
   for (std::size_t t = 0; t < r.options.estimated.size(); ++t)
     r.options.estimated[t] = r.fit.effects[r.options.effects.size() + t].term;
   r.options.start = estimate(r.fit);
   const Eigen::Index before = model.fit.problem.effect_count();
-  r.ln_bayes_factor =
-      fit_evidence(r.fit, before, weighing).ln_evidence - (ln_before ? *ln_before : ln_evidence_of(model, weighing));
+  r.ln_bayes_factor = fit_evidence(r.fit, before, noise_model).ln_evidence -
+                      (ln_before ? *ln_before : compute_ln_evidence(model, noise_model));
   return r;
 }
 
@@ -77,26 +77,26 @@ namespace {
 
 /// The order of each term that has one, sought up to `reach` used observations before and after its own.
 std::vector<EffectTerm> with_orders_within(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                           const Weighing& weighing, std::ptrdiff_t reach) {
-  const NoiseKnowledge& knowledge = weighing.knowledge;
+                                           const NoiseModel& noise_model, std::ptrdiff_t reach) {
+  const NoiseKnowledge& knowledge = noise_model.knowledge;
   std::vector<EffectTerm> settled = terms;
   const Problem& problem = model.fit.problem;
   for (EffectTerm& term : settled) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     const auto order = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                     [](const EffectParameter& p) { return p.is_choice && p.choices.empty(); });
     if (order == effect.parameters.end()) continue;
     const auto place = static_cast<std::size_t>(order - effect.parameters.begin());
     std::vector<double> orders;
     for (const ProblemObservation& o : problem.observations)
-      orders.push_back(problem.source->circumstances[static_cast<std::size_t>(o.index)].order);
+      orders.push_back(problem.source->states[static_cast<std::size_t>(o.index)].order);
     const auto here = std::lower_bound(orders.begin(), orders.end(), term.values[place]) - orders.begin();
     const auto from = std::max<std::ptrdiff_t>(1, here - reach);
     const auto to = std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(orders.size()) - 1, here + reach);
     if (from > to) continue;
     const Candidates near =
         candidates_at_orders(problem, term, std::vector<double>(orders.begin() + from, orders.begin() + to + 1));
-    const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, weighing.noise);
+    const LinearModel linear = linear_model(near.problem, estimate(model.fit), near.base_effects, noise_model.noise);
     const WhitenedModel w = whiten(linear, {}, knowledge);
     double best = -1e300;
     for (const CandidateUnit& unit : near.effects.front().units) {
@@ -117,19 +117,20 @@ std::vector<EffectTerm> with_orders_within(const CleanFit& model, const std::vec
 }  // namespace
 
 std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                            const Weighing& weighing) {
+                                            const NoiseModel& noise_model) {
   const auto reach = static_cast<std::ptrdiff_t>(model.fit.problem.observations.size() / 24 + 2);
-  return with_orders_within(model, terms, weighing, reach);
+  return with_orders_within(model, terms, noise_model, reach);
 }
 
 std::vector<EffectTerm> with_best_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                         const Weighing& weighing) {
-  return with_orders_within(model, terms, weighing, static_cast<std::ptrdiff_t>(model.fit.problem.observations.size()));
+                                         const NoiseModel& noise_model) {
+  return with_orders_within(model, terms, noise_model,
+                            static_cast<std::ptrdiff_t>(model.fit.problem.observations.size()));
 }
 
 bool further_effect_passes(const Refit& refit, double threshold) {
   const Fit& f = refit.fit;
-  const Weighing w = weighing(f);
+  const NoiseModel w = noise_model(f);
   const Candidates candidates = all_candidates(f.problem);
   const LinearModel model = linear_model(candidates.problem, estimate(f), candidates.base_effects, w.noise);
   const Ranking ranking = rank(model, w.knowledge, candidates, {});
@@ -158,13 +159,13 @@ double imitated_share(const Score& all, const RankedEffect& a, const RankedEffec
   if (!(signal > 0)) return 0;
   const Eigen::VectorXd shared = all.information(other, own) * value;
   Eigen::MatrixXd information = all.information(other, other);
-  information.diagonal().array() += 1.0 / 9;  // three plausible sizes
+  information.diagonal().array() += 1.0 / 9;  // three prior sigmas
   return shared.dot(information.ldlt().solve(shared)) / signal;
 }
 
 namespace {
 
-EffectTerm likeliest_choice(const CleanFit& model, const Candidates& choices, EffectTerm term, const Weighing& by) {
+EffectTerm likeliest_choice(const CleanFit& model, const Candidates& choices, EffectTerm term, const NoiseModel& by) {
   const LinearModel linear = linear_model(choices.problem, estimate(model.fit), choices.base_effects, by.noise);
   const WhitenedModel w = whiten(linear, {}, by.knowledge);
   double best = -1e300;
@@ -183,13 +184,13 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
   std::vector<EffectTerm> settled = terms;
   std::optional<CleanFit> model;
   for (EffectTerm& term : settled) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     if (std::none_of(effect.parameters.begin(), effect.parameters.end(),
                      [](const EffectParameter& p) { return p.is_choice; }))
       continue;
     if (!model) model = clean_fit(session, {});
     const Fit& f = model->fit;
-    const Weighing by = weighing(f);
+    const NoiseModel by = noise_model(f);
     const Candidates choices = choices_at_place(f.problem, term);
     const bool has_choice = !choices.effects.empty() && !choices.effects.front().units.empty();
     if (has_choice) term = likeliest_choice(*model, choices, term, by);

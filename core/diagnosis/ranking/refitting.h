@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/ranking/ranking.h"
 
@@ -18,28 +18,28 @@ struct Refit {
 };
 
 /// The evidence of a model for all that it estimates, which is the same for everything that is added to it.
-double ln_evidence_of(const CleanFit& model, const Weighing& weighing);
+double compute_ln_evidence(const CleanFit& model, const NoiseModel& noise_model);
 
-/// Adds terms to a model and fits everything from there, on the same points. `ln_before`: ln_evidence_of() the model,
-/// where it is known.
+/// Adds terms to a model and fits everything from there, on the same points. `ln_before`: compute_ln_evidence() the
+/// model, where it is known.
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
-                 const Weighing& weighing, std::optional<double> ln_before = std::nullopt);
+                 const NoiseModel& noise_model, std::optional<double> ln_before = std::nullopt);
 
 /// ln of the evidence of a fit, up to a constant that all fits of the same points share; the effects from `first_new`
-/// (an effect column) on with a mixture of plausible sizes. The best over the repeatabilities, which is given too.
+/// (an effect column) on with a mixture of prior sigmas. The best over the repeatabilities, which is given too.
 struct FitEvidence {
   double ln_evidence = 0;
-  Scatter scatter;
+  Repeatability repeatability;
 };
-FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const Weighing& weighing);
+FitEvidence fit_evidence(const Fit& fit, Eigen::Index first_new, const NoiseModel& noise_model);
 
 /// Where a term has an observation from which on it acts, the one among the neighbours of its own that suits best.
 std::vector<EffectTerm> with_settled_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                            const Weighing& weighing);
+                                            const NoiseModel& noise_model);
 
 /// The same among all observations.
 std::vector<EffectTerm> with_best_orders(const CleanFit& model, const std::vector<EffectTerm>& terms,
-                                         const Weighing& weighing);
+                                         const NoiseModel& noise_model);
 
 /// Does any further named effect of the catalogue pass the threshold once these are in the model?
 bool further_effect_passes(const Refit& refit, double threshold);

@@ -13,7 +13,7 @@ constexpr double least_sigmas = 2.3;  // of the sum of what all observations gai
 }  // namespace
 
 bool follows_time(const EffectTerm& term) {
-  return slip_order({term}).has_value() || effect_of(term).check_reads == CheckReads::start_to_end;
+  return slip_order({term}).has_value() || term_effect(term).check_reads == CheckReads::start_to_end;
 }
 
 bool is_change_between_sessions(const EffectTerm& term) { return term.id.ends_with("_changed"); }
@@ -25,7 +25,7 @@ double ln_odds_against_time(const EffectTerm& term) {
 
 std::optional<double> slip_order(const std::vector<EffectTerm>& terms) {
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty()) return term.values[p];
   }
@@ -46,7 +46,7 @@ bool slip_is_confirmed(const Session& session, const Fit& without, const FitOpti
     const auto at = static_cast<std::size_t>(i);
     const double gain = before[at] - after[at];
     const auto index = static_cast<std::size_t>(without.problem.observations[at].index);
-    (without.problem.source->circumstances[index].order < order ? earlier : later) += gain;
+    (without.problem.source->states[index].order < order ? earlier : later) += gain;
     squares += gain * gain;
   }
   return earlier > 0 && later > 0 && earlier + later > least_sigmas * std::sqrt(squares);

@@ -62,9 +62,9 @@ ResidualViews views_of(Problem problem, const Fit& model, int rows) {
   ResidualViews v;
   v.problem = std::move(problem);
   v.unknowns = estimate(model);
-  v.weighing = weighing(model);
-  v.model = linear_model(v.problem, v.unknowns, v.problem.effect_count(), v.weighing.noise);
-  v.variables = variables_of(v.problem, v.unknowns);
+  v.noise_model = noise_model(model);
+  v.model = linear_model(v.problem, v.unknowns, v.problem.effect_count(), v.noise_model.noise);
+  v.variables = list_variables(v.problem, v.unknowns);
   v.axes = residual_axes(v.problem, v.model);
   v.series = residual_series(v.problem, v.model);
   v.corners = corner_residuals(v.problem, v.unknowns);
@@ -124,7 +124,7 @@ std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64
   Eigen::VectorXd rows(views.model.external.rows());
   for (double& x : rows) x = normal(random);
   // What the model's own parameters would take up of it does not show.
-  const WhitenedModel w = whiten(views.model, {}, views.weighing.knowledge);
+  const WhitenedModel w = whiten(views.model, {}, views.noise_model.knowledge);
   const auto by_base = w.external.leftCols(views.model.base);
   rows -= by_base * w.base.solve(by_base.transpose() * rows);
   std::vector<Eigen::VectorXd> list;
@@ -133,10 +133,10 @@ std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64
 }
 
 EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>& terms) {
-  const Candidates candidates = candidates_of(views.problem, terms);
+  const Candidates candidates = list_candidates(views.problem, terms);
   const Problem& problem = candidates.problem;
-  const LinearModel model = linear_model(problem, views.unknowns, candidates.base_effects, views.weighing.noise);
-  const WhitenedModel w = whiten(model, {}, views.weighing.knowledge);
+  const LinearModel model = linear_model(problem, views.unknowns, candidates.base_effects, views.noise_model.noise);
+  const WhitenedModel w = whiten(model, {}, views.noise_model.knowledge);
   const Eigen::Index count = model.candidates();
 
   EffectView view;
@@ -165,7 +165,7 @@ EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>
   view.corners = corner_changes(problem, views.unknowns, steps, views.corners.size());
 
   const Score s = score(w, 0, count);
-  const LinearEstimate e = linear_estimate(s, w, views.weighing.knowledge);
+  const LinearEstimate e = linear_estimate(s, w, views.noise_model.knowledge);
   view.best = e.value.cwiseProduct(plausible);
   view.best_sigma = e.covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(plausible);
   view.information = per_unit.asDiagonal() * s.information * per_unit.asDiagonal();
@@ -174,7 +174,7 @@ EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>
   return view;
 }
 
-Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>& terms) {
+Eigen::VectorXd list_numbers(const EffectView& view, const std::vector<EffectTerm>& terms) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(view.numbers.size()));
   for (std::size_t i = 0; i < view.numbers.size(); ++i)
     values[static_cast<Eigen::Index>(i)] = terms[view.numbers[i].term].values[view.numbers[i].parameter];
@@ -183,8 +183,8 @@ Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>
 
 double rms_left(const ResidualViews& views, const EffectView& view, const Eigen::VectorXd& numbers) {
   const double squares = view.squares - 2 * view.gradient.dot(numbers) + numbers.dot(view.information * numbers);
-  return as_told(views.weighing.noise * std::sqrt(std::max(squares, 0.0) / views.degrees),
-                 views.problem.rig.has_value());
+  return as_reported(views.noise_model.noise * std::sqrt(std::max(squares, 0.0) / views.degrees),
+                     views.problem.rig.has_value());
 }
 
 }  // namespace handsight

@@ -3,7 +3,7 @@
 // residuals in the images, and how both would look with noise alone or with an effect of any size.
 #pragma once
 
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/residuals/patterns.h"
 
@@ -20,7 +20,7 @@ struct CornerResidual {
 struct ResidualViews {
   Problem problem;  // the model's, with motions
   Unknowns unknowns;
-  Weighing weighing;
+  NoiseModel noise_model;
   LinearModel model;                   // no candidates
   std::vector<Variable> variables;     // what residuals may follow
   std::vector<ResidualAxis> axes;      // one for each series
@@ -51,7 +51,7 @@ std::vector<Eigen::VectorXd> noise_alone(const ResidualViews& views, std::uint64
 struct EffectNumber {
   std::size_t term = 0;       // into EffectView::terms
   std::size_t parameter = 0;  // of the effect
-  double plausible = 0;       // the plausible size, in the number's unit
+  double plausible = 0;       // the prior sigma, in the number's unit
 };
 
 /// What effects would do to the residuals of this model on these poses once TCP->Body, markers, mount and the model's
@@ -61,7 +61,7 @@ struct EffectView {
   std::vector<EffectNumber> numbers;
   std::vector<Eigen::MatrixXd> series;  // per series: observations x numbers
   Eigen::MatrixXd corners;              // (2 corners) x numbers
-  Eigen::VectorXd best, best_sigma;     // the numbers that fit best, with the plausible sizes as priors
+  Eigen::VectorXd best, best_sigma;     // the numbers that fit best, with the prior sigmas as priors
   Eigen::MatrixXd information;          // of the numbers; squares in units of the noise
   Eigen::VectorXd gradient;
   double squares = 0;  // of the model as it is
@@ -71,10 +71,10 @@ struct EffectView {
 EffectView effect_view(const ResidualViews& views, const std::vector<EffectTerm>& terms);
 
 /// The numbers of the terms as they stand, in the order of EffectView::numbers.
-Eigen::VectorXd numbers_of(const EffectView& view, const std::vector<EffectTerm>& terms);
+Eigen::VectorXd list_numbers(const EffectView& view, const std::vector<EffectTerm>& terms);
 
-/// The rms error as it is told (as_told; px or m) that would be left if the effects had these numbers and were in the
-/// model.
+/// The rms error as it is reported (as_reported; px or m) that would be left if the effects had these numbers and were
+/// in the model.
 double rms_left(const ResidualViews& views, const EffectView& view, const Eigen::VectorXd& numbers);
 
 }  // namespace handsight

@@ -70,7 +70,7 @@ TrendPoint local_line(const Sorted& s, double at, std::size_t window) {
 
 }  // namespace
 
-std::vector<TrendPoint> trend_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+std::vector<TrendPoint> compute_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   if (x.size() < 4) return {};
   const Sorted s = sorted(x, y);
   constexpr std::size_t few = 5, points = 41;
@@ -92,7 +92,7 @@ std::vector<TrendPoint> trend_of(const Eigen::VectorXd& x, const Eigen::VectorXd
 }
 
 double followed_share(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  const auto trend = trend_of(x, y);
+  const auto trend = compute_trend(x, y);
   const double whole = y.squaredNorm();
   if (trend.size() < 2 || !(whole > 0)) return 0;
   double left = 0;

@@ -14,7 +14,7 @@ struct TrendPoint {
 
 /// Local straight lines (tricube weights over the nearest third); the band is two sigma of the curve by the scatter
 /// about it. Where x takes few values (directions of approach), the mean at each. Empty with fewer than 4 points.
-std::vector<TrendPoint> trend_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
+std::vector<TrendPoint> compute_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
 /// Share of y's square that the curve explains, 0 to 1.
 double followed_share(const Eigen::VectorXd& x, const Eigen::VectorXd& y);

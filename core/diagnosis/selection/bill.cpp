@@ -49,7 +49,7 @@ double sigma_of(const Fit& fit, const std::vector<Estimated>& numbers, const Eig
   Eigen::VectorXd slope(count);
   for (Eigen::Index a = 0; a < count; ++a) {
     const Estimated& number = numbers[static_cast<std::size_t>(a)];
-    std::vector<EffectTerm> less = terms_of(fit);
+    std::vector<EffectTerm> less = list_terms(fit);
     less[number.term].values[number.parameter] -= number.sigma;
     const Eigen::Matrix3Xd by_one = -places.moved_by(less) / number.sigma;
     slope[a] = rms > 0 ? moved.cwiseProduct(by_one).sum() / (n * rms) : root_mean_square(by_one);
@@ -60,7 +60,7 @@ double sigma_of(const Fit& fit, const std::vector<Estimated>& numbers, const Eig
 }
 
 void set_worth(const Fit& fit, HandPlaces& places, BillRow& row) {
-  std::vector<EffectTerm> others = terms_of(fit);
+  std::vector<EffectTerm> others = list_terms(fit);
   std::erase_if(others, [&](const EffectTerm& t) { return t.id == row.id; });
   const Eigen::Matrix3Xd moved = -places.moved_by(others);
   row.hand_m = root_mean_square(moved);
@@ -69,12 +69,12 @@ void set_worth(const Fit& fit, HandPlaces& places, BillRow& row) {
   if (!row.held) row.hand_sigma_m = sigma_of(fit, numbers, moved, places);
 }
 
-BillRow row_of(const Fit& fit, const std::string& id) {
+BillRow find_row(const Fit& fit, const std::string& id) {
   BillRow row{.id = id};
   std::vector<EffectTerm> terms;
   for (const FittedEffect& f : fit.effects)
     if (f.term.id == id) terms.push_back(f.term);
-  row.where = places_of(terms, fit.problem.source->chain);
+  row.where = list_places(terms, fit.problem.source->chain);
   row.unnamed = is_curve(terms.front());
   if (row.unnamed) row.follows = terms.front().own->definition->cause;
   row.follows = row.follows.substr(0, row.follows.find(nameless));
@@ -84,28 +84,29 @@ BillRow row_of(const Fit& fit, const std::string& id) {
 
 }  // namespace
 
-std::vector<BillRow> bill_of(const Fit& fit, const Certainty* certainty) {
+std::vector<BillRow> make_bill(const Fit& fit, const InclusionProbabilities* inclusion_probabilities) {
   std::vector<BillRow> rows;
   if (fit.effects.empty() || !fit.problem.source || fit.problem.observations.empty()) return rows;
   HandPlaces places(fit);
   for (const FittedEffect& f : fit.effects) {
     if (std::any_of(rows.begin(), rows.end(), [&](const BillRow& r) { return r.id == f.term.id; })) continue;
-    rows.push_back(row_of(fit, f.term.id));
+    rows.push_back(find_row(fit, f.term.id));
     set_worth(fit, places, rows.back());
   }
   for (const StandIn& odd : stand_ins(fit))
     for (BillRow& row : rows)
       if (row.id == odd.id) (odd.pushes_back ? row.pushes_back : row.too_large) = true;
   std::stable_sort(rows.begin(), rows.end(), [](const BillRow& a, const BillRow& b) { return a.hand_m > b.hand_m; });
-  return certainty ? with_certainty(std::move(rows), *certainty) : rows;
+  return inclusion_probabilities ? with_inclusion_probabilities(std::move(rows), *inclusion_probabilities) : rows;
 }
 
-std::vector<BillRow> with_certainty(std::vector<BillRow> rows, const Certainty& certainty) {
+std::vector<BillRow> with_inclusion_probabilities(std::vector<BillRow> rows,
+                                                  const InclusionProbabilities& inclusion_probabilities) {
   for (BillRow& row : rows)
-    for (const NameCertainty& name : certainty.names) {
+    for (const InclusionProbability& name : inclusion_probabilities.names) {
       if (name.id != row.id || !name.is_in_model) continue;
       row.probability = name.probability;
-      row.cannot_be_told_from = name.cannot_be_told_from;
+      row.indistinguishable_from = name.indistinguishable_from;
     }
   return rows;
 }
@@ -118,7 +119,7 @@ std::string cause_text(const BillRow& row) {
   return row.where.empty() ? row.id : fmt::format("{} ({})", row.id, listed(row.where));
 }
 
-std::string doubt_of(const BillRow& row) {
+std::string model_uncertainty_of(const BillRow& row) {
   if (row.pushes_back) return "stands in: a spring that pushes back";
   if (row.too_large) return "stands in: larger than robots are built";
   return row.held ? "held" : row.unnamed ? "no name" : "plausible";
@@ -126,8 +127,8 @@ std::string doubt_of(const BillRow& row) {
 
 std::string told_from(const BillRow& row) {
   if (row.held) return "-";
-  if (!row.cannot_be_told_from) return "not looked at";
-  return row.cannot_be_told_from->empty() ? "from all others" : "not from " + listed(*row.cannot_be_told_from);
+  if (!row.indistinguishable_from) return "not looked at";
+  return row.indistinguishable_from->empty() ? "from all others" : "not from " + listed(*row.indistinguishable_from);
 }
 
 std::string sure_text(const std::optional<double>& probability) {
@@ -154,8 +155,8 @@ std::vector<std::string> bill_lines(const std::vector<BillRow>& rows) {
   const auto line = [&](const auto&... cells) { return fmt::format("{:<{}}  {:>20}  {:>12}  {:<40}  {}", cells...); };
   lines.push_back(line("cause", wide, "at the hand (rms)", "sure", "is it built so", "can it be told"));
   for (const BillRow& row : rows)
-    lines.push_back(line(cause_text(row), wide, hand_text(row).english(), sure_text(row.probability), doubt_of(row),
-                         told_from(row)));
+    lines.push_back(line(cause_text(row), wide, hand_text(row).english(), sure_text(row.probability),
+                         model_uncertainty_of(row), told_from(row)));
   return lines;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/message.h"
-#include "diagnosis/selection/certainty.h"
+#include "diagnosis/selection/inclusion_probability.h"
 
 namespace handsight {
 
@@ -27,7 +27,7 @@ struct BillRow {
   bool pushes_back = false;  // a spring that does
   std::optional<double> probability;  // that it is there at all; nothing where nobody has looked
   /// Ids of what could do the same to the measurements on these poses; nothing where nobody has looked.
-  std::optional<std::vector<std::string>> cannot_be_told_from;
+  std::optional<std::vector<std::string>> indistinguishable_from;
 
   /// It stands in for another cause: no robot is built so.
   bool stands_in() const { return too_large || pushes_back; }
@@ -35,10 +35,11 @@ struct BillRow {
 
 /// Of the model of a fit, what moves the hand most first. `certainty`: of the same model, null where nobody has looked.
 /// Of long sessions a part of the observations, evenly taken, tells how much.
-std::vector<BillRow> bill_of(const Fit& fit, const Certainty* certainty = nullptr);
+std::vector<BillRow> make_bill(const Fit& fit, const InclusionProbabilities* inclusion_probabilities = nullptr);
 
 /// The same rows with what a certainty says of them.
-std::vector<BillRow> with_certainty(std::vector<BillRow> rows, const Certainty& certainty);
+std::vector<BillRow> with_inclusion_probabilities(std::vector<BillRow> rows,
+                                                  const InclusionProbabilities& inclusion_probabilities);
 
 /// "2.31 +- 0.04 mm": what it is worth at the hand, to two digits of its sigma and three of its own.
 Message hand_text(const BillRow& row);

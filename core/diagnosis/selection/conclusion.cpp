@@ -9,7 +9,7 @@
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/selection/upkeep.h"
+#include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/judging.h"
 #include "estimation/fit/sure_fit.h"
@@ -23,7 +23,7 @@ std::optional<double> excess_without_curves(const Diagnosis& d) {
   std::erase_if(o.estimated, is_curve);
   o.start = estimate(d.model.fit);
   o.start->effects.resize(0);
-  set_quick(weighing(d.model.fit), o);
+  set_quick(noise_model(d.model.fit), o);
   const auto left = lack_of_fit(fit(d.model.session, o));
   return left ? std::optional(left->excess()) : std::nullopt;
 }
@@ -66,7 +66,7 @@ Message no_answer_text(const Diagnosis& d) {
       "The fit finds no answer: {}. What the model lacks cannot be told before; check mount, cameras, "
       "joints' order and labels.",
       d.model.fit.solution.normal.in_front
-          ? message("it leaves {}, more than any robot explains", told_error(d.report.fitted))
+          ? message("it leaves {}, more than any robot explains", reported_error(d.report.fitted))
           : "a marker would lie behind a camera that saw it");
 }
 
@@ -75,16 +75,16 @@ Message no_answer_text(const Diagnosis& d) {
 void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refused, Improvement& m) {
   Diagnosis& d = m.last;
   if (d.verdict == Verdict::too_few_observations) return;
-  m.bill = bill_of(d.model.fit);
+  m.bill = make_bill(d.model.fit);
   set_shares(excess, m);
   const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous;
-  if (passes) judge_what_is_left(weighing(d.model.fit).knowledge.known, d);
+  if (passes) judge_what_is_left(noise_model(d.model.fit).knowledge.known, d);
   const Message curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
   if (!curves.empty()) {
     d.verdict = Verdict::unexplained;
     d.reason = message("{}{} Held out {}.", names.empty() ? Message() : message("Named: {}. ", names),
                        message("Without a name: {}{}", curves, curves.english().back() == '.' ? "" : "."),
-                       told_error(d.report.held_out));
+                       reported_error(d.report.held_out));
   }
   if (passes) d.reason += refused_text(refused);
   if (has_no_answer(d.model.fit)) {

@@ -27,7 +27,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   const std::vector<EffectTerm>& all = model.model_options.estimated;
   const std::vector<EffectTerm> present(all.begin() + static_cast<std::ptrdiff_t>(first),
                                         all.begin() + static_cast<std::ptrdiff_t>(last));
-  const Weighing by = weighing(model.model.fit);
+  const NoiseModel by = noise_model(model.model.fit);
   FitOptions o = model.model_options;
   o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                     o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
@@ -57,7 +57,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
     if (r.ln_bayes_factor < least || !goes_on()) break;
     if (!now) {
-      ln_before = ln_evidence_of(without, by);
+      ln_before = compute_ln_evidence(without, by);
       now = refit_with(without, o, present, by, ln_before);
       best_evidence =
           unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(*now, *own) + clearly;
@@ -66,7 +66,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     // Where a fit has not ended its evidence is less than it could be, and may be enough.
     if (!other.fit.solution.normal.in_front || evidence_of(other, r) <= best_evidence) continue;
     best_evidence = evidence_of(other, r);
-    const std::vector<EffectTerm> terms = terms_of(other.fit);
+    const std::vector<EffectTerm> terms = list_terms(other.fit);
     best = Exchange{
         r.candidate->effect->id, {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()}, other.options};
     best->options.on_iteration = nullptr;

@@ -33,7 +33,7 @@ std::optional<Vector3> at_depth(const Camera& camera, const Vector2& pixel, doub
 }
 
 /// Where the cameras of `by` place the point x (first camera's frame, m) as those of `seen` see it.
-std::optional<Vector3> told_by(const Rig& by, const Rig& seen, const std::vector<int>& cameras, const Vector3& x) {
+std::optional<Vector3> reported_by(const Rig& by, const Rig& seen, const std::vector<int>& cameras, const Vector3& x) {
   std::vector<View> views;
   for (const int c : cameras) {
     const Vector3 x_in_camera = seen.at(c).camera_from_first * x;
@@ -54,10 +54,10 @@ std::optional<Vector3> told_by(const Rig& by, const Rig& seen, const std::vector
 HandPlaces::HandPlaces(const Fit& fit) : fit_(fit) {
   const std::size_t count = fit.problem.observations.size(), stride = (count + most_looked_at - 1) / most_looked_at;
   std::size_t place = 0;
-  part_ = part_of(fit.problem, [&](const ProblemObservation&) { return place++ % stride == 0; });
+  part_ = take_part(fit.problem, [&](const ProblemObservation&) { return place++ % stride == 0; });
   part_.columns_of_effects.clear();
   part_.with_motions = false;
-  now_ = with(terms_of(fit));
+  now_ = with(list_terms(fit));
 }
 
 Eigen::Matrix3Xd HandPlaces::moved_by(const std::vector<EffectTerm>& terms) {
@@ -73,14 +73,14 @@ Eigen::Matrix3Xd HandPlaces::with(const std::vector<EffectTerm>& terms) {
   place_observations(part_);
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(part_.observations.size()));
   for (Eigen::Index i = 0; i < places.cols(); ++i)
-    places.col(i) = told_place(part_.observations[static_cast<std::size_t>(i)]);
+    places.col(i) = reported_place(part_.observations[static_cast<std::size_t>(i)]);
   return places;
 }
 
-Vector3 HandPlaces::told_place(const ProblemObservation& o) const {
+Vector3 HandPlaces::reported_place(const ProblemObservation& o) const {
   const Vector3 place = sensor_from_tcp_at(o, estimate(fit_)) * Vector3(fit_.tcp_from_body.translation + mean_shift(o));
   if (!fit_.problem.rig || !part_.rig) return place;
-  return told_by(*fit_.problem.rig, *part_.rig, cameras_of(o), place).value_or(place);
+  return reported_by(*fit_.problem.rig, *part_.rig, cameras_of(o), place).value_or(place);
 }
 
 }  // namespace handsight

@@ -19,7 +19,7 @@ class HandPlaces {
 
  private:
   Eigen::Matrix3Xd with(const std::vector<EffectTerm>& terms);
-  Vector3 told_place(const ProblemObservation& o) const;
+  Vector3 reported_place(const ProblemObservation& o) const;
 
   const Fit& fit_;
   Problem part_;  // of some observations

@@ -12,9 +12,9 @@
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/other_names.h"
+#include "diagnosis/selection/model_search.h"
+#include "diagnosis/selection/pruning.h"
 #include "diagnosis/selection/simple_models.h"
-#include "diagnosis/selection/upkeep.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/sampled.h"
@@ -24,16 +24,16 @@
 namespace handsight {
 namespace {
 
-constexpr double stand_in = 30;  // plausible sizes: beyond the widest that a prior has (evidence.h)
+constexpr double stand_in = 30;  // prior sigmas: beyond the widest that a prior has (evidence.h)
 
 /// "mass -6 kg" and the like: numbers that no robot has.
 std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
   std::vector<std::string> list;
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * plausible_size(parameter, chain)) continue;
+      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * prior_sigma(parameter, chain)) continue;
       const std::string place = place_name(effect, term.joint, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  unit_at(effect, p, term.joint, chain.robot)));
@@ -48,14 +48,14 @@ std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
 }
 
 void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
-  ImprovementStep step = step_of(next);
+  ImprovementStep step = find_step(next);
   step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
   step.where = candidate.where;
   step.terms = last_group(next, candidate.terms.size());
   step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
   if (candidate.unnamed) {
     step.formula = formula_text(*candidate.terms.front().own->definition);
-    step.variable = candidate.unnamed->localiser.variable->name;
+    step.variable = candidate.unnamed->empirical_error.variable->name;
   }
   change.steps.push_back(std::move(step));
 }
@@ -83,8 +83,8 @@ Message unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candi
   if (candidate.ln_bayes_factor < least)
     return message("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
                    candidate.ln_bayes_factor, least);
-  const Weighing by = weighing(model.model.fit);
-  const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.scatter, by);
+  const NoiseModel by = noise_model(model.model.fit);
+  const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.repeatability, by);
   if (beside >= least) return "";
   return message(
       "what follows the posture may explain as much: beside that its evidence is ln {:.1f}, below the "
@@ -151,7 +151,7 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   }
   note_addition(candidate, next, change);
   change.model = std::move(next);
-  keep_up(session, options, before, change);
+  prune(session, options, before, change);
   if (change.stopped) {
     change.model.reset();
     return change;
@@ -181,19 +181,19 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   return all;
 }
 
-ModelChange seek_other_names(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+ModelChange search_models(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
   ModelChange change;
   const auto goes_on = [&] {
     if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
     return !change.stopped;
   };
-  const auto other = other_names(model, options.estimated.size(), goes_on);
+  const auto other = search_models(model, options.estimated.size(), goes_on);
   if (!other || change.stopped) return change;
-  const double most = as_good_as_told * held_out_error(model);
+  const double most = as_good_as_reported * held_out_error(model);
   Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
   change.stopped = next.stopped;
   if (next.stopped || held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return change;
-  ImprovementStep step = step_of(next);
+  ImprovementStep step = find_step(next);
   step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
   step.exchanged = other->come;
   change.steps.push_back(std::move(step));
@@ -202,13 +202,14 @@ ModelChange seek_other_names(const Session& session, const ImprovementOptions& o
 }
 
 ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
-                       const Certainty& certainty) {
+                       const InclusionProbabilities& inclusion_probabilities) {
   ModelChange change;
-  const bool has_names = std::any_of(certainty.names.begin(), certainty.names.end(),
-                                     [](const NameCertainty& n) { return n.is_in_model && n.id.find("curve_") != 0; });
+  const bool has_names =
+      std::any_of(inclusion_probabilities.names.begin(), inclusion_probabilities.names.end(),
+                  [](const InclusionProbability& n) { return n.is_in_model && n.id.find("curve_") != 0; });
   if (!has_names) return change;
   const double before = held_out_error(model);
-  for (const LikelyName& likely : certainty.likely) {
+  for (const LikelyName& likely : inclusion_probabilities.likely) {
     std::vector<EffectTerm> estimated(options.estimated);
     estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
     Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), before);
@@ -222,7 +223,7 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
       change.refused.push_back({likely.name.id, likely.name.where, why});
       continue;
     }
-    ImprovementStep step = step_of(next);
+    ImprovementStep step = find_step(next);
     step.added = likely.name.id;
     step.where = likely.name.where;
     step.terms = last_group(next, estimated.size() - model.model_options.estimated.size());
@@ -247,7 +248,7 @@ class Improving {
   Improvement run() {
     m_.last = diagnosed(session_, options_);
     if (!m_.last.stopped) set_errors_elsewhere(m_.last);
-    m_.steps = {step_of(m_.last)};
+    m_.steps = {find_step(m_.last)};
     m_.stopped = m_.last.stopped;
     const std::optional<double> excess = m_.last.excess;
     settled_ = m_;
@@ -256,8 +257,8 @@ class Improving {
     if (!options_.with_curves && is_outdone(m_.last) && !m_.stopped) take_back(settled_, m_);
     if (m_.stopped) return std::move(m_);
     conclude(excess, refused_, m_);
-    m_.certainty = certain();
-    m_.bill = with_certainty(std::move(m_.bill), m_.certainty);
+    m_.inclusion_probabilities = certain();
+    m_.bill = with_inclusion_probabilities(std::move(m_.bill), m_.inclusion_probabilities);
     return std::move(m_);
   }
 
@@ -272,7 +273,7 @@ class Improving {
     refused_ = change.refused;
     note_refusals(change);
     if (!change.model && !m_.stopped && m_.steps.size() > 1 && sought_++ < most_times_sought) {
-      change = seek_other_names(session_, options_, m_.last);
+      change = search_models(session_, options_, m_.last);
       for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m_.refused);
       note_refusals(change);
     }
@@ -292,7 +293,7 @@ class Improving {
   /// Each is tried once. From the first that is taken on other names are not sought: they would ask for the evidence
   /// of a name again.
   ModelChange one_that_is_likely() {
-    Certainty now = certain();
+    InclusionProbabilities now = certain();
     std::erase_if(now.likely, [&](const LikelyName& l) { return !tried_.insert(l.name.id).second; });
     ModelChange change = add_likely(session_, options_, m_.last, now);
     note_refusals(change);
@@ -302,14 +303,14 @@ class Improving {
     return change;
   }
 
-  Certainty certain() const {
+  InclusionProbabilities certain() const {
     if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return {};
-    return certainty(m_.last, options_.estimated.size(),
-                     [&] { return !options_.on_progress || options_.on_progress(0.98); });
+    return inclusion_probabilities(m_.last, options_.estimated.size(),
+                                   [&] { return !options_.on_progress || options_.on_progress(0.98); });
   }
 
   void note_refusals(const ModelChange& change) {
-    // What is refused again is told once, with the last reason.
+    // What is refused again is reported once, with the last reason.
     for (const RefusedStep& r : change.refused) {
       std::erase_if(m_.refused, [&](const RefusedStep& o) { return o.id == r.id && o.where == r.where; });
       m_.refused.push_back(r);

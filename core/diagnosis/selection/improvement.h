@@ -18,8 +18,8 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 
 /// Once nothing is left to add: other names, and other places of the same, for what stands, where they are clearly
-/// likelier and the held-out error does not rise beyond its third digit (other_names.h).
-ModelChange seek_other_names(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
+/// likelier and the held-out error does not rise beyond its third digit (search_models.h).
+ModelChange search_models(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 /// How often that is done; what it drops may pass again.
 inline constexpr int most_times_sought = 4;
 
@@ -27,7 +27,7 @@ inline constexpr int most_times_sought = 4;
 /// falls with it (Barbieri and Berger 2004: for predictions the model of what is likely, not the likeliest model).
 /// `certainty`: of the model.
 ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
-                       const Certainty& certainty);
+                       const InclusionProbabilities& inclusion_probabilities);
 
 /// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
 bool is_outdone(const Diagnosis& model);

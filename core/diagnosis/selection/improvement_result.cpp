@@ -3,7 +3,7 @@
 
 namespace handsight {
 
-ImprovementStep step_of(const Diagnosis& model) {
+ImprovementStep find_step(const Diagnosis& model) {
   ImprovementStep s;
   s.fitted = model.report.fitted;
   s.held_out = model.report.held_out;

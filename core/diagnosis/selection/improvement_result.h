@@ -10,7 +10,7 @@
 
 #include "base/message.h"
 #include "diagnosis/selection/bill.h"
-#include "diagnosis/selection/certainty.h"
+#include "diagnosis/selection/inclusion_probability.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
@@ -23,7 +23,7 @@ struct ImprovementStep {
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;    // added, else removed
   std::string formula, variable;    // of a curve that was added
-  std::vector<std::string> stands;  // numbers of it beyond four plausible sizes: it stands in for something else
+  std::vector<std::string> stands;  // numbers of it beyond four prior sigmas: it stands in for something else
   std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
   ErrorSummary fitted, held_out, held_out_region, held_out_session;
   std::optional<double> noise;  // px or m
@@ -61,15 +61,15 @@ struct ModelChange {
 struct Improvement {
   std::vector<ImprovementStep> steps;
   std::vector<RefusedStep> refused;
-  Diagnosis last;             // of the last model: what is left; never missing_effect or ambiguous
-  std::vector<BillRow> bill;  // of the last model
-  Certainty certainty;        // of the last model's names
+  Diagnosis last;                                  // of the last model: what is left; never missing_effect or ambiguous
+  std::vector<BillRow> bill;                       // of the last model
+  InclusionProbabilities inclusion_probabilities;  // of the last model's names
   /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
   std::optional<double> named_share, unnamed_share;
   bool stopped = false;
 };
 
 /// The first step of an improvement: nothing added.
-ImprovementStep step_of(const Diagnosis& model);
+ImprovementStep find_step(const Diagnosis& model);
 
 }  // namespace handsight

@@ -16,7 +16,7 @@
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
-#include "diagnosis/selection/upkeep.h"
+#include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {
@@ -40,7 +40,8 @@ std::map<std::string, int> places_of_effects(const Candidates& candidates) {
 }
 
 /// ln of the odds against the names of these terms, and of the ways in which they could have sat at so many places.
-double cost_of(const std::vector<EffectTerm>& terms, const std::map<std::string, int>& places, double cost_of_a_name) {
+double compute_cost(const std::vector<EffectTerm>& terms, const std::map<std::string, int>& places,
+                    double cost_of_a_name) {
   double cost = 0;
   std::map<std::string, int> counted;
   for (const EffectTerm& t : terms)
@@ -73,7 +74,7 @@ bool is_simple(const CandidateEffect& effect, const Problem& model) {
 std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first,
                                        const std::function<bool()>& goes_on) {
   const Fit& present = model.model.fit;
-  const Weighing by = weighing(present);
+  const NoiseModel by = noise_model(present);
   FitOptions o = model.model_options;
   const std::vector<EffectTerm> names(o.estimated.begin() + static_cast<std::ptrdiff_t>(first), o.estimated.end());
   o.estimated.resize(first);
@@ -84,9 +85,9 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
   const Candidates candidates = all_candidates(plain.fit.problem);
   const auto places = places_of_effects(candidates);
   const Eigen::Index base = plain.fit.problem.effect_count();
-  const double ln_before = ln_evidence_of(plain, by);
-  const double stands = fit_evidence(present, base, by).ln_evidence - cost_of(names, places, model.threshold);
-  // Held out, an error of points is told by length, and what a fit leaves by coordinate.
+  const double ln_before = compute_ln_evidence(plain, by);
+  const double stands = fit_evidence(present, base, by).ln_evidence - compute_cost(names, places, model.threshold);
+  // Held out, an error of points is reported by length, and what a fit leaves by coordinate.
   const double predicted = held_out_error(model) / (model.report.held_out.rms_pixel ? 1 : std::sqrt(3.0));
 
   std::vector<SimpleModel> found;
@@ -96,15 +97,16 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
     const std::vector<EffectTerm> terms = everywhere(effect);
     const Refit r = refit_with(plain, o, terms, by, ln_before);
     if (!r.fit.converged() || r.fit.residual_rms > predicted) continue;
-    found.push_back({effect.effect->id, r.options,
-                     fit_evidence(r.fit, base, by).ln_evidence - cost_of(terms, places, model.threshold) - stands});
+    found.push_back(
+        {effect.effect->id, r.options,
+         fit_evidence(r.fit, base, by).ln_evidence - compute_cost(terms, places, model.threshold) - stands});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const SimpleModel& a, const SimpleModel& b) { return a.ln_gained > b.ln_gained; });
   return found;
 }
 
-std::string ids_of(const std::vector<EffectTerm>& terms) {
+std::string list_ids(const std::vector<EffectTerm>& terms) {
   std::vector<std::string> ids;
   for (const EffectTerm& t : terms)
     if (std::find(ids.begin(), ids.end(), t.id) == ids.end()) ids.push_back(t.id);
@@ -122,19 +124,19 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
   const std::size_t first = options.estimated.size();
   const std::vector<EffectTerm>& all = model.model_options.estimated;
   const std::vector<EffectTerm> gone(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
-  if (ids_of(gone).find(',') == std::string::npos) return change;  // one alone stands already
+  if (list_ids(gone).find(',') == std::string::npos) return change;  // one alone stands already
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
-    const double most = (simple.ln_gained > clearly ? as_good_as_told : clearly_better) * held_out_error(model);
+    const double most = (simple.ln_gained > clearly ? as_good_as_reported : clearly_better) * held_out_error(model);
     Diagnosis next = diagnosed_from(session, options, simple.options.estimated, simple.options.start, most);
     change.stopped = change.stopped || next.stopped;
     if (change.stopped) return change;
     if (held_out_error(next) > most || !worse_elsewhere(model, next).empty()) continue;
-    ImprovementStep step = step_of(next);
+    ImprovementStep step = find_step(next);
     step.added = simple.id;
     step.terms = {next.model_options.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                   next.model_options.estimated.end()};
-    step.where = places_of(step.terms, session);
-    step.removed = ids_of(gone);
+    step.where = list_places(step.terms, session);
+    step.removed = list_ids(gone);
     change.steps.push_back(std::move(step));
     change.model = std::move(next);
     return change;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/evidence/weighing.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/verdict/finding.h"
 
 namespace handsight {
@@ -13,47 +13,47 @@ namespace {
 constexpr std::size_t most_causes = 4;
 constexpr double as_much = 0.5;  // of the best evidence: less only stands in for a part of what has no name
 
-std::optional<double> size_of(const ErrorSummary& e, bool in_pixels) { return in_pixels ? e.rms_pixel : e.rms_m; }
+std::optional<double> measure_size(const ErrorSummary& e, bool in_pixels) { return in_pixels ? e.rms_pixel : e.rms_m; }
 
 StoryCause cause_of(const Diagnosis& d, std::size_t i, bool in_pixels, const std::set<std::string>& refused) {
   const DiagnosisCandidate& c = d.candidates[i];
-  StoryCause cause{.candidate = i, .id = id_of(c), .where = c.where};
-  if (c.held_out) cause.left = size_of(*c.held_out, in_pixels);
+  StoryCause cause{.candidate = i, .id = find_id(c), .where = c.where};
+  if (c.held_out) cause.left = measure_size(*c.held_out, in_pixels);
   cause.is_predicted = !cause.left;
   if (!cause.left) cause.left = c.predicted_held_out;
   cause.unnamed = c.unnamed.has_value();
   cause.believable = is_believable(c);
   cause.refused = refused.contains(cause.id);
-  cause.cannot_be_told_from = c.cannot_be_told_from;
+  cause.indistinguishable_from = c.indistinguishable_from;
   return cause;
 }
 
 bool has_curves(const Fit& fit) {
   return std::any_of(fit.effects.begin(), fit.effects.end(),
-                     [](const FittedEffect& f) { return effect_of(f.term).is_unnamed(); });
+                     [](const FittedEffect& f) { return term_effect(f.term).is_unnamed(); });
 }
 
 bool agrees(const StoryError& e, const Diagnosis& d) {
-  return e.ratio() && *e.ratio() < (d.scatter.is_any() ? most_beside_scatter : most_that_agrees);
+  return e.ratio() && *e.ratio() < (d.repeatability.is_any() ? most_beside_repeatability : most_that_agrees);
 }
 
-StoryState state_of(const Story& s, const Diagnosis& d, const Fit& fit) {
+StoryState read_state(const Story& s, const Diagnosis& d, const Fit& fit) {
   switch (d.verdict) {
     case Verdict::too_few_observations:
       return StoryState::too_few_observations;
     case Verdict::adequate:
       if (!s.error.noise) return StoryState::noise_unknown;
-      if (!agrees(s.error, d)) return StoryState::scatter;
+      if (!agrees(s.error, d)) return StoryState::repeatability;
       return has_curves(fit) ? StoryState::unnamed_at_the_noise : StoryState::at_the_noise;
     case Verdict::missing_effect:
     case Verdict::ambiguous:
       if (s.causes.empty() || s.causes.front().refused) return StoryState::refused;
       if (!s.causes.front().believable) return StoryState::implausible;
       if (s.causes.front().unnamed) return StoryState::unexplained;
-      return d.verdict == Verdict::ambiguous && !s.causes.front().cannot_be_told_from.empty() ? StoryState::ambiguous
-                                                                                              : StoryState::missing;
+      return d.verdict == Verdict::ambiguous && !s.causes.front().indistinguishable_from.empty() ? StoryState::ambiguous
+                                                                                                 : StoryState::missing;
     case Verdict::unexplained:
-      return weighing(fit).knowledge.known ? StoryState::unexplained : StoryState::noise_unknown;
+      return noise_model(fit).knowledge.known ? StoryState::unexplained : StoryState::noise_unknown;
   }
   return StoryState::not_looked;
 }
@@ -85,7 +85,7 @@ StoryNext next_of(const Story& s) {
       return s.cause_leads ? StoryNext::add : StoryNext::tell_the_noise;
     case StoryState::at_the_noise:
     case StoryState::unnamed_at_the_noise:
-    case StoryState::scatter:
+    case StoryState::repeatability:
       return StoryNext::use_it;
     case StoryState::missing:
       return StoryNext::add;
@@ -124,7 +124,7 @@ const char* story_state_text(StoryState state) {
       return "at_the_noise";
     case StoryState::unnamed_at_the_noise:
       return "unnamed_at_the_noise";
-    case StoryState::scatter:
+    case StoryState::repeatability:
       return "scatter";
     case StoryState::missing:
       return "missing";
@@ -144,42 +144,42 @@ StoryError story_error(const Fit& fit, const FitReport& report) {
   StoryError e;
   e.in_pixels = fit.problem.rig.has_value();
   if (report.used >= fewest_that_tell) {
-    e.error = size_of(report.held_out, e.in_pixels);
+    e.error = measure_size(report.held_out, e.in_pixels);
     e.held_out = e.error.has_value();
-    if (!e.error) e.error = size_of(report.fitted, e.in_pixels);
-    e.elsewhere = size_of(report.held_out_region, e.in_pixels);
+    if (!e.error) e.error = measure_size(report.fitted, e.in_pixels);
+    e.elsewhere = measure_size(report.held_out_region, e.in_pixels);
   }
   // Of lengths what noise makes of them: a touch reads one coordinate, a tracker three.
-  if (fit.noise) e.noise = e.in_pixels ? *fit.noise : report.rms_of_noise_m.value_or(as_told(*fit.noise, false));
+  if (fit.noise) e.noise = e.in_pixels ? *fit.noise : report.rms_of_noise_m.value_or(as_reported(*fit.noise, false));
   return e;
 }
 
-Story story_of(const StoryBasis& b) {
+Story find_story(const StoryBasis& b) {
   Story s;
   s.error = story_error(b.fit, b.report);
   if (!s.error.elsewhere) s.error.elsewhere = b.elsewhere;
-  s.blame = b.blame;
+  s.attribution = b.attribution;
   count_beyond(b.report, s);
   s.stands_in = stand_ins(b.fit);
   if (!b.diagnosis) return s;
   const Diagnosis& d = *b.diagnosis;
-  if (!s.error.elsewhere) s.error.elsewhere = size_of(d.report.held_out_region, s.error.in_pixels);
+  if (!s.error.elsewhere) s.error.elsewhere = measure_size(d.report.held_out_region, s.error.in_pixels);
   const bool can_add = d.verdict != Verdict::adequate && d.verdict != Verdict::too_few_observations;
   if (can_add)
     for (const std::size_t i : offered(d, b.refused)) {
       if (s.causes.size() >= most_causes) break;
       s.causes.push_back(cause_of(d, i, s.error.in_pixels, b.refused));
     }
-  s.state = state_of(s, d, b.fit);
+  s.state = read_state(s, d, b.fit);
   s.cause_leads = leads(s, d);
   s.next = next_of(s);
-  if (can_add) s.blame = blame_by_finding(b.blame, d, b.refused);
+  if (can_add) s.attribution = attribution_by_finding(b.attribution, d, b.refused);
   return s;
 }
 
-Story story_of(const Diagnosis& d) {
-  Story s = story_of(StoryBasis{.fit = d.model.fit, .report = d.report, .blame = {}, .diagnosis = &d});
-  s.blame = d.blame;
+Story find_story(const Diagnosis& d) {
+  Story s = find_story(StoryBasis{.fit = d.model.fit, .report = d.report, .attribution = {}, .diagnosis = &d});
+  s.attribution = d.attribution;
   return s;
 }
 

@@ -22,7 +22,7 @@ enum class StoryState {
   noise_unknown,         // nobody can say whether what is left is much
   at_the_noise,
   unnamed_at_the_noise,  // down there with a curve that has no name
-  scatter,               // more than the noise, and it follows nothing
+  repeatability,         // more than the noise, and it follows nothing
   missing,               // a cause leads
   ambiguous,             // likewise, and another one looks the same on these poses
   implausible,           // what would help is larger than robots are built
@@ -49,10 +49,10 @@ struct StoryError {
 /// Times the noise: up to here an error agrees with it, where no scatter is known; never beyond.
 inline constexpr double most_that_agrees = 1.5;
 /// The same where joints or place are known to scatter.
-inline constexpr double most_beside_scatter = 1.25;
+inline constexpr double most_beside_repeatability = 1.25;
 /// Times the noise: an observation beyond it is more than noise.
 inline constexpr double beyond_noise = 3;
-/// With fewer observations than this a fit agrees with them whatever is wrong: no error is told.
+/// With fewer observations than this a fit agrees with them whatever is wrong: no error is reported.
 inline constexpr int fewest_that_tell = 3;
 
 StoryError story_error(const Fit& fit, const FitReport& report);
@@ -60,14 +60,14 @@ StoryError story_error(const Fit& fit, const FitReport& report);
 /// A cause that is offered.
 struct StoryCause {
   std::size_t candidate = 0;       // index into Diagnosis::candidates
-  std::string id;                  // of the effect or the curve (id_of)
+  std::string id;                  // of the effect or the curve (find_id)
   std::vector<std::string> where;  // joints, markers, "from observation 37 on"
   std::optional<double> left;      // the error that it would leave, as StoryError::error
   bool is_predicted = false;       // `left` was not fitted
   bool unnamed = false;            // a curve
   bool believable = true;          // of a size that robots have (is_believable)
   bool refused = false;
-  std::vector<std::string> cannot_be_told_from;  // effect ids
+  std::vector<std::string> indistinguishable_from;  // effect ids
 };
 
 /// What to do next.
@@ -88,7 +88,7 @@ struct Story {
   std::vector<StoryCause> causes;  // as they are offered (finding.h), none in a state without a search
   bool cause_leads = false;  // the first of the causes is the first word; else that it has no name, or nothing to add
   std::vector<StandIn> stands_in;  // in the model
-  Blame blame;                     // in the light of what leads
+  ErrorAttribution attribution;    // in the light of what leads
   int used = 0;                    // observations
   int beyond = 0;                  // of them beyond `beyond_noise`
   StoryNext next = StoryNext::wait;
@@ -99,19 +99,19 @@ struct Story {
   bool many_beyond() const { return beyond > 0 && 10 * beyond >= used; }
 };
 
-/// What a story is told of. `diagnosis` is of the same model; null where there is none (yet).
+/// What a story is made from. `diagnosis` is of the same model; null where there is none (yet).
 struct StoryBasis {
   const Fit& fit;
   const FitReport& report;
-  Blame blame;  // by residuals alone
+  ErrorAttribution attribution;  // by residuals alone
   const Diagnosis* diagnosis = nullptr;
-  std::set<std::string> refused = {};    // tried on this model and not taken, by id_of
+  std::set<std::string> refused = {};    // tried on this model and not taken, by find_id
   std::optional<double> elsewhere = {};  // px or m, where it was worked out beside the report
 };
-Story story_of(const StoryBasis& basis);
+Story find_story(const StoryBasis& basis);
 
 /// Of a diagnosis alone, as the command line has it (its blame is already told in the light of what was found).
-Story story_of(const Diagnosis& diagnosis);
+Story find_story(const Diagnosis& diagnosis);
 
 /// "3.4 px", "23 mm": an error as every place tells it, to two digits. From px or m.
 Message story_size_text(double error, bool in_pixels);

@@ -2,7 +2,7 @@
 // The story in English, for terminals and files.
 #include <fmt/format.h>
 
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/story/story.h"
 #include "diagnosis/verdict/explanation.h"
 
@@ -35,8 +35,8 @@ Message of_lead(const Story& s, const Diagnosis& d) {
   return text;
 }
 
-Message of_scatter(const Story& s, const Diagnosis& d) {
-  const Message size = scatter_text(d.scatter);
+Message of_repeatability(const Story& s, const Diagnosis& d) {
+  const Message size = repeatability_text(d.repeatability);
   return message(
       "What is left, {}, differs from pose to pose and follows nothing that was measured{}: no effect "
       "can remove it.",
@@ -64,8 +64,8 @@ Message of_state(const Story& s, const Diagnosis& d) {
     case StoryState::ambiguous:
     case StoryState::implausible:
       return of_lead(s, d);
-    case StoryState::scatter:
-      return of_scatter(s, d);
+    case StoryState::repeatability:
+      return of_repeatability(s, d);
     case StoryState::unexplained:
       return s.lead() && !s.lead()->unnamed ? of_part(s) : d.reason;
     case StoryState::refused:
@@ -80,7 +80,7 @@ Message of_state(const Story& s, const Diagnosis& d) {
 
 }  // namespace
 
-Message story_size_text(double error, bool in_pixels) { return told_size(error, in_pixels); }
+Message story_size_text(double error, bool in_pixels) { return reported_size(error, in_pixels); }
 
 Message story_text(const Story& s, const Diagnosis& d) { return of_state(s, d) + of_stand_ins(s); }
 

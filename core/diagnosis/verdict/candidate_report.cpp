@@ -28,7 +28,7 @@ std::vector<std::vector<double>> sigmas_of(const RankedEffect& r) {
 }
 
 /// Of the candidate's numbers in their own units.
-Eigen::MatrixXd covariance_of(const RankedEffect& r) {
+Eigen::MatrixXd make_covariance(const RankedEffect& r) {
   Eigen::VectorXd sizes(r.estimate.value.size());
   Eigen::Index i = 0;
   for (std::size_t unit = 0; unit < r.units.size(); ++unit)
@@ -37,12 +37,12 @@ Eigen::MatrixXd covariance_of(const RankedEffect& r) {
   return sizes.asDiagonal() * r.estimate.covariance * sizes.asDiagonal();
 }
 
-/// Every number within three of its plausible sizes.
+/// Every number within three of its prior sigmas.
 bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * plausible_size(effect.parameters[p], chain))
+      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * prior_sigma(effect.parameters[p], chain))
         return false;
   }
   return true;
@@ -59,7 +59,7 @@ std::optional<double> predicted_held_out(const Fit& f, double noise, double gain
   const double squares =
       std::max(f.solution.normal.data_cost() - gained * noise * noise, 0.0) / (f.rows - f.unknowns - parameters);
   const double left = std::sqrt(squares * (1 + static_cast<double>(f.unknowns + parameters) / f.rows));
-  return as_told(left, f.problem.rig.has_value());
+  return as_reported(left, f.problem.rig.has_value());
 }
 
 bool fails_by_much(const Diagnosis& d) {
@@ -68,36 +68,36 @@ bool fails_by_much(const Diagnosis& d) {
 
 }  // namespace
 
-DiagnosisCandidate candidate_of(const RankedEffect& r, const Diagnosis& d, const Weighing& weighing,
-                                const Session& session) {
+DiagnosisCandidate make_candidate(const RankedEffect& r, const Diagnosis& d, const NoiseModel& noise_model,
+                                  const Session& session) {
   DiagnosisCandidate c;
   c.id = r.candidate->effect->id;
   c.terms = terms_with_values(r);
   c.sigmas = sigmas_of(r);
-  c.covariance = covariance_of(r);
-  c.where = places_of(c.terms, session);
+  c.covariance = make_covariance(r);
+  c.where = list_places(c.terms, session);
   c.ln_bayes_factor = r.ln_bayes_factor;
   c.p_value = p_of(r.gained_squares, r.parameters);
-  c.scatter = r.scatter;
+  c.repeatability = r.repeatability;
   c.visibility = r.visibility;
   c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
-  c.predicted_held_out = predicted_held_out(d.model.fit, weighing.noise, r.gained_squares, r.parameters);
+  c.predicted_held_out = predicted_held_out(d.model.fit, noise_model.noise, r.gained_squares, r.parameters);
   if (fails_by_much(d)) c.explained = std::clamp((r.gained_squares - r.parameters) / *d.excess, 0.0, 1.0);
   return c;
 }
 
-DiagnosisCandidate candidate_of(const RankedLocaliser& l, const Session& session) {
+DiagnosisCandidate make_candidate(const RankedEmpiricalError& l, const Session& session) {
   DiagnosisCandidate c;
   c.unnamed = l;
   c.ln_bayes_factor = l.ln_bayes_factor;
-  c.scatter = l.scatter;
-  if (l.localiser.variable->joint >= 0)
-    c.where = {session.robot.joints[static_cast<std::size_t>(l.localiser.variable->joint)].name};
+  c.repeatability = l.repeatability;
+  if (l.empirical_error.variable->joint >= 0)
+    c.where = {session.robot.joints[static_cast<std::size_t>(l.empirical_error.variable->joint)].name};
   return c;
 }
 
-void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const Weighing& weighing, const Session& session,
-                DiagnosisCandidate& c) {
+void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const NoiseModel& noise_model,
+                const Session& session, DiagnosisCandidate& c) {
   c.refitted = true;
   c.full_fit = r.options;
   c.terms.clear();
@@ -111,11 +111,11 @@ void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const Weighi
   const auto added =
       std::count_if(columns.begin(), columns.end(), [&](const EffectColumn& e) { return e.term >= first; });
   c.covariance = r.fit.parameter_covariance.bottomRightCorner(added, added);
-  c.where = places_of(c.terms, session);
+  c.where = list_places(c.terms, session);
   const Fit& before = d.model.fit;
-  const double gained =
-      (before.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) / (weighing.noise * weighing.noise);
-  c.predicted_held_out = predicted_held_out(before, weighing.noise, gained, r.fit.unknowns - before.unknowns);
+  const double gained = (before.solution.normal.data_cost() - r.fit.solution.normal.data_cost()) /
+                        (noise_model.noise * noise_model.noise);
+  c.predicted_held_out = predicted_held_out(before, noise_model.noise, gained, r.fit.unknowns - before.unknowns);
   c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
   c.ln_bayes_factor = r.ln_bayes_factor - ln_ways;
   if (const auto left = lack_of_fit(r.fit); left && fails_by_much(d))

@@ -9,13 +9,13 @@
 
 namespace handsight {
 
-DiagnosisCandidate candidate_of(const RankedEffect& ranked, const Diagnosis& model, const Weighing& weighing,
-                                const Session& session);
-DiagnosisCandidate candidate_of(const RankedLocaliser& ranked, const Session& session);
+DiagnosisCandidate make_candidate(const RankedEffect& ranked, const Diagnosis& model, const NoiseModel& noise_model,
+                                  const Session& session);
+DiagnosisCandidate make_candidate(const RankedEmpiricalError& ranked, const Session& session);
 
 /// The numbers of the full fit in place of the linear ones. `ln_ways`: ln of the choices in which the candidate could
 /// have been another.
-void take_refit(const Refit& refit, double ln_ways, const Diagnosis& model, const Weighing& weighing,
+void take_refit(const Refit& refit, double ln_ways, const Diagnosis& model, const NoiseModel& noise_model,
                 const Session& session, DiagnosisCandidate& candidate);
 
 }  // namespace handsight

@@ -7,8 +7,8 @@
 
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/evidence/threshold.h"
-#include "diagnosis/ranking/clean_model.h"
 #include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/verdict/candidate_report.h"
 #include "diagnosis/verdict/explanation.h"
@@ -26,7 +26,7 @@ constexpr double same_term = 0.98;  // overlap of two effects' signals on these 
 constexpr double significant_pattern = 1e-3;
 constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
-constexpr double least_seen = 30;  // chi-squared of a plausible size that poses must show
+constexpr double least_seen = 30;  // chi-squared of a prior sigma that poses must show
 constexpr double least_visible_rival = 1;
 constexpr std::size_t most_curves = 4;   // that are written as formulas
 constexpr double next_to_nothing = 0.1;  // of what the model misses
@@ -66,9 +66,9 @@ class Work {
     if (stopped_ || !goes_on(0.95)) return stopped();
     tell_apart();
     forget_what_was_seen();
-    judge(session_, weighing_.knowledge.known, fits_, d_);
+    judge(session_, noise_model_.knowledge.known, fits_, d_);
     if (options_.with_regions) d_.report.held_out_region = region_error(d_);
-    d_.blame = blame_by_finding(d_.blame, d_);
+    d_.attribution = attribution_by_finding(d_.attribution, d_);
     for (DiagnosisCandidate& c : d_.candidates) {
       if (c.ln_bayes_factor >= d_.threshold && !c.unnamed) c.check = predicted_check(d_, c);
       c.explanation = explain(c, d_, session_);
@@ -99,7 +99,7 @@ class Work {
     if (!base.estimated.empty() && base.start) base.reuse_below = near_start;
     d_.model_options = base;
     base.on_iteration = options_.on_iteration;
-    d_.model = options_.fitted ? *options_.fitted : clean_model(session_, base);
+    d_.model = options_.fitted ? *options_.fitted : fit_without_outliers(session_, base);
     stopped_ = d_.model.fit.solution.stopped;
     for (std::size_t t = 0; t < base.estimated.size(); ++t)
       d_.model_options.estimated[t] = d_.model.fit.effects[base.effects.size() + t].term;
@@ -107,34 +107,36 @@ class Work {
     d_.noise = d_.model.fit.noise;
     if (stopped_) return;
     d_.report = report(d_.model.session, d_.model.fit, d_.model_options);
-    d_.observations = blame_observations(session_, d_.model.fit);
+    d_.observations = attribute_observations(session_, d_.model.fit);
     std::vector<ResidualParts> parts;
-    for (const ObservationBlame& o : d_.observations) parts.push_back(o.parts);
-    if (d_.noise) d_.blame = blame_of(parts, *d_.noise);
+    for (const ObservationAttribution& o : d_.observations) parts.push_back(o.parts);
+    if (d_.noise) d_.attribution = attribute_error(parts, *d_.noise);
   }
 
   void rank_all() {
     const Fit& f = d_.model.fit;
-    weighing_ = weighing(f);
+    noise_model_ = noise_model(f);
     candidates_ = all_candidates(f.problem);
-    model_ = linear_model(candidates_.problem, estimate(f), candidates_.base_effects, weighing_.noise);
-    variables_ = variables_of(candidates_.problem, estimate(f));
-    ranking_ = rank(model_, weighing_.knowledge, candidates_, variables_);
-    d_.scatter = ranking_.scatter;
+    model_ = linear_model(candidates_.problem, estimate(f), candidates_.base_effects, noise_model_.noise);
+    variables_ = list_variables(candidates_.problem, estimate(f));
+    ranking_ = rank(model_, noise_model_.knowledge, candidates_, variables_);
+    d_.repeatability = ranking_.repeatability;
     set_threshold();
     if (const auto lack = lack_of_fit(f)) {
       d_.lack_of_fit_p = lack->p;
       d_.excess = lack->excess();
     }
-    if (weighing_.knowledge.known) d_.beyond_scatter = beyond_usual_scatter(session_, f, model_, weighing_.knowledge);
+    if (noise_model_.knowledge.known)
+      d_.beyond_repeatability = beyond_usual_repeatability(session_, f, model_, noise_model_.knowledge);
     find_all_patterns();
     for (const RankedEffect& r : ranking_.effects) {
       if (r.visibility < least_seen && r.ln_bayes_factor < d_.threshold)
         d_.invisible.push_back(r.candidate->effect->id);
-      d_.candidates.push_back(candidate_of(r, d_, weighing_, session_));
+      d_.candidates.push_back(make_candidate(r, d_, noise_model_, session_));
     }
     add_impossible_effects();
-    for (const RankedLocaliser& l : ranking_.localisers) d_.candidates.push_back(candidate_of(l, session_));
+    for (const RankedEmpiricalError& l : ranking_.empirical_errors)
+      d_.candidates.push_back(make_candidate(l, session_));
     sort_candidates();
   }
 
@@ -145,12 +147,12 @@ class Work {
       d_.threshold = *options_.threshold;
       return;
     }
-    d_.threshold = simulated_threshold(model_, candidates_, d_.scatter, weighing_.knowledge);
+    d_.threshold = simulated_threshold(model_, candidates_, d_.repeatability, noise_model_.knowledge);
     const std::vector<EffectTerm>& terms = d_.model_options.estimated;
-    if (!d_.scatter.is_any() || terms.empty() || std::any_of(terms.begin(), terms.end(), is_curve)) return;
-    d_.threshold -= more_with_scatter;
-    odds_of_unnamed_ -= more_with_scatter;
-    for (RankedLocaliser& l : ranking_.localisers) l.ln_bayes_factor -= more_with_scatter;
+    if (!d_.repeatability.is_any() || terms.empty() || std::any_of(terms.begin(), terms.end(), is_curve)) return;
+    d_.threshold -= more_with_repeatability;
+    odds_of_unnamed_ -= more_with_repeatability;
+    for (RankedEmpiricalError& l : ranking_.empirical_errors) l.ln_bayes_factor -= more_with_repeatability;
   }
 
   /// What only another number of cameras, or a target, could have is not spoken of.
@@ -238,7 +240,7 @@ class Work {
     std::size_t written = 0;
     for (DiagnosisCandidate& c : d_.candidates) {
       if (!c.unnamed || c.ln_bayes_factor < d_.threshold) continue;
-      const auto curve = written == 0 ? curve_of(c, ranking_.localisers) : curve_of(c, {*c.unnamed});
+      const auto curve = written == 0 ? curve_of(c, ranking_.empirical_errors) : curve_of(c, {*c.unnamed});
       if (!curve) continue;
       c.terms = {curve->term};
       c.sigmas = {std::vector<double>(curve->term.values.size(), 0.0)};
@@ -248,35 +250,36 @@ class Work {
     }
   }
 
-  std::optional<FoundCurve> curve_of(const DiagnosisCandidate& c, const std::vector<RankedLocaliser>& localisers) {
-    const WhitenedModel w = whiten(model_, c.scatter, weighing_.knowledge);
-    return find_curve(w, weighing_.knowledge, candidates_.problem, variables_, localisers,
-                      next_curve_id(terms_of(d_.model.fit)));
+  std::optional<FoundCurve> curve_of(const DiagnosisCandidate& c,
+                                     const std::vector<RankedEmpiricalError>& empirical_errors) {
+    const WhitenedModel w = whiten(model_, c.repeatability, noise_model_.knowledge);
+    return find_curve(w, noise_model_.knowledge, candidates_.problem, variables_, empirical_errors,
+                      next_curve_id(list_terms(d_.model.fit)));
   }
 
   void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
     const Refit r = refitted({curve.term});
     if (stopped_ || !r.fit.converged()) return;
-    const auto same = std::find_if(ranking_.localisers.begin(), ranking_.localisers.end(), [&](const auto& l) {
-      return l.localiser.variable->name.english() == curve.variable;
-    });
-    if (same != ranking_.localisers.end()) c.unnamed = *same;
-    take_refit(r, curve.ln_ways - odds_of_unnamed_, d_, weighing_, session_, c);
+    const auto same =
+        std::find_if(ranking_.empirical_errors.begin(), ranking_.empirical_errors.end(),
+                     [&](const auto& l) { return l.empirical_error.variable->name.english() == curve.variable; });
+    if (same != ranking_.empirical_errors.end()) c.unnamed = *same;
+    take_refit(r, curve.ln_ways - odds_of_unnamed_, d_, noise_model_, session_, c);
     c.where = {curve.where};
     c.path = std::move(path_);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
   void refit_candidate(DiagnosisCandidate& c) {
-    c.terms = with_settled_orders(d_.model, c.terms, weighing_);
-    c.where = places_of(c.terms, session_);
+    c.terms = with_settled_orders(d_.model, c.terms, noise_model_);
+    c.where = list_places(c.terms, session_);
     Refit r = refitted(c.terms);
     // Of a fit that has not ended the evidence is less than it could be; that may be more than was thought.
     const bool tells_more = r.fit.solution.normal.in_front && r.ln_bayes_factor > c.ln_bayes_factor;
     if (stopped_ || (!r.fit.converged() && !tells_more)) return;
     drop_idle_places(r);
     if (stopped_) return;
-    take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, weighing_, session_, c);
+    take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, noise_model_, session_, c);
     c.ln_bayes_factor += ln_of_scaled_places(c, session_, r.fit);
     if (is_stand_in(c)) c.ln_bayes_factor = std::min(c.ln_bayes_factor, 0.0);
     c.path = std::move(path_);
@@ -292,8 +295,8 @@ class Work {
       path_.push_back({cost, unknowns});
       return goes_on(done_);
     };
-    if (!ln_evidence_) ln_evidence_ = ln_evidence_of(d_.model, weighing_);
-    Refit r = refit_with(d_.model, options, terms, weighing_, ln_evidence_);
+    if (!ln_evidence_) ln_evidence_ = compute_ln_evidence(d_.model, noise_model_);
+    Refit r = refit_with(d_.model, options, terms, noise_model_, ln_evidence_);
     r.options.on_iteration = nullptr;
     return r;
   }
@@ -331,21 +334,21 @@ class Work {
         const auto b = std::find_if(d_.candidates.begin(), d_.candidates.end(),
                                     [&](const DiagnosisCandidate& c) { return c.id == other.candidate->effect->id; });
         const bool near = a.ln_bayes_factor >= d_.threshold && b->ln_bayes_factor > a.ln_bayes_factor - ln_20;
-        if (near || overlap(a, other) > same_term) a.cannot_be_told_from.push_back(b->id);
+        if (near || overlap(a, other) > same_term) a.indistinguishable_from.push_back(b->id);
       }
     }
   }
 
   /// Share of a candidate's signal that another effect, at any of its places, can imitate.
   double overlap(const DiagnosisCandidate& a, const RankedEffect& other) {
-    if (!plain_) plain_ = score(whiten(model_, {}, weighing_.knowledge), 0, model_.candidates());
+    if (!plain_) plain_ = score(whiten(model_, {}, noise_model_.knowledge), 0, model_.candidates());
     return imitated_share(*plain_, ranked(a.id), other);
   }
 
   const Session& session_;
   const DiagnosisOptions& options_;
   Diagnosis d_;
-  Weighing weighing_;
+  NoiseModel noise_model_;
   Candidates candidates_;
   LinearModel model_;
   std::vector<Variable> variables_;

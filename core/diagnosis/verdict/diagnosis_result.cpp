@@ -34,14 +34,14 @@ const char* verdict_text(Verdict verdict) {
   return "";
 }
 
-std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session) {
-  return places_of(terms, chain_of(session));
+std::vector<std::string> list_places(const std::vector<EffectTerm>& terms, const Session& session) {
+  return list_places(terms, make_chain(session));
 }
 
-std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Chain& chain) {
+std::vector<std::string> list_places(const std::vector<EffectTerm>& terms, const Chain& chain) {
   std::vector<std::string> places;
   for (const EffectTerm& term : terms) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     const std::string place = place_name(effect, term.joint, chain.robot);
     if (!place.empty()) places.push_back(place);
     if (effect.id == "joint_coupling")

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/message.h"
-#include "diagnosis/attribution/blame.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/ranking/ranking.h"
 #include "diagnosis/residuals/patterns.h"
@@ -39,17 +39,17 @@ struct DiagnosisCandidate {
   std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
   double ln_bayes_factor = 0;
   double p_value = 1;
-  Scatter scatter;  // at which the evidence is largest
+  Repeatability repeatability;  // at which the evidence is largest
   bool refitted = false;
-  bool plausible = true;  // every number within three of its plausible sizes
+  bool plausible = true;  // every number within three of its prior sigmas
   double visibility = 0;
   std::optional<double> predicted_held_out;  // px, or m with a tracker
   std::optional<ErrorSummary> held_out;      // after the full fit
   std::optional<double> explained;           // share of the excess over the noise
-  std::vector<std::string> cannot_be_told_from;
+  std::vector<std::string> indistinguishable_from;
   std::optional<CheckPrediction> check;  // of the candidates that pass the threshold
   std::string explanation;
-  std::optional<RankedLocaliser> unnamed;  // `terms` then hold the curve, where it could be written and fitted
+  std::optional<RankedEmpiricalError> unnamed;  // `terms` then hold the curve, where it could be written and fitted
 };
 
 struct DiagnosisPattern {
@@ -73,16 +73,16 @@ struct Diagnosis {
   FitReport report;
   std::optional<double> noise;  // px or m
   double threshold = 0;
-  Scatter scatter;  // that suits the model as it is
+  Repeatability repeatability;  // that suits the model as it is
   std::optional<double> lack_of_fit_p;
   std::optional<double> excess;                // chi-squared over what noise leaves, external residuals
-  std::optional<double> beyond_scatter;        // times: what is left by what noise and usual scatter leave (judging.h)
+  std::optional<double> beyond_repeatability;  // times: what is left by what noise and usual scatter leave (judging.h)
   std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first
   std::vector<DiagnosisPattern> patterns;      // those that are no chance, most structured first
   std::vector<std::string> invisible;          // effects that these poses could not show
-  Blame blame;                                 // of all observations together, wrong points included
-  std::vector<ObservationBlame> observations;  // of each, in order of time
-  std::optional<SampleCheck> sample;           // `model` and all that goes with it are then of a sample
+  ErrorAttribution attribution;                // of all observations together, wrong points included
+  std::vector<ObservationAttribution> observations;  // of each, in order of time
+  std::optional<SampleCheck> sample;                 // `model` and all that goes with it are then of a sample
   bool stopped = false;
 };
 
@@ -93,7 +93,7 @@ double held_out_error(const Diagnosis& model);
 ErrorSummary region_error(const Diagnosis& model);
 
 /// Are these terms of one named effect? Their places as a user reads them.
-std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Session& session);
-std::vector<std::string> places_of(const std::vector<EffectTerm>& terms, const Chain& chain);
+std::vector<std::string> list_places(const std::vector<EffectTerm>& terms, const Session& session);
+std::vector<std::string> list_places(const std::vector<EffectTerm>& terms, const Chain& chain);
 
 }  // namespace handsight

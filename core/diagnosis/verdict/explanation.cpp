@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/percent.h"
-#include "diagnosis/evidence/scatter_levels.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/units.h"
 
@@ -22,8 +22,8 @@ Message odds(double ln_bayes_factor) {
 Message noise_text(const Diagnosis& d) {
   if (!d.noise) return "unknown";
   const bool in_pixels = !d.model.session.is_tracker();
-  const double of_length = d.report.rms_of_noise_m.value_or(as_told(*d.noise, false));
-  return told_size(in_pixels ? *d.noise : of_length, in_pixels);
+  const double of_length = d.report.rms_of_noise_m.value_or(as_reported(*d.noise, false));
+  return reported_size(in_pixels ? *d.noise : of_length, in_pixels);
 }
 
 /// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"
@@ -31,7 +31,7 @@ Message numbers_text(const DiagnosisCandidate& c, const Session& session) {
   std::vector<Message> texts;
   int listed_ones = 0;
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
-    const Effect& effect = effect_of(c.terms[t]);
+    const Effect& effect = term_effect(c.terms[t]);
     const std::string place = place_name(effect, c.terms[t].joint, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
@@ -65,7 +65,7 @@ Message error_text(const ErrorSummary& e) {
   return "unknown";
 }
 
-Message told_size(double error, bool in_pixels) {
+Message reported_size(double error, bool in_pixels) {
   const double size = in_pixels ? error : 1e3 * error;
   const char* unit = in_pixels ? "px" : "mm";
   if (!(std::abs(size) > 0)) return message("0 {}", unit);
@@ -74,24 +74,24 @@ Message told_size(double error, bool in_pixels) {
   return message("{:.{}f} {}", size, std::max(1 - exponent, 0), unit);
 }
 
-Message told_error(const ErrorSummary& e) {
-  if (e.rms_pixel) return told_size(*e.rms_pixel, true);
-  return e.rms_m ? told_size(*e.rms_m, false) : Message("unknown");
+Message reported_error(const ErrorSummary& e) {
+  if (e.rms_pixel) return reported_size(*e.rms_pixel, true);
+  return e.rms_m ? reported_size(*e.rms_m, false) : Message("unknown");
 }
 
 Message explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& session) {
   if (c.unnamed) {
-    const LocaliserTerm& best = c.unnamed->localiser.best;
-    const Message site = best.site == LocaliserSite::tcp ? "the hand against the last link"
-                         : best.site == LocaliserSite::mount
+    const EmpiricalErrorTerm& best = c.unnamed->empirical_error.best;
+    const Message site = best.site == EmpiricalErrorSite::tcp ? "the hand against the last link"
+                         : best.site == EmpiricalErrorSite::mount
                              ? Message(session.is_tracker() ? "the tracker" : "the cameras against their link")
                              : verbatim(session.robot.joints[static_cast<std::size_t>(best.joint)].name);
     return message(
         "Something that moves {} follows the {} ({}) in a form that is not in the catalogue; odds against nothing "
         "missing: {}.",
-        site, c.unnamed->localiser.variable->name, best.shape.text, odds(c.ln_bayes_factor));
+        site, c.unnamed->empirical_error.variable->name, best.shape.text, odds(c.ln_bayes_factor));
   }
-  const Effect& effect = effect_of(c.terms.front());
+  const Effect& effect = term_effect(c.terms.front());
   Message text = looked_up(effect.cause);
   if (c.ln_bayes_factor < 0) {
     text += c.visibility < 30 ? message(" These poses could not show it: {}", looked_up(effect.visibility))
@@ -101,8 +101,8 @@ Message explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& 
   text += message(" Odds against nothing missing: {}; {}.", odds(c.ln_bayes_factor), numbers_text(c, session));
   text += speaks_for(c, d);
   if (!c.plausible) text += " Its size is more than three times what is plausible.";
-  if (!c.cannot_be_told_from.empty())
-    text += message(" On these poses it cannot be told from {}.", listed(c.cannot_be_told_from));
+  if (!c.indistinguishable_from.empty())
+    text += message(" On these poses it cannot be told from {}.", listed(c.indistinguishable_from));
   text += message(" Check: {}", looked_up(effect.check));
   return c.check ? text + message(" {}", prediction_text(*c.check)) : text;
 }
@@ -115,15 +115,15 @@ Message too_few_text(int observations, int degrees, int unknowns) {
 }
 
 Message missing_text(const DiagnosisCandidate& best, bool rival, const Diagnosis& d) {
-  const Effect& effect = effect_of(best.terms.front());
+  const Effect& effect = term_effect(best.terms.front());
   Message text =
-      message("The model misses by {} (held out) where the noise is {}. {}{}: {}", told_error(d.report.held_out),
+      message("The model misses by {} (held out) where the noise is {}. {}{}: {}", reported_error(d.report.held_out),
               noise_text(d), looked_up(effect.title),
               best.where.empty() ? Message() : message(" ({})", listed(best.where)), looked_up(effect.cause));
-  if (best.held_out) text += message(" With it the held-out error falls to {}.", told_error(*best.held_out));
+  if (best.held_out) text += message(" With it the held-out error falls to {}.", reported_error(*best.held_out));
   if (rival) {
-    std::vector<std::string> rivals = best.cannot_be_told_from;
-    text += message(" On these poses it cannot be told from {}; plan poses that would.", listed(rivals));
+    std::vector<std::string> competing = best.indistinguishable_from;
+    text += message(" On these poses it cannot be told from {}; plan poses that would.", listed(competing));
   }
   return text;
 }
@@ -134,14 +134,14 @@ Message too_little_text(const DiagnosisCandidate& best, const Diagnosis& d) {
   return message(
       "The model misses by {} (held out) where the noise is {}, and the best of the catalogue, {}{}, explains only "
       "{} % of the excess.{}",
-      told_error(d.report.held_out), noise_text(d), best.id,
+      reported_error(d.report.held_out), noise_text(d), best.id,
       best.where.empty() ? Message() : message(" at {}", listed(best.where)), whole_percent(best.explained.value_or(0)),
       follows);
 }
 
 Message follows_unnamed_text(const DiagnosisCandidate& c, const Session&) {
   return message("The residuals follow the {} in a form that is not in the catalogue: {}.",
-                 c.unnamed->localiser.variable->name, c.unnamed->localiser.best.shape.text);
+                 c.unnamed->empirical_error.variable->name, c.unnamed->empirical_error.best.shape.text);
 }
 
 Message follows_pattern_text(const DiagnosisPattern& p) {
@@ -149,13 +149,13 @@ Message follows_pattern_text(const DiagnosisPattern& p) {
                  p.against.name);
 }
 
-Message adequate_text(const Diagnosis& d, bool has_scatter) {
+Message adequate_text(const Diagnosis& d, bool has_repeatability) {
   Message text = message(
       "Nothing is missing that these {} observations could show: the held-out error is {} and "
       "the noise {}.",
-      d.report.used, told_error(d.report.held_out), noise_text(d));
-  if (has_scatter || d.scatter.is_any()) {
-    const Message size = scatter_text(d.scatter);
+      d.report.used, reported_error(d.report.held_out), noise_text(d));
+  if (has_repeatability || d.repeatability.is_any()) {
+    const Message size = repeatability_text(d.repeatability);
     text += message(" What is left is scatter from pose to pose that follows nothing{}.",
                     size.empty() ? Message() : message(", as of {}", size));
   }
@@ -165,13 +165,13 @@ Message adequate_text(const Diagnosis& d, bool has_scatter) {
   return text;
 }
 
-Message too_much_scatter_text(const Diagnosis& d) {
-  const Message size = scatter_text(d.scatter);
+Message poor_repeatability_text(const Diagnosis& d) {
+  const Message size = repeatability_text(d.repeatability);
   const Fit& fit = d.model.fit;
   Message text = message(
       "What is left, {} held out, is {:.1f} times the noise ({}) and follows nothing that was "
       "measured",
-      told_error(d.report.held_out), fit.residual_rms / *d.noise, noise_text(d));
+      reported_error(d.report.held_out), fit.residual_rms / *d.noise, noise_text(d));
   if (!size.empty()) text += message("; from pose to pose it is as of {}", size);
   return text +
          ". Robots scatter less (0.3 mrad a joint and 0.3 mm at the hand, where <robot repeatability=\"\"> "
@@ -184,7 +184,7 @@ Message unknown_noise_text(const Diagnosis& d) {
       "Nothing of the catalogue passes, but the noise of the measurements is not known (no sigma declared, no repeated "
       "poses, and no three markers that tell it), so that nobody can say whether {} is all noise: declare sigma "
       "(convert --sigma, or sigma of <tracker> or <pose_sensor>) or repeat poses.",
-      told_error(d.report.held_out));
+      reported_error(d.report.held_out));
 }
 
 }  // namespace handsight

@@ -16,20 +16,20 @@ Message too_little_text(const DiagnosisCandidate& best, const Diagnosis& diagnos
 Message follows_unnamed_text(const DiagnosisCandidate& unnamed, const Session& session);
 Message follows_pattern_text(const DiagnosisPattern& pattern);
 /// Nothing that was measured explains it, and it is more than robots scatter.
-Message too_much_scatter_text(const Diagnosis& d);
+Message poor_repeatability_text(const Diagnosis& d);
 
-Message adequate_text(const Diagnosis& diagnosis, bool has_scatter);
+Message adequate_text(const Diagnosis& diagnosis, bool has_repeatability);
 Message unknown_noise_text(const Diagnosis& diagnosis);
 
 /// "arm_2 and arm_4"
 Message listed(const std::vector<std::string>& names);
 
-/// An error as it is told, the root mean square (as_told), with its unit and the
+/// An error as it is reported, the root mean square (as_reported), with its unit and the
 /// three digits of tables: "0.243 px", "3.12 mm".
 Message error_text(const ErrorSummary& error);
 
-/// The same as sentences tell it, to two digits: "0.20 px". told_size: from px or m.
-Message told_error(const ErrorSummary& error);
-Message told_size(double error, bool in_pixels);
+/// The same as sentences tell it, to two digits: "0.20 px". reported_size: from px or m.
+Message reported_error(const ErrorSummary& error);
+Message reported_size(double error, bool in_pixels);
 
 }  // namespace handsight

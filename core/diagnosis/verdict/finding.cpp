@@ -6,19 +6,20 @@
 namespace handsight {
 namespace {
 
-double& share_of_what_moves(const Problem& problem, const std::vector<EffectTerm>& terms, Blame& blame) {
-  const std::vector<Circumstances>& all = problem.source->circumstances;
+double& share_of_what_moves(const Problem& problem, const std::vector<EffectTerm>& terms,
+                            ErrorAttribution& attribution) {
+  const std::vector<ObservationState>& all = problem.source->states;
   const std::size_t every = all.size() / 100 + 1;  // a slip begins somewhere on the way
   for (std::size_t i = 0; i < all.size(); i += every) {
     const Sites s = moved_sites(all[i], terms);
     const bool moves_cameras =
         std::any_of(s.cameras.begin(), s.cameras.end(), [](const CameraChange& c) { return !c.is_zero(); });
-    if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return blame.cameras;
+    if (moves_cameras || !s.mount.isZero() || !s.drift.isZero()) return attribution.cameras;
     const bool moves_markers =
         std::any_of(s.markers.begin(), s.markers.end(), [](const auto& m) { return !m.isZero(); });
-    if (moves_markers || !s.body.isZero()) return blame.body;
+    if (moves_markers || !s.body.isZero()) return attribution.body;
   }
-  return blame.robot;
+  return attribution.robot;
 }
 
 std::size_t count_of_numbers(const DiagnosisCandidate& c) {
@@ -29,7 +30,7 @@ std::size_t count_of_numbers(const DiagnosisCandidate& c) {
 
 }  // namespace
 
-std::string id_of(const DiagnosisCandidate& c) {
+std::string find_id(const DiagnosisCandidate& c) {
   if (!c.unnamed) return c.id;
   return c.terms.empty() ? std::string() : c.terms.front().id;
 }
@@ -38,7 +39,7 @@ bool can_be_added(const DiagnosisCandidate& c) { return !c.terms.empty() && (!c.
 
 bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::vector<double>>& sigmas) {
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const Effect& effect = effect_of(terms[t]);
+    const Effect& effect = term_effect(terms[t]);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const std::string& name = effect.parameters[p].name;
       const bool is_spring = name == "compliance" || name == "xx" || name == "yy";
@@ -74,7 +75,7 @@ std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>
     if (can_be_added(d.candidates[i]) && d.candidates[i].ln_bayes_factor >= d.threshold) order.push_back(i);
   const auto rank = [&](std::size_t i) {
     const DiagnosisCandidate& c = d.candidates[i];
-    if (refused.contains(id_of(c))) return 3;
+    if (refused.contains(find_id(c))) return 3;
     if (comes_before(c, d.candidates.front())) return 0;
     return is_believable(c) && c.ln_bayes_factor >= as_good_a_reason * d.candidates.front().ln_bayes_factor ? 1 : 2;
   };
@@ -84,16 +85,18 @@ std::vector<std::size_t> offered(const Diagnosis& d, const std::set<std::string>
 
 const DiagnosisCandidate* finding_of(const Diagnosis& d, const std::set<std::string>& refused) {
   const std::vector<std::size_t> order = offered(d, refused);
-  if (order.empty() || refused.contains(id_of(d.candidates[order.front()]))) return nullptr;
+  if (order.empty() || refused.contains(find_id(d.candidates[order.front()]))) return nullptr;
   return &d.candidates[order.front()];
 }
 
-Blame blame_by_finding(const Blame& blame, const Diagnosis& d, const std::set<std::string>& refused) {
+ErrorAttribution attribution_by_finding(const ErrorAttribution& attribution, const Diagnosis& d,
+                                        const std::set<std::string>& refused) {
   const DiagnosisCandidate* finding = finding_of(d, refused);
-  if (blame.letter == 0 || !finding || !is_believable(*finding) || !finding->explained || !d.model.fit.problem.source)
-    return blame;
+  if (attribution.letter == 0 || !finding || !is_believable(*finding) || !finding->explained ||
+      !d.model.fit.problem.source)
+    return attribution;
   const double share = std::clamp(*finding->explained, 0.0, 1.0);
-  Blame b = blame;
+  ErrorAttribution b = attribution;
   for (double* part : {&b.cameras, &b.body, &b.robot}) *part *= 1 - share;
   share_of_what_moves(d.model.fit.problem, finding->terms, b) += share;
   b.letter = b.robot >= std::max(b.cameras, b.body) ? 'R' : b.body >= b.cameras ? 'B' : 'C';

@@ -11,7 +11,7 @@ namespace handsight {
 
 /// What a session's model calls the candidate: the effect's id, of a curve the id of its term; empty where it is a
 /// curve that could not be written down.
-std::string id_of(const DiagnosisCandidate& candidate);
+std::string find_id(const DiagnosisCandidate& candidate);
 
 /// Can the model take it in: a name, or a curve that was fitted?
 bool can_be_added(const DiagnosisCandidate& candidate);
@@ -33,7 +33,7 @@ bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& cand
 bool comes_before(const DiagnosisCandidate& candidate, const DiagnosisCandidate& best);
 
 /// The candidates that pass the threshold, as they are offered: what comes before the best, what is believable and has
-/// half as much evidence, then what no robot is built like, then those that were refused (by id_of); each by its
+/// half as much evidence, then what no robot is built like, then those that were refused (by find_id); each by its
 /// evidence. Indices into Diagnosis::candidates.
 std::vector<std::size_t> offered(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
@@ -43,6 +43,7 @@ const DiagnosisCandidate* finding_of(const Diagnosis& diagnosis, const std::set<
 /// Whose fault an error is, as far as residuals alone say, corrected by what was found: the share of the excess that
 /// the finding explains belongs to what it moves (cameras and their mount, the marker body, the robot); the rest is
 /// parted as before. A lens can look like the robot's error, for both images of a marker may still fit together.
-Blame blame_by_finding(const Blame& blame, const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
+ErrorAttribution attribution_by_finding(const ErrorAttribution& attribution, const Diagnosis& diagnosis,
+                                        const std::set<std::string>& refused = {});
 
 }  // namespace handsight

@@ -32,15 +32,15 @@ bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::str
 
 }  // namespace
 
-/// Unknowns that the body's motions tell: a shape that is not known is told by the rows beside them.
+/// Unknowns that the body's motions tell: a shape that is not known is determined by the rows beside them.
 static Eigen::Index unknowns_of_motions(const Fit& fit) {
   const int of_shape = fit.problem.shape ? 0 : std::max(3 * fit.problem.marker_count - 6, 0);
   return std::max(fit.unknowns - of_shape, 0);
 }
 
-double beyond_usual_scatter(const Session& session, const Fit& fit, const LinearModel& model,
-                            const NoiseKnowledge& noise) {
-  const Scatter usual{session.repeatability.value_or(usual_scatter.joints), usual_scatter.place};
+double beyond_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
+                                  const NoiseKnowledge& noise) {
+  const Repeatability usual{session.repeatability.value_or(usual_repeatability.joints), usual_repeatability.place};
   // The rows that the body's motions reach: of a board the others are many, and noise alone.
   const double inner = model.internal(model.internal.rows() - 1, model.internal.cols() - 1);
   const double outer = std::max(whiten(model, usual, noise).residual_squares - inner, 0.0);
@@ -57,7 +57,7 @@ bool follows_a_pattern(const Diagnosis& d) {
   return !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2;
 }
 
-bool scatters_too_much(const Diagnosis& d) { return d.beyond_scatter && *d.beyond_scatter > clearly; }
+bool repeats_too_badly(const Diagnosis& d) { return d.beyond_repeatability && *d.beyond_repeatability > clearly; }
 
 void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (!knows_noise) {
@@ -71,9 +71,9 @@ void judge_what_is_left(bool knows_noise, Diagnosis& d) {
     d.reason = follows_pattern_text(d.patterns.front());
     return;
   }
-  if (fails && scatters_too_much(d)) {
+  if (fails && repeats_too_badly(d)) {
     d.verdict = Verdict::unexplained;
-    d.reason = too_much_scatter_text(d);
+    d.reason = poor_repeatability_text(d);
     return;
   }
   d.verdict = Verdict::adequate;
@@ -94,7 +94,7 @@ void judge(const Session& session, bool knows_noise, const std::map<std::string,
   if (unnamed_passes && !has_a_name && (!best || unnamed->ln_bayes_factor > best->ln_bayes_factor)) {
     d.verdict = Verdict::unexplained;
     d.reason = follows_unnamed_text(*unnamed, session);
-    put_variable_first(*unnamed->unnamed->localiser.variable, d);
+    put_variable_first(*unnamed->unnamed->empirical_error.variable, d);
     return;
   }
   if (!best || best->ln_bayes_factor < d.threshold) return judge_what_is_left(knows_noise, d);
@@ -108,9 +108,9 @@ void judge(const Session& session, bool knows_noise, const std::map<std::string,
   });
   d.verdict = rival ? Verdict::ambiguous : Verdict::missing_effect;
   // The words name what every other place puts first: what a robot may have before what none is built like.
-  const DiagnosisCandidate* told = finding_of(d);
-  if (!told || told->unnamed) told = best;
-  d.reason = missing_text(*told, rival && told == best, d);
+  const DiagnosisCandidate* reported = finding_of(d);
+  if (!reported || reported->unnamed) reported = best;
+  d.reason = missing_text(*reported, rival && reported == best, d);
 }
 
 }  // namespace handsight

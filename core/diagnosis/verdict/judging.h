@@ -10,18 +10,18 @@
 namespace handsight {
 
 /// How well a robot repeats of which nothing is declared: rad of one joint, m of the hand's place.
-inline constexpr Scatter usual_scatter{3e-4, 3e-4};
+inline constexpr Repeatability usual_repeatability{3e-4, 3e-4};
 
-/// What a model leaves, over what the noise, the robot's declared repeatability (else usual_scatter) and poses that
-/// were measured again leave: 1 or less where it may be scatter from pose to pose. The noise must be known.
-double beyond_usual_scatter(const Session& session, const Fit& fit, const LinearModel& model,
-                            const NoiseKnowledge& noise);
+/// What a model leaves, over what the noise, the robot's declared repeatability (else usual_repeatability) and poses
+/// that were measured again leave: 1 or less where it may be scatter from pose to pose. The noise must be known.
+double beyond_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
+                                  const NoiseKnowledge& noise);
 
 /// Does what is left follow something clearly? The first of the patterns decides.
 bool follows_a_pattern(const Diagnosis& diagnosis);
 
 /// Is more left than noise and the scatter that robots have? Not where the noise is not known.
-bool scatters_too_much(const Diagnosis& diagnosis);
+bool repeats_too_badly(const Diagnosis& diagnosis);
 
 inline constexpr double ln_20 = 2.995732273553991;  // odds beyond which a rival is out
 

@@ -33,10 +33,10 @@ struct Number {
   std::size_t term, parameter;
 };
 
-std::vector<Number> numbers_of(const Terms& terms) {
+std::vector<Number> list_numbers(const Terms& terms) {
   std::vector<Number> numbers;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    const Effect& effect = effect_of(terms[t]);
+    const Effect& effect = term_effect(terms[t]);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (!effect.parameters[p].is_choice) numbers.push_back({t, p});
   }
@@ -53,23 +53,23 @@ struct Part {
   double value = 0, sigma = 0;
 };
 
-ReadValue part_of(const Reading& reading, const Terms& model, const Terms& candidate) {
+ReadValue take_part(const Reading& reading, const Terms& model, const Terms& candidate) {
   const auto without = reading(model), with = reading(joined(model, candidate));
   if (!without || !with) return std::nullopt;
   return Eigen::VectorXd(*with - *without);
 }
 
-double size_of(const Eigen::VectorXd& part) { return part.norm(); }
+double measure_size(const Eigen::VectorXd& part) { return part.norm(); }
 
 std::optional<Part> predicted(const Reading& reading, const Terms& model, const DiagnosisCandidate& c) {
-  const auto part = part_of(reading, model, c.terms);
-  if (!part || size_of(*part) < least_shown) return std::nullopt;
+  const auto part = take_part(reading, model, c.terms);
+  if (!part || measure_size(*part) < least_shown) return std::nullopt;
   const Eigen::VectorXd direction = part->size() == 1 ? Eigen::VectorXd::Ones(1) : Eigen::VectorXd(part->normalized());
-  const std::vector<Number> numbers = numbers_of(c.terms);
+  const std::vector<Number> numbers = list_numbers(c.terms);
   Eigen::VectorXd by_number = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(numbers.size()));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto [t, p] = numbers[i];
-    const double step = 1e-2 * effect_of(c.terms[t]).parameters[p].sigma;
+    const double step = 1e-2 * term_effect(c.terms[t]).parameters[p].sigma;
     Terms up = c.terms, down = c.terms;
     up[t].values[p] += step;
     down[t].values[p] -= step;
@@ -100,10 +100,10 @@ std::vector<FittedPoint> fitted_points(const Fit& fit) {
 class Prediction {
  public:
   Prediction(const Diagnosis& d, const DiagnosisCandidate& c)
-      : d_(d), c_(c), fit_(d.model.fit), model_(terms_of(fit_)), chain_(fit_.problem.source->chain) {}
+      : d_(d), c_(c), fit_(d.model.fit), model_(list_terms(fit_)), chain_(fit_.problem.source->chain) {}
 
   std::optional<CheckPrediction> make() const {
-    switch (effect_of(c_.terms.front()).check_reads) {
+    switch (term_effect(c_.terms.front()).check_reads) {
       case CheckReads::number:
         return own_number();
       case CheckReads::drop:
@@ -113,12 +113,13 @@ class Prediction {
       case CheckReads::two_sides:
         return in_a_pose("The hand moves by", "from one side to the other", between_sides);
       case CheckReads::start_to_end:
-        return in_a_pose("The hand moves by", "from the start of the session to its end",
-                         [this](const Circumstances& c, const Terms& t) { return from_start_to_end(c, t, mount()); });
+        return in_a_pose(
+            "The hand moves by", "from the start of the session to its end",
+            [this](const ObservationState& c, const Terms& t) { return from_start_to_end(c, t, mount()); });
       case CheckReads::place:
         return in_a_pose(
             "The hand is", "beside where the model has it",
-            [this](const Circumstances& c, const Terms& t) { return hand_in_sensor(c, t, mount()); }, false);
+            [this](const ObservationState& c, const Terms& t) { return hand_in_sensor(c, t, mount()); }, false);
       case CheckReads::epipolar:
         return in_the_images("off the epipolar line", [](const Rig& nominal, const Rig& rig, const Vector3& x) {
           return off_epipolar_line(nominal, rig, x);
@@ -135,8 +136,8 @@ class Prediction {
 
   /// The surest of those that are of the first one's kind.
   std::optional<CheckPrediction> own_number() const {
-    const std::vector<Number> numbers = numbers_of(c_.terms);
-    const Effect& effect = effect_of(c_.terms.front());
+    const std::vector<Number> numbers = list_numbers(c_.terms);
+    const Effect& effect = term_effect(c_.terms.front());
     std::optional<std::size_t> best;
     const auto value = [&](std::size_t i) { return c_.terms[numbers[i].term].values[numbers[i].parameter]; };
     const auto sigma = [&](std::size_t i) {
@@ -165,19 +166,19 @@ class Prediction {
     const auto& observations = fit_.problem.observations;
     const std::size_t stride = observations.size() / most_poses + 1;
     const auto reading_at = [&](std::size_t i) -> Reading {
-      const Circumstances& seen = fit_.problem.source->circumstances[static_cast<std::size_t>(observations[i].index)];
+      const ObservationState& seen = fit_.problem.source->states[static_cast<std::size_t>(observations[i].index)];
       return [c = is_at_rest ? at_rest(seen) : seen, &read](const Terms& terms) { return read(c, terms); };
     };
     double most = 0;
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < observations.size(); i += stride)
-      if (const auto part = part_of(reading_at(i), model_, c_.terms); part && size_of(*part) > most) {
-        most = size_of(*part);
+      if (const auto part = take_part(reading_at(i), model_, c_.terms); part && measure_size(*part) > most) {
+        most = measure_size(*part);
         best = i;
       }
     const auto part = best ? predicted(reading_at(*best), model_, c_) : std::nullopt;
     if (!part) return std::nullopt;
-    const std::int64_t id = id_of(observations[*best]);
+    const std::int64_t id = find_id(observations[*best]);
     return CheckPrediction{before, message("{} (pose {})", after, id), part->value, part->sigma, "m", id};
   }
 
@@ -209,12 +210,12 @@ class Prediction {
     return best;
   }
 
-  const Circumstances& any_pose() const { return fit_.problem.source->circumstances.front(); }
+  const ObservationState& any_pose() const { return fit_.problem.source->states.front(); }
 
   std::pair<double, double> seen_range(int joint) const {
     double low = 1e300, high = -1e300;
     for (const ProblemObservation& o : fit_.problem.observations) {
-      const double q = fit_.problem.source->circumstances[static_cast<std::size_t>(o.index)].sensor[joint];
+      const double q = fit_.problem.source->states[static_cast<std::size_t>(o.index)].sensor[joint];
       low = std::min(low, q);
       high = std::max(high, q);
     }
@@ -240,7 +241,7 @@ class Prediction {
     const std::vector<FittedPoint> points = fitted_points(fit_);
     const std::size_t stride = points.size() / most_poses + 1;
     const auto reading_at = [&](const FittedPoint& point) -> Reading {
-      const Circumstances& c = fit_.problem.source->circumstances[static_cast<std::size_t>(point.observation->index)];
+      const ObservationState& c = fit_.problem.source->states[static_cast<std::size_t>(point.observation->index)];
       return [&c, rig, x = point.x_in_sensor, &read](const Terms& terms) -> ReadValue {
         return read(*rig, moved_rig(*rig, moved_sites(c, terms)), x);
       };
@@ -248,13 +249,13 @@ class Prediction {
     double most = 0;
     const FittedPoint* best = nullptr;
     for (std::size_t i = 0; i < points.size(); i += stride)
-      if (const auto part = part_of(reading_at(points[i]), model_, c_.terms); part && size_of(*part) > most) {
-        most = size_of(*part);
+      if (const auto part = take_part(reading_at(points[i]), model_, c_.terms); part && measure_size(*part) > most) {
+        most = measure_size(*part);
         best = &points[i];
       }
     const auto part = best ? predicted(reading_at(*best), model_, c_) : std::nullopt;
     if (!part) return std::nullopt;
-    const std::int64_t id = id_of(*best->observation);
+    const std::int64_t id = find_id(*best->observation);
     return CheckPrediction{message("Where marker {} is in observation {}, matched points lie", best->marker, id),
                            after,
                            part->value,
@@ -263,7 +264,7 @@ class Prediction {
                            id};
   }
 
-  std::int64_t id_of(const ProblemObservation& o) const {
+  std::int64_t find_id(const ProblemObservation& o) const {
     return d_.model.session.observations[static_cast<std::size_t>(o.index)].id;
   }
 
@@ -278,7 +279,8 @@ class Prediction {
 
 std::optional<CheckPrediction> predicted_check(const Diagnosis& model, const DiagnosisCandidate& candidate) {
   if (candidate.unnamed || candidate.terms.empty() || model.model.fit.problem.observations.empty()) return std::nullopt;
-  if (candidate.covariance.rows() != static_cast<Eigen::Index>(numbers_of(candidate.terms).size())) return std::nullopt;
+  if (candidate.covariance.rows() != static_cast<Eigen::Index>(list_numbers(candidate.terms).size()))
+    return std::nullopt;
   return Prediction(model, candidate).make();
 }
 

@@ -9,7 +9,7 @@ constexpr double test_mass = 1;  // kg
 Eigen::VectorXd one(double x) { return Eigen::VectorXd::Constant(1, x); }
 
 /// The hand with every joint that has play, or is held back by friction, on one of its two sides.
-std::optional<Vector3> on_side(Circumstances c, const Terms& terms, double side) {
+std::optional<Vector3> on_side(ObservationState c, const Terms& terms, double side) {
   c.approach.setConstant(side);
   Sites sites = moved_sites(c, terms);
   for (JointChange& joint : sites.robot.joints) {
@@ -23,12 +23,12 @@ std::optional<Vector3> on_side(Circumstances c, const Terms& terms, double side)
 
 }  // namespace
 
-Circumstances at_rest(Circumstances c) {
+ObservationState at_rest(ObservationState c) {
   c.velocity.setZero();
   return c;
 }
 
-ReadValue drop(const Circumstances& c, const Terms& terms) {
+ReadValue drop(const ObservationState& c, const Terms& terms) {
   Sites sites = moved_sites(c, terms);
   const ObservedEnds empty = observed_ends(c, sites);
   sites.robot.payload_link = c.chain->tcp_link;
@@ -39,20 +39,20 @@ ReadValue drop(const Circumstances& c, const Terms& terms) {
   return one(c.chain->gravity.normalized().dot(motion));
 }
 
-ReadValue between_sides(const Circumstances& c, const Terms& terms) {
+ReadValue between_sides(const ObservationState& c, const Terms& terms) {
   const auto up = on_side(c, terms, 1), down = on_side(c, terms, -1);
   if (!up || !down) return std::nullopt;
   return Eigen::VectorXd(*up - *down);
 }
 
-ReadValue hand_in_sensor(const Circumstances& c, const Terms& terms, const Rigid& mount) {
+ReadValue hand_in_sensor(const ObservationState& c, const Terms& terms, const Rigid& mount) {
   const ObservedEnds o = observed_ends(c, moved_sites(c, terms));
   if (!o.ends.converged) return std::nullopt;
   return Eigen::VectorXd(sensor_from_tcp(o.ends, mount * o.mount_motion).translation);
 }
 
-ReadValue from_start_to_end(const Circumstances& c, const Terms& terms, const Rigid& mount) {
-  Circumstances first = c, last = c;
+ReadValue from_start_to_end(const ObservationState& c, const Terms& terms, const Rigid& mount) {
+  ObservationState first = c, last = c;
   first.elapsed = 0;
   last.elapsed = c.duration;
   const ReadValue start = hand_in_sensor(first, terms, mount), end = hand_in_sensor(last, terms, mount);
@@ -60,8 +60,8 @@ ReadValue from_start_to_end(const Circumstances& c, const Terms& terms, const Ri
   return Eigen::VectorXd(*end - *start);
 }
 
-double angle_error(const Circumstances& circumstances, const Terms& terms, int joint, double q) {
-  Circumstances c = at_rest(circumstances);
+double angle_error(const ObservationState& states, const Terms& terms, int joint, double q) {
+  ObservationState c = at_rest(states);
   c.sensor[joint] = q;
   const Sites sites = moved_sites(c, terms);
   return sites.robot.joints.empty() ? 0 : sites.robot.joints[static_cast<std::size_t>(joint)].angle;

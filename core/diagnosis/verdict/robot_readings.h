@@ -13,22 +13,22 @@ using Terms = std::vector<EffectTerm>;
 using ReadValue = std::optional<Eigen::VectorXd>;  // one number, or the coordinates of something
 
 /// The same posture, held still.
-Circumstances at_rest(Circumstances circumstances);
+ObservationState at_rest(ObservationState states);
 
 /// m: how far the hand drops once 1 kg hangs on it.
-ReadValue drop(const Circumstances& circumstances, const Terms& terms);
+ReadValue drop(const ObservationState& states, const Terms& terms);
 
 /// m, root frame: the hand with every play and friction on one of its two sides, less the other.
-ReadValue between_sides(const Circumstances& circumstances, const Terms& terms);
+ReadValue between_sides(const ObservationState& states, const Terms& terms);
 
 /// m, sensor frame: where the hand is.
-ReadValue hand_in_sensor(const Circumstances& circumstances, const Terms& terms, const Rigid& mount);
+ReadValue hand_in_sensor(const ObservationState& states, const Terms& terms, const Rigid& mount);
 
 /// m, sensor frame: the hand in this posture when the session ends, less when it starts.
-ReadValue from_start_to_end(const Circumstances& circumstances, const Terms& terms, const Rigid& mount);
+ReadValue from_start_to_end(const ObservationState& states, const Terms& terms, const Rigid& mount);
 
 /// rad (m): how much more the joint has than it reads, at the reading q.
-double angle_error(const Circumstances& circumstances, const Terms& terms, int joint, double q);
+double angle_error(const ObservationState& states, const Terms& terms, int joint, double q);
 
 /// px: how far the image points of x (m, first camera) in `rig` miss the epipolar lines of `nominal`, by each camera
 /// but the first with the first.

@@ -53,16 +53,16 @@ ErrorSummary error_on_the_others(const Session& session, const Sample& sample, c
     const std::size_t last = std::min(first + at_once, sample.left_out.size());
     const std::vector<int> some(sample.left_out.begin() + static_cast<std::ptrdiff_t>(first),
                                 sample.left_out.begin() + static_cast<std::ptrdiff_t>(last));
-    mean.add(error_on(part_of(session, some), fit), static_cast<double>(some.size()));
+    mean.add(error_on(take_part(session, some), fit), static_cast<double>(some.size()));
   }
   return mean.all();
 }
 
-double size_of(const ErrorSummary& e) { return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0); }
+double measure_size(const ErrorSummary& e) { return e.rms_pixel ? *e.rms_pixel : e.rms_m.value_or(0); }
 
 }  // namespace
 
-std::optional<Sample> sample_to_judge(const Session& session) { return sample_of(session, most, size); }
+std::optional<Sample> sample_to_judge(const Session& session) { return take_sample(session, most, size); }
 
 void check_on_the_others(const Session& session, const Sample& sample, Diagnosis& d) {
   if (d.stopped) return;
@@ -70,11 +70,11 @@ void check_on_the_others(const Session& session, const Sample& sample, Diagnosis
       SampleCheck{static_cast<int>(sample.taken.size()), static_cast<int>(sample.taken.size() + sample.left_out.size()),
                   error_on_the_others(session, sample, d.model.fit)};
   d.report.observations = static_cast<int>(session.observations.size());
-  const bool is_worse = size_of(d.sample->others) > clearly_worse * size_of(d.report.held_out);
+  const bool is_worse = measure_size(d.sample->others) > clearly_worse * measure_size(d.report.held_out);
   d.reason += message(
       " Judged by {} of the {} observations, evenly over the session; the model meets the others to "
       "{}{}",
-      d.sample->taken, d.sample->all, told_error(d.sample->others),
+      d.sample->taken, d.sample->all, reported_error(d.sample->others),
       is_worse ? ", which is worse than what was held out here: wrong points among them, or "
                  "something that these did not show."
                : ", no worse than these.");

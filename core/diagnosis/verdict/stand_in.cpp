@@ -9,10 +9,9 @@
 namespace handsight {
 
 bool is_too_large(const EffectTerm& term, const Chain& chain) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-    if (is_free(effect, term, p) &&
-        std::abs(term.values[p]) > largest_built * plausible_size(effect.parameters[p], chain))
+    if (is_free(effect, term, p) && std::abs(term.values[p]) > largest_built * prior_sigma(effect.parameters[p], chain))
       return true;
   return false;
 }
@@ -23,12 +22,12 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
   const Chain& chain = fit.problem.source->chain;
   for (const FittedEffect& f : fit.effects) {
     const bool is_estimated = std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double s) { return s > 0; });
-    if (!is_estimated || effect_of(f.term).is_unnamed()) continue;
+    if (!is_estimated || term_effect(f.term).is_unnamed()) continue;
     const bool back = pushes_back({f.term}, {f.sigmas});
     if (!back && !is_too_large(f.term, chain)) continue;
     auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
     if (same == list.end()) same = list.insert(list.end(), StandIn{.id = f.term.id});
-    const std::string place = place_name(effect_of(f.term), f.term.joint, chain.robot);
+    const std::string place = place_name(term_effect(f.term), f.term.joint, chain.robot);
     if (!place.empty()) same->where.push_back(place);
     same->pushes_back = same->pushes_back || back;
   }

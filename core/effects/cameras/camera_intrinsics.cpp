@@ -17,6 +17,6 @@ Effect camera_intrinsics(const Rig& rig) {
   return with_camera_numbers(std::move(effect), rig, 0, camera_number_count - distortion_numbers);
 }
 
-Effect camera_intrinsics() { return camera_intrinsics(rig_of(StereoRig{})); }
+Effect camera_intrinsics() { return camera_intrinsics(make_rig(StereoRig{})); }
 
 }  // namespace handsight

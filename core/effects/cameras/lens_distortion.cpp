@@ -15,6 +15,6 @@ Effect lens_distortion(const Rig& rig) {
   return with_camera_numbers(std::move(effect), rig, camera_number_count - distortion_numbers, distortion_numbers);
 }
 
-Effect lens_distortion() { return lens_distortion(rig_of(StereoRig{})); }
+Effect lens_distortion() { return lens_distortion(make_rig(StereoRig{})); }
 
 }  // namespace handsight

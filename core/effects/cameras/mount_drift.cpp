@@ -7,13 +7,13 @@ namespace handsight {
 namespace {
 
 /// How much of the drift has come: linear in time, or where `settling` is set 1 - exp(-t / (settling T)).
-double arrived(const Circumstances& c, double settling) {
+double arrived(const ObservationState& c, double settling) {
   if (!(c.duration > 0)) return 0;
   const double share = c.elapsed / c.duration;
   return settling > 0 ? 1 - std::exp(-share / settling) : share;
 }
 
-void move(const Circumstances& c, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
   sites.drift += arrived(c, values[6]) * Eigen::Map<const Vector6>(values.data());
 }
 

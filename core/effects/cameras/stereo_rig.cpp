@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances&, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState&, int, std::span<const double> values, Sites& sites) {
   sites.cameras[1].motion += Eigen::Map<const Vector6>(values.data());
 }
 

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
   if (c.order >= values[6]) sites.body += Eigen::Map<const Vector6>(values.data());
 }
 

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   if (c.order >= values[3]) sites.markers[static_cast<std::size_t>(place)] += Vector3(values[0], values[1], values[2]);
 }
 

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
   sites.robot.payload_link = c.chain->tcp_link;
   sites.robot.payload_mass += values[0];
   sites.robot.payload_moment += Vector3(values[1], values[2], values[3]);

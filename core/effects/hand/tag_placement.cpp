@@ -53,7 +53,7 @@ Effect tag_placement(const Target& target) {
     effect.tags.push_back(target.ids[k]);
   }
   // target_from_tag * exp(v), to first order in the turn: sites move by what is linear.
-  effect.move = [tags = std::move(tags)](const Circumstances&, int place, std::span<const double> v, Sites& sites) {
+  effect.move = [tags = std::move(tags)](const ObservationState&, int place, std::span<const double> v, Sites& sites) {
     const auto found = tags.find(place);
     if (found == tags.end()) return;
     const TagOnBody& tag = found->second;

@@ -35,7 +35,7 @@ Effect target_bend(const KnownShape& shape) {
   const BodySides sides = choose_sides({points.begin(), points.end()});
   const Vector3 across = inverse(body_frame(sides, points).tcp_from_body).rotation.col(2);  // z of the target
   Effect effect = target_bend();
-  effect.move = [squares, across](const Circumstances&, int, std::span<const double> values, Sites& sites) {
+  effect.move = [squares, across](const ObservationState&, int, std::span<const double> values, Sites& sites) {
     const auto all = std::min(static_cast<std::size_t>(squares.cols()), sites.markers.size());
     for (std::size_t m = 0; m < all; ++m) {
       const auto column = static_cast<Eigen::Index>(m);

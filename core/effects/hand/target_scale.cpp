@@ -26,7 +26,8 @@ Effect target_scale() {
 
 Effect target_scale(std::vector<Vector3> in_body) {
   Effect effect = target_scale();
-  effect.move = [points = std::move(in_body)](const Circumstances&, int, std::span<const double> values, Sites& sites) {
+  effect.move = [points = std::move(in_body)](const ObservationState&, int, std::span<const double> values,
+                                              Sites& sites) {
     const std::size_t count = std::min(points.size(), sites.markers.size());
     for (std::size_t m = 0; m < count; ++m) sites.markers[m] += values[0] * points[m];
   };
@@ -36,7 +37,7 @@ Effect target_scale(std::vector<Vector3> in_body) {
 Effect target_scale_of_poses(std::vector<Vector3> in_sensor_by_order) {
   Effect effect = target_scale();
   // A target larger by a share stands farther away by it than the sensor says: as if the sensor had come nearer.
-  effect.move = [places = std::move(in_sensor_by_order)](const Circumstances& c, int, std::span<const double> values,
+  effect.move = [places = std::move(in_sensor_by_order)](const ObservationState& c, int, std::span<const double> values,
                                                          Sites& sites) {
     const auto order = static_cast<std::size_t>(c.order);
     if (order < places.size()) sites.drift.head<3>() += values[0] * places[order];

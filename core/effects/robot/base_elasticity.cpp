@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances&, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState&, int, std::span<const double> values, Sites& sites) {
   sites.robot.base_compliance += Vector3(values[0], values[1], values[2]);
 }
 

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances&, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState&, int, std::span<const double> values, Sites& sites) {
   sites.robot.tilt_x += values[0];
   sites.robot.tilt_y += values[1];
 }

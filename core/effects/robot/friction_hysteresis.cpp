@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.approach[place];
 }
 

@@ -7,7 +7,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   if (const auto other = coupled_joint(*c.chain, place, static_cast<int>(std::lround(values[1]))))
     sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.sensor[*other];
 }

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances&, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState&, int place, std::span<const double> values, Sites& sites) {
   sites.robot.joints[static_cast<std::size_t>(place)].lateral_compliance += values[0];
 }
 

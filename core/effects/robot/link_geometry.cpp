@@ -7,7 +7,7 @@ namespace handsight {
 namespace {
 
 /// Two directions across the axis: u from x (from y where the axis is near x), w = axis cross u.
-void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   const Vector3& axis = c.chain->robot.joints[static_cast<std::size_t>(place)].axis;
   const Vector3 start = std::abs(axis.x()) >= 0.9 ? Vector3::UnitY() : Vector3::UnitX();
   const Vector3 u = (start - axis * axis.dot(start)).normalized();

@@ -4,7 +4,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
   const std::vector<Joint>& joints = c.chain->robot.joints;
   // A mimic joint follows the lagging joints by itself.
   for (std::size_t j = 0; j < joints.size(); ++j)

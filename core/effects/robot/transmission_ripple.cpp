@@ -6,7 +6,7 @@
 namespace handsight {
 namespace {
 
-void move(const Circumstances& c, int place, std::span<const double> values, Sites& sites) {
+void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
   sites.robot.joints[static_cast<std::size_t>(place)].angle +=
       values[0] * std::sin(2 * c.sensor[place]) + values[1] * std::cos(2 * c.sensor[place]);
 }

@@ -48,7 +48,7 @@ struct Rows {
   Eigen::Matrix<double, 6, 12> by;  // d of -error / d (xi of tcp_from_body, v of the mount)
 };
 
-Rows rows_of(const MeasuredPose& pose, const Rigid& tcp_from_body, const Rigid& mount_from_sensor) {
+Rows take_rows(const MeasuredPose& pose, const Rigid& tcp_from_body, const Rigid& mount_from_sensor) {
   const Rigid sensor_from_tcp = sensor_from_tcp_at(*pose.observation, mount_from_sensor);
   const Rigid predicted = sensor_from_tcp * tcp_from_body;
   const Vector3 turn = vector_from_rotation(predicted.rotation * pose.sensor_from_body.rotation.transpose());
@@ -95,7 +95,7 @@ std::optional<AngleAxisResult> fit_angle_axis(const Problem& problem, const std:
     middle.setZero();
     result.rms_m = result.rms_rad = 0;
     for (const MeasuredPose& p : poses) {
-      const Rows rows = rows_of(p, result.tcp_from_body, result.mount_from_sensor);
+      const Rows rows = take_rows(p, result.tcp_from_body, result.mount_from_sensor);
       const double squared = rows.error.dot(weight.asDiagonal() * rows.error);
       const double counts = loss_at(loss, squared, 6, 1).weight;
       const Eigen::MatrixXd weighted = counts * weight.asDiagonal() * rows.by.leftCols(columns);

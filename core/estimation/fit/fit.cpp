@@ -17,7 +17,7 @@
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
-#include "estimation/start/competition.h"
+#include "estimation/start/multi_start.h"
 #include "estimation/start/start.h"
 #include "estimation/start/touch_start.h"
 #include "session/pose_points.h"
@@ -31,7 +31,7 @@ bool all_are_seen(const Problem& problem) {
   return std::all_of(problem.marker_is_seen.begin(), problem.marker_is_seen.end(), [](char seen) { return seen != 0; });
 }
 
-BodySides sides_of(const FitOptions& options, const Problem& problem, const Unknowns& unknowns) {
+BodySides make_sides(const FitOptions& options, const Problem& problem, const Unknowns& unknowns) {
   if (options.sides) return *options.sides;
   // As the shape is described: the estimate of a regular one would change its mind between equal sides.
   if (problem.shape && problem.shape->piece_count() == 1 && (problem.shape->sigma || all_are_seen(problem)))
@@ -56,7 +56,7 @@ void set_model_covariance(const BodyFrame& frame, const Eigen::MatrixXd& factor,
 }
 
 void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit) {
-  fit.sides = sides_of(options, fit.problem, fit.solution.unknowns);
+  fit.sides = make_sides(options, fit.problem, fit.solution.unknowns);
   if (fit.sides.markers.empty()) return;
   const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
   const BodyFrame frame = body_frame(fit.sides, fit.solution.unknowns.markers_in_tcp, start);
@@ -76,7 +76,7 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
 int no_matter(const Session& session) {
   int count = 0;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f)
-    if (mount_of(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate)
+    if (find_mount(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate)
       count += session.fixtures[f].kind == FixtureKind::line ? 2 : 3;
   return count;
 }
@@ -169,7 +169,7 @@ void require_use_of_camera_images(const Session& session, const FitOptions& opti
 
 /// Does a term move the body or its markers on the hand, in the body's own frame?
 bool is_slip(const EffectTerm& term, const Chain& chain) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   if (effect.scope == EffectScope::marker) return true;
   if (effect.definition) {
     const std::vector<DefinedMove>& moves = effect.definition->moves;
@@ -178,7 +178,7 @@ bool is_slip(const EffectTerm& term, const Chain& chain) {
   const auto joints = static_cast<Eigen::Index>(chain.joints.size());
   EffectTerm one = term;
   std::fill(one.values.begin(), one.values.end(), 1.0);
-  const Sites sites = moved_sites(circumstances_at(chain, Eigen::VectorXd::Zero(joints)), {one});
+  const Sites sites = moved_sites(states_at(chain, Eigen::VectorXd::Zero(joints)), {one});
   return !sites.body.isZero(0) ||
          std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); });
 }
@@ -193,7 +193,7 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
   if (!has_slip(images)) return;
   for (int pass = 0; pass < 5; ++pass) {
     const Unknowns& u = result.solution.unknowns;
-    const BodySides sides = sides_of(options, result.problem, u);
+    const BodySides sides = make_sides(options, result.problem, u);
     if (sides.markers.empty()) return;
     const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
     const Rigid tcp_from_body = body_frame(sides, u.markers_in_tcp, start).tcp_from_body;
@@ -201,7 +201,7 @@ void settle_slip_frame(const Session& session, const FitOptions& options, Proble
     const bool others_moved = set_slip_frames(images, u.markers_in_tcp);
     if (change.norm() < 1e-10 && !others_moved) return;
     images.tcp_from_slip = tcp_from_body;
-    result.problem.set_slip_frames_of(images);
+    result.problem.copy_slip_frames(images);
     set_effects(result.problem, u.effects);
     if (&images != &result.problem) set_effects(images, u.effects);
     minimise(session, images, Unknowns(u), options, images.noise, result);
@@ -222,7 +222,7 @@ void set_effect_results(const std::size_t held, Fit& fit) {
   }
 }
 
-Fit fit_as_told(const Session& session, const FitOptions& options);
+Fit fit_as_given(const Session& session, const FitOptions& options);
 
 /// Nothing where nothing can be found.
 std::optional<Unknowns> start_for(const Session& session, const FitOptions& options, const Problem& images) {
@@ -234,9 +234,9 @@ std::optional<Unknowns> start_for(const Session& session, const FitOptions& opti
     if (options.estimated.empty()) return touch_start(session, images);
     // From rough places a joint's zero and all fixtures turn far together, and come back slowly.
     alone.effects = options.effects;
-    return estimate(fit_as_told(session, alone));
+    return estimate(fit_as_given(session, alone));
   }
-  return start_of_parts(session, images, [&](const Session& part) { return fit_as_told(part, alone); });
+  return start_of_parts(session, images, [&](const Session& part) { return fit_as_given(part, alone); });
 }
 
 void refuse_objectives_of_parts(const Session& session, const FitOptions& options) {
@@ -245,9 +245,9 @@ void refuse_objectives_of_parts(const Session& session, const FitOptions& option
                            session.title));
 }
 
-Fit fit_as_told(const Session& session, const FitOptions& options) {
+Fit fit_as_given(const Session& session, const FitOptions& options) {
   refuse_objectives_of_parts(session, options);
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   Problem images = make_problem(session, chain, options.effects, options.estimated);
   if (images.observations.empty())
     throw InputError(
@@ -277,7 +277,7 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
   if (images.effect_count() > 0 || images.shape || session.robot.is_of_poses) set_prior_noise(session, *start, images);
   if (has_slip(images)) {
     // A first frame for slips; settled below.
-    const BodySides sides = sides_of(options, images, *start);
+    const BodySides sides = make_sides(options, images, *start);
     if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
     set_slip_frames(images, start->markers_in_tcp);
     place_observations(images);
@@ -321,15 +321,15 @@ Fit fit_as_told(const Session& session, const FitOptions& options) {
 }  // namespace
 
 Fit fit(const Session& session, const FitOptions& options) {
-  if (!has_unknown_lever(session)) return fit_as_told(session, options);
+  if (!has_unknown_lever(session)) return fit_as_given(session, options);
   FitOptions quiet = options;
   quiet.on_iteration = nullptr;
   Session seen = session;
   for (int pass = 0; pass < 2; ++pass) {
-    const Fit rough = fit_as_told(seen, quiet);
+    const Fit rough = fit_as_given(seen, quiet);
     show_poses(seen, seen_lever(rough.problem, estimate(rough)));
   }
-  return fit_as_told(seen, options);
+  return fit_as_given(seen, options);
 }
 
 }  // namespace handsight

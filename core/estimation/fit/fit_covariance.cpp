@@ -17,7 +17,7 @@ namespace handsight {
 namespace {
 
 /// Few observations cannot show how observations scatter: below this the scale of the residuals is used instead.
-constexpr std::size_t fewest_for_scatter = 10;
+constexpr std::size_t fewest_for_repeatability = 10;
 
 /// Of the unknowns, how many their priors know: tr(P H^-1). The measurements know the rest, tr(H_data H^-1).
 double known_by_priors(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& inverse) {
@@ -33,8 +33,8 @@ double known_by_priors(const Problem& problem, const Unknowns& unknowns, const E
   }
   if (learns_from_camera_images(problem)) {
     const Eigen::Index at = problem.effect_column(), count = problem.effect_count();
-    const Eigen::MatrixXd told = camera_prior(problem).information;
-    known += problem.noise * problem.noise * told.cwiseProduct(inverse.block(at, at, count, count)).sum();
+    const Eigen::MatrixXd reported = camera_prior(problem).information;
+    known += problem.noise * problem.noise * reported.cwiseProduct(inverse.block(at, at, count, count)).sum();
   }
   if (holds_robot_scale(problem)) {
     const Eigen::VectorXd& scale = problem.robot_scale->by_effect;
@@ -62,8 +62,8 @@ int unknowns_of(const Problem& problem, const Solution& solution, const Eigen::M
 
 /// A prior is one more measurement, with its own scatter: gathers the gradients of these, a row each, times
 /// `by_columns`, which has a row for each of the problem's columns.
-void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& by_columns,
-                       GatheredRows& gathered) {
+void add_prior_repeatability(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& by_columns,
+                             GatheredRows& gathered) {
   const Eigen::Index effects = problem.effect_count();
   if (problem.has_shape_prior()) {
     const Eigen::MatrixXd rows = shape_prior_rows(problem, unknowns.markers_in_tcp).by_markers;
@@ -74,7 +74,7 @@ void add_prior_scatter(const Problem& problem, const Unknowns& unknowns, const E
     gathered.add(problem.noise / sigma * problem.noise * by_columns.row(problem.effect_column() + i));
   }
   if (learns_from_camera_images(problem))
-    gathered.add(problem.noise * problem.noise * factor_of(camera_prior(problem).information).transpose() *
+    gathered.add(problem.noise * problem.noise * make_factor(camera_prior(problem).information).transpose() *
                  by_columns.middleRows(problem.effect_column(), effects));
   if (holds_robot_scale(problem))
     gathered.add(problem.noise / robot_scale_sigma * problem.noise * problem.robot_scale->by_effect.transpose() *
@@ -88,10 +88,10 @@ Eigen::MatrixXd clustered_factor(const Problem& problem, const Unknowns& unknown
   Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(unit.cols(), unit.cols());
   GatheredRows gathered(middle, static_cast<Eigen::Index>(problem.observations.size()));
   for (const ProblemObservation& o : problem.observations)
-    gathered.add(gradient_of(problem, o, unknowns).transpose() * unit);
-  add_prior_scatter(problem, unknowns, unit, gathered);
+    gathered.add(compute_gradient(problem, o, unknowns).transpose() * unit);
+  add_prior_repeatability(problem, unknowns, unit, gathered);
   gathered.settle();
-  return unit * factor_of(middle.selfadjointView<Eigen::Lower>());
+  return unit * make_factor(middle.selfadjointView<Eigen::Lower>());
 }
 
 /// Two moments of a robust loss at the solution, by the problem's columns.
@@ -117,7 +117,7 @@ LossMoments loss_moments(Problem& problem, const Unknowns& unknowns, Loss loss, 
     }
   }
   GatheredRows gathered(moments.scores);
-  add_prior_scatter(problem, unknowns, Eigen::MatrixXd::Identity(problem.columns(), problem.columns()), gathered);
+  add_prior_repeatability(problem, unknowns, Eigen::MatrixXd::Identity(problem.columns(), problem.columns()), gathered);
   gathered.settle();
   moments.scores.triangularView<Eigen::StrictlyUpper>() = moments.scores.transpose();
   return moments;
@@ -138,7 +138,7 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
 
 /// What the scatter of observations about a fit is drawn out by: they are few, and the fit has followed them
 /// (Cameron and Miller 2015, A practitioner's guide to cluster-robust inference, eq. 11).
-double scatter_correction(const Fit& fit) {
+double repeatability_correction(const Fit& fit) {
   const auto observations = static_cast<double>(fit.problem.observations.size());
   return observations / (observations - 1) * (fit.rows - 1) / std::max(fit.rows - fit.unknowns, 1);
 }
@@ -151,8 +151,8 @@ Eigen::MatrixXd loss_factor(const FitOptions& options, bool fits, const Fit& fit
   Solution curved = fit.solution;
   curved.normal.information = moments.curvature;
   const Eigen::MatrixXd unit = unit_factor(curved);
-  if (fits || fit.problem.observations.size() < fewest_for_scatter) return sandwich_factor(unit, moments.scores);
-  return std::sqrt(scatter_correction(fit)) * clustered_factor(weighted, fit.solution.unknowns, unit);
+  if (fits || fit.problem.observations.size() < fewest_for_repeatability) return sandwich_factor(unit, moments.scores);
+  return std::sqrt(repeatability_correction(fit)) * clustered_factor(weighted, fit.solution.unknowns, unit);
 }
 
 }  // namespace
@@ -176,8 +176,8 @@ Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& optio
   const bool robot_errs = fit.problem.flange_error.is_any();
   const bool is_plain = fit.objective == Objective::image && options.loss == Loss::none && !robot_errs;
   // The minimum's own normal equations are those of the images without weights.
-  const std::optional<Problem> as_told = robot_errs ? std::optional(without_flange_error(images)) : std::nullopt;
-  const Problem& seen = as_told ? *as_told : images;
+  const std::optional<Problem> as_reported = robot_errs ? std::optional(without_flange_error(images)) : std::nullopt;
+  const Problem& seen = as_reported ? *as_reported : images;
   const NormalEquations at_solution = is_plain ? fit.solution.normal : normal_equations(seen, fit.solution.unknowns);
   const Eigen::MatrixXd unit = unit_factor(fit.solution);
   fit.rows = at_solution.rows;
@@ -188,14 +188,14 @@ Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& optio
   if (fit.noise && degrees > 0 && *fit.noise > 0)
     fit.chi2_per_dof = at_solution.data_cost() / (*fit.noise * *fit.noise) / degrees;
   const bool fits = agrees_with_noise(seen, at_solution, declared, fit);
-  fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::scatter;
-  if (fit.objective == Objective::angle_axis) return factor_of(fit.parameter_covariance);  // has its own
+  fit.covariance_kind = fits ? CovarianceKind::noise : CovarianceKind::repeatability;
+  if (fit.objective == Objective::angle_axis) return make_factor(fit.parameter_covariance);  // has its own
   if (options.loss != Loss::none) return loss_factor(options, fits, fit);
   if (robot_errs) return std::sqrt(as_few_poses_tell(fit)) * fit.problem.noise * unit;
   const double free_scale = degrees > 0 ? std::sqrt(at_solution.data_cost() / degrees) : 0.0;
   if (fits && fit.objective == Objective::image) return *fit.noise * unit;
-  if (!fits && count >= fewest_for_scatter)
-    return std::sqrt(scatter_correction(fit)) * clustered_factor(fit.problem, fit.solution.unknowns, unit);
+  if (!fits && count >= fewest_for_repeatability)
+    return std::sqrt(repeatability_correction(fit)) * clustered_factor(fit.problem, fit.solution.unknowns, unit);
   if (fit.objective == Objective::image) return free_scale * unit;
   return (fits ? *fit.noise : free_scale) *
          sandwich_factor(unit, point_noise_middle(fit.problem, fit.solution.unknowns));
@@ -208,7 +208,7 @@ void add_shape_columns(const Fit& fit, Eigen::MatrixXd& factor) {
   const Eigen::MatrixXd stays =
       Eigen::MatrixXd::Identity(h.rows(), h.cols()) - b * pseudo_inverse(b.transpose() * h * b) * b.transpose() * h;
   factor.conservativeResize(Eigen::NoChange, factor.cols() + h.cols());
-  factor.rightCols(h.cols()) = stays * factor_of(fit.shape_covariance);
+  factor.rightCols(h.cols()) = stays * make_factor(fit.shape_covariance);
 }
 
 }  // namespace handsight

@@ -62,8 +62,8 @@ std::optional<double> noise_at_start(const Session& session, const Problem& imag
   if (declared && *declared > 0) return declared;
   const auto seen = seen_noise(images, start);
   if (seen && seen->sigma > 0) return seen->sigma;
-  const double told = usual_sigma(session);
-  return told > 0 ? std::optional(told) : std::nullopt;
+  const double reported = usual_sigma(session);
+  return reported > 0 ? std::optional(reported) : std::nullopt;
 }
 
 void set_prior_noise(const Session& session, const Unknowns& start, Problem& images) {
@@ -131,11 +131,11 @@ void set_noise(const Session& session, const Problem& images, Fit& fit) {
           "The noise, {:.3g} {}, is that of poses which were measured again; how well the robot repeats is part of it.",
           *fit.noise, unit));
   }
-  if (const double told = usual_sigma(session); !fit.noise && told > 0) {
-    fit.noise = told;
+  if (const double reported = usual_sigma(session); !fit.noise && reported > 0) {
+    fit.noise = reported;
     fit.notes.push_back(message(
         "Nothing but the measurements' own sigmas (usually {:.3g} {}) tells the noise; they are taken at their word.",
-        told, unit));
+        reported, unit));
   }
   if (declared && fit.noise_estimate && std::abs(fit.noise_estimate->sigma - *declared) > 3 * fit.noise_estimate->error)
     fit.notes.push_back(text_of_a_wrong_declaration(*declared, *fit.noise_estimate, session.is_tracker()));

@@ -23,7 +23,7 @@ struct FitOptions {
   bool fix_markers = false;  // hold the body's shape at the average of the observations (thesis 4.19-4.23)
   Loss loss = Loss::none;
   std::vector<EffectTerm> effects;    // in the model, held at these values
-  std::vector<EffectTerm> estimated;  // in the model, estimated with their plausible sizes as priors; from here
+  std::vector<EffectTerm> estimated;  // in the model, estimated with their prior sigmas as priors; from here
   std::shared_ptr<const CameraKnowledge> camera_images;  // of the session's rig; counts with the cameras' effects
   std::optional<BodySides> sides;                        // decided earlier; absent: decided by this fit's estimate
   std::optional<Rigid> start_tcp_from_body;  // what the session cannot observe of the rotation is taken from here

@@ -45,7 +45,7 @@ bool is_of_known_shape(const Problem& problem, const Range& range) {
   return problem.shape->piece(range.first) == problem.shape->piece(range.end - 1);
 }
 
-FitPart part_of(const Fit& fit, const SessionPart& from) {
+FitPart take_part(const Fit& fit, const SessionPart& from) {
   const Problem& p = fit.problem;
   const Unknowns& u = estimate(fit);
   FitPart part;
@@ -112,9 +112,9 @@ Unknowns start_of_parts(const Session& joined, const Problem& problem,
   return start;
 }
 
-std::vector<FitPart> parts_of(const Session& session, const Fit& fit) {
+std::vector<FitPart> list_parts(const Session& session, const Fit& fit) {
   std::vector<FitPart> parts;
-  for (const SessionPart& part : session.parts) parts.push_back(part_of(fit, part));
+  for (const SessionPart& part : session.parts) parts.push_back(take_part(fit, part));
   return parts;
 }
 

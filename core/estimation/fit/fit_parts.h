@@ -26,7 +26,7 @@ struct FitPart {
 };
 
 /// Part by part; empty where the session is none of several.
-std::vector<FitPart> parts_of(const Session& session, const Fit& fit);
+std::vector<FitPart> list_parts(const Session& session, const Fit& fit);
 
 /// The frames in which slips of each body are measured, by the unknowns' markers: true where one has moved.
 bool set_slip_frames(Problem& problem, const std::vector<Vector3>& markers_in_tcp);

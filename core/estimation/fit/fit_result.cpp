@@ -3,7 +3,7 @@
 
 namespace handsight {
 
-std::vector<EffectTerm> terms_of(const Fit& fit) {
+std::vector<EffectTerm> list_terms(const Fit& fit) {
   std::vector<EffectTerm> terms;
   for (const FittedEffect& e : fit.effects) terms.push_back(e.term);
   return terms;

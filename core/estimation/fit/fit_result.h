@@ -15,8 +15,8 @@ namespace handsight {
 
 /// How the covariances were made.
 enum class CovarianceKind {
-  noise,    // from the noise of one coordinate: right where the model agrees with the measurements
-  scatter,  // from how the observations differ (clustered by observation): the model does not fit, p < 1e-3
+  noise,          // from the noise of one coordinate: right where the model agrees with the measurements
+  repeatability,  // from how the observations differ (clustered by observation): the model does not fit, p < 1e-3
 };
 
 /// An effect of the model after a fit.
@@ -56,7 +56,7 @@ struct Fit {
 };
 
 /// The effects of a fit with their values.
-std::vector<EffectTerm> terms_of(const Fit& fit);
+std::vector<EffectTerm> list_terms(const Fit& fit);
 
 /// The markers in the TCP frame and the mount that this fit found.
 inline const Unknowns& estimate(const Fit& f) { return f.solution.unknowns; }

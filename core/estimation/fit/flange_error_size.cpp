@@ -60,7 +60,7 @@ class RestrictedLikelihood {
     GatheredRows rows(taken);
     for (const Part& p : parts_) {
       if (!error.is_any()) break;
-      FlangeSums sums = along(p.sums, root_of_covariance(covariance_of(p.shares, error)) / noise_);
+      FlangeSums sums = along(p.sums, root_of_covariance(make_covariance(p.shares, error)) / noise_);
       sums.own.diagonal().array() += 1;
       const Eigen::LLT<Matrix6> llt(sums.own);
       const Vector6 best = llt.solve(sums.gradient);

@@ -9,7 +9,7 @@ std::vector<JoinedMember> opened_members(const Collection& collection, const Ope
   std::vector<JoinedMember> members;
   for (const CollectionEntry& entry : collection.entries) {
     JoinedMember& m = members.emplace_back();
-    m.session = open(folder_of(collection, entry).string());
+    m.session = open(find_folder(collection, entry).string());
     m.title = entry.title;
     m.rig = entry.rig;
     m.body = entry.body;
@@ -18,14 +18,14 @@ std::vector<JoinedMember> opened_members(const Collection& collection, const Ope
   return members;
 }
 
-std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open) {
+std::vector<JoinedMember> list_members(const Collection& collection, const OpenOne& open) {
   std::vector<JoinedMember> members = opened_members(collection, open);
   learn_noise(members);
   return members;
 }
 
-Session joined_of(const Collection& collection, const OpenOne& open) {
-  return joined(members_of(collection, open), collection.title, collection.file);
+Session join_collection(const Collection& collection, const OpenOne& open) {
+  return joined(list_members(collection, open), collection.title, collection.file);
 }
 
 }  // namespace handsight

@@ -15,9 +15,9 @@ using OpenOne = std::function<Session(const std::string& path)>;
 std::vector<JoinedMember> opened_members(const Collection& collection, const OpenOne& open);
 
 /// The same; where noise is not declared it is learned.
-std::vector<JoinedMember> members_of(const Collection& collection, const OpenOne& open);
+std::vector<JoinedMember> list_members(const Collection& collection, const OpenOne& open);
 
 /// The same as one session.
-Session joined_of(const Collection& collection, const OpenOne& open);
+Session join_collection(const Collection& collection, const OpenOne& open);
 
 }  // namespace handsight

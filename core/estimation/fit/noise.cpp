@@ -99,7 +99,7 @@ constexpr int fewest_degrees = 10;
 /// Places of observations in groups of one pose each, groups of one left out.
 std::vector<std::vector<std::size_t>> repeated_poses(const Problem& problem) {
   const auto position = [&](std::size_t place) -> const Eigen::VectorXd& {
-    return problem.source->circumstances[static_cast<std::size_t>(problem.observations[place].index)].sensor;
+    return problem.source->states[static_cast<std::size_t>(problem.observations[place].index)].sensor;
   };
   std::vector<std::size_t> order(problem.observations.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -38,8 +38,8 @@ class PartTerms {
       : fit_(fit),
         part_(joined.parts[static_cast<std::size_t>(part)]),
         chain_(fit.problem.source->chain.parts[static_cast<std::size_t>(part)]),
-        own_chain_(chain_of(own)),
-        own_effects_(own_effects_of(own, own_chain_)),
+        own_chain_(make_chain(own)),
+        own_effects_(list_own_effects(own, own_chain_)),
         several_rigs_(fit.problem.source->chain.first_cameras.size() > 1) {
     const Problem& p = fit.problem;
     for (std::size_t t = 0; t < p.terms.size(); ++t) add(t);
@@ -48,7 +48,7 @@ class PartTerms {
   std::vector<PartTerm> terms;
 
  private:
-  std::vector<PartNumber> numbers_of(std::size_t t) const {
+  std::vector<PartNumber> list_numbers(std::size_t t) const {
     const Problem& p = fit_.problem;
     std::vector<PartNumber> numbers;
     for (const double value : p.terms[t].values) numbers.push_back({value, {}});
@@ -60,21 +60,21 @@ class PartTerms {
 
   void add(std::size_t t) {
     const EffectTerm& term = fit_.problem.terms[t];
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     if (effect.scope == EffectScope::part) return add_of_part(t, effect);
     if (effect.scope == EffectScope::marker) {
       const int marker = term.joint - part_.first_marker;
-      if (marker >= 0 && marker < part_.marker_count) put(effect.id, marker, numbers_of(t), effect);
+      if (marker >= 0 && marker < part_.marker_count) put(effect.id, marker, list_numbers(t), effect);
       return;
     }
     if (effect.scope == EffectScope::camera && several_rigs_) return add_of_camera(t, effect);
-    put(effect.id, term.joint, numbers_of(t), effect);
+    put(effect.id, term.joint, list_numbers(t), effect);
   }
 
   /// Where the effect acts in this part it is that of the whole session, or of the joint that it moves.
   void add_of_part(std::size_t t, const Effect& effect) {
     const EffectTerm& term = fit_.problem.terms[t];
-    Circumstances c = circumstances_at(chain_, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain_.joints.size())));
+    ObservationState c = states_at(chain_, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain_.joints.size())));
     c.velocity.setOnes();
     c.approach.setOnes();
     std::vector<double> values = term.values;
@@ -84,12 +84,12 @@ class PartTerms {
     effect.move(c, term.joint, values, sites);
     if (!moves_anything(sites)) return;
     constexpr std::string_view changed = "_changed";
-    if (!effect.id.ends_with(changed)) return put(effect.id, -1, numbers_of(t), effect);
+    if (!effect.id.ends_with(changed)) return put(effect.id, -1, list_numbers(t), effect);
     const std::string id = effect.id.substr(0, effect.id.size() - changed.size());
     for (std::size_t j = 0; j < sites.robot.joints.size(); ++j) {
       const JointChange& joint = sites.robot.joints[j];
       if (joint.angle != 0 || !joint.frame.isZero(0) || joint.compliance != 0 || joint.gap != 0)
-        return put(id, static_cast<int>(j), numbers_of(t), effect);
+        return put(id, static_cast<int>(j), list_numbers(t), effect);
     }
   }
 
@@ -97,7 +97,7 @@ class PartTerms {
   void add_of_camera(std::size_t t, const Effect& effect) {
     const int camera = fit_.problem.terms[t].joint - part_.first_camera;
     if (camera < 0 || camera >= part_.camera_count) return;
-    const std::vector<PartNumber> numbers = numbers_of(t);
+    const std::vector<PartNumber> numbers = list_numbers(t);
     if (part_.camera_count != 2) return put(effect.id, camera, numbers, effect);
     if (effect.id == "rig") return put("stereo_rig", -1, numbers, effect);
     const Effect* const of_pair = find_effect(effect.id, own_effects_);
@@ -148,7 +148,7 @@ class PartTerms {
 /// The terms with their values: those with a free number are estimated.
 void part_terms(std::vector<PartTerm>& terms, std::vector<EffectTerm>& held, std::vector<EffectTerm>& estimated) {
   for (PartTerm& t : terms) {
-    const Effect& effect = effect_of(t.term);
+    const Effect& effect = term_effect(t.term);
     t.term.held.assign(t.numbers.size(), 0);
     for (std::size_t p = 0; p < t.numbers.size(); ++p) {
       t.term.values[p] = t.numbers[p].value;
@@ -212,8 +212,8 @@ PartFit fit_of_part(const Session& joined, const Fit& whole, int number) {
   std::vector<PartTerm> terms = PartTerms(joined, whole, session, number).terms;
   std::vector<EffectTerm> held, estimated;
   part_terms(terms, held, estimated);
-  fit.problem = make_problem(session, chain_of(session), held, estimated);
-  const FitPart found = parts_of(joined, whole)[static_cast<std::size_t>(number)];
+  fit.problem = make_problem(session, make_chain(session), held, estimated);
+  const FitPart found = list_parts(joined, whole)[static_cast<std::size_t>(number)];
   Unknowns& u = fit.solution.unknowns;
   const auto begin = estimate(whole).markers_in_tcp.begin() + part.first_marker;
   u.markers_in_tcp.assign(begin, begin + part.marker_count);

@@ -11,25 +11,25 @@ namespace handsight {
 namespace {
 
 struct Width {
-  double times, share;  // of the plausible size; of the prior
+  double times, share;  // of the prior sigma; of the prior
 };
 constexpr std::array<Width, 3> widths{{{1, 0.7}, {5, 0.2}, {25, 0.1}}};
 constexpr double shows = 0.05;  // sigmas
 constexpr double shows_roughly = 0.3;
-constexpr double unremarkable = 0.5;  // plausible sizes: no width but the first is likelier
+constexpr double unremarkable = 0.5;  // prior sigmas: no width but the first is likelier
 
 /// What the measurements say of a number without its own prior.
 struct Told {
   double value = 0, variance = 0;
 };
 
-double ln_evidence(const Told& told, double plausible, const Width& width) {
-  const double variance = std::pow(width.times * plausible, 2) + told.variance;
-  return std::log(width.share) - 0.5 * std::log(variance) - 0.5 * told.value * told.value / variance;
+double ln_evidence(const Told& reported, double plausible, const Width& width) {
+  const double variance = std::pow(width.times * plausible, 2) + reported.variance;
+  return std::log(width.share) - 0.5 * std::log(variance) - 0.5 * reported.value * reported.value / variance;
 }
 
-double likeliest_width(const Told& told, double plausible, double most) {
-  const auto worth = [&](const Width& w) { return w.times > most ? -1e300 : ln_evidence(told, plausible, w); };
+double likeliest_width(const Told& reported, double plausible, double most) {
+  const auto worth = [&](const Width& w) { return w.times > most ? -1e300 : ln_evidence(reported, plausible, w); };
   return std::ranges::max_element(widths, {}, worth)->times;
 }
 
@@ -88,8 +88,8 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
     if (is_of_cameras(problem, i)) continue;
     EffectColumn& c = problem.columns_of_effects[static_cast<std::size_t>(i)];
     const Eigen::Index at = problem.effect_column() + i;
-    const auto told = told_by_measurements(values[i], covariance(at, at), c.prior_sigma(), more);
-    const double width = told ? likeliest_width(*told, c.sigma, most_width(problem, i)) : 1;
+    const auto reported = told_by_measurements(values[i], covariance(at, at), c.prior_sigma(), more);
+    const double width = reported ? likeliest_width(*reported, c.sigma, most_width(problem, i)) : 1;
     const double before = std::pow(c.prior_sigma(), -2);
     c.width = width;
     // By how much the prior's pull changes where the number is, in its sigmas.
@@ -100,14 +100,14 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
   return is_new;
 }
 
-Widths widths_of(const Problem& problem) {
+Widths list_widths(const Problem& problem) {
   Widths all;
   for (const EffectColumn& c : problem.columns_of_effects) all.push_back(c.width);
   return all;
 }
 
 bool end_circle(std::vector<Widths>& before, Problem& problem) {
-  const Widths now = widths_of(problem);
+  const Widths now = list_widths(problem);
   const auto same = std::find(before.begin(), before.end(), now);
   if (same == before.end()) {
     before.push_back(now);

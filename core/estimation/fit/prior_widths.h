@@ -12,7 +12,7 @@ namespace handsight {
 /// need not come back from where narrower priors would pull it.
 void start_prior_widths(Problem& problem, const Eigen::VectorXd& values);
 
-/// A number's prior is a mixture of normal distributions about 0 whose sigmas are its plausible size, 5 and 25 times
+/// A number's prior is a mixture of normal distributions about 0 whose sigmas are its prior sigma, 5 and 25 times
 /// that: most are as large as is usual, a few are far off. Takes for every effect of the robot, hand and mount the
 /// width that is likeliest for what the measurements alone say of it (the evidence of one number, all others at their
 /// priors), so that what they determine is not held back. Numbers of the cameras have a rule of their own
@@ -20,9 +20,9 @@ void start_prior_widths(Problem& problem, const Eigen::VectorXd& values);
 /// solution is no longer the problem's. `is_rough`: by three tenths.
 bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough = false);
 
-/// One for each effect number, in units of its plausible size.
+/// One for each effect number, in units of its prior sigma.
 using Widths = std::vector<double>;
-Widths widths_of(const Problem& problem);
+Widths list_widths(const Problem& problem);
 
 /// Widths that come again would take turns for ever: each number keeps the widest that it had in the circle, wherever
 /// that was entered. False where the problem's have not come before; they are then added to `before`.

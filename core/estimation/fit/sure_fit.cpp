@@ -9,13 +9,13 @@
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/prior_widths.h"
 #include "estimation/problem/problem_part.h"
-#include "estimation/start/competition.h"
 #include "estimation/start/effect_starts.h"
+#include "estimation/start/multi_start.h"
 
 namespace handsight {
 namespace {
 
-constexpr double refuted = 5;      // plausible sizes
+constexpr double refuted = 5;      // prior sigmas
 constexpr double most_wide = 1e4;  // times
 
 /// Takes the priors of a widened term back to a tenth where what is then found does not refute them: which width stands
@@ -42,7 +42,7 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
   FitOptions near = options;  // of the widths, to which an answer nearby is enough
   near.reuse_below = std::max(options.reuse_below, 1e-3);
   bool is_another = false, is_circle = false;
-  std::vector<Widths> before{widths_of(images)};
+  std::vector<Widths> before{list_widths(images)};
   for (int round = 0; round < most_rounds && !is_circle && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
@@ -104,8 +104,8 @@ double held_out_squares(const Fit& fit, const FitOptions& options, double noise)
   double squares = 0;
   for (int fold = 0; fold < folds; ++fold) {
     int rank = 0, held_rank = 0;
-    const Problem part = part_of(fit.problem, [&](const ProblemObservation&) { return fold_of(rank++) != fold; });
-    Problem held = part_of(fit.problem, [&](const ProblemObservation&) { return fold_of(held_rank++) == fold; });
+    const Problem part = take_part(fit.problem, [&](const ProblemObservation&) { return fold_of(rank++) != fold; });
+    Problem held = take_part(fit.problem, [&](const ProblemObservation&) { return fold_of(held_rank++) == fold; });
     if (part.observations.empty() || held.observations.empty()) continue;
     const Unknowns u = refit(fit, quick, part, noise);
     held.flange_error = {};
@@ -115,7 +115,7 @@ double held_out_squares(const Fit& fit, const FitOptions& options, double noise)
   return squares;
 }
 
-/// Where the hand is told by a controller, it is part of the measurements and may be what errs: its error's size
+/// Where the hand is reported by a controller, it is part of the measurements and may be what errs: its error's size
 /// follows from the solution, and the solution from it. Where noise alone is left nothing changes, nor where a robot
 /// with joints predicts images worse with it: then what is left is no scatter, but follows what the model lacks.
 void settle_flange_error(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
@@ -177,7 +177,7 @@ void minimise_widening(const Session& session, Problem& images, const Unknowns& 
 double widened_by(const Problem& problem, std::size_t term) {
   for (const EffectColumn& c : problem.columns_of_effects)
     if (c.term == term)
-      return c.sigma / plausible_size(effect_of(problem.terms[term]).parameters[c.parameter], problem.source->chain);
+      return c.sigma / prior_sigma(term_effect(problem.terms[term]).parameters[c.parameter], problem.source->chain);
   return 1;
 }
 

@@ -9,11 +9,11 @@
 namespace handsight {
 
 /// An effect of the cameras whose value is more than five times what is plausible: its priors refuted by what the
-/// measurements say, its plausible sizes become ten times as large, again until it is not. True where one was. Other
+/// measurements say, its prior sigmas become ten times as large, again until it is not. True where one was. Other
 /// effects keep theirs, which the diagnosis weighs by.
 bool widen_refuted(Problem& problem, const Eigen::VectorXd& values);
 
-/// How many times larger than its own the plausible sizes of a term of the problem are taken; 1 where they are its own.
+/// How many times larger than its own the prior sigmas of a term of the problem are taken; 1 where they are its own.
 double widened_by(const Problem& problem, std::size_t term);
 
 /// `minimise`, priors that are refuted widened in `images` and the fit's problem, to the narrowest that what is found

@@ -16,7 +16,7 @@ namespace {
 constexpr double moves = 1e-3;  // of a unit direction: less is rounding
 
 /// Directions of the unknowns that no touch tells, orthonormal.
-Eigen::MatrixXd untold_directions(const Fit& fit) {
+Eigen::MatrixXd undetermined_directions(const Fit& fit) {
   const Solution& s = fit.solution;
   if (s.unobservable == 0) return Eigen::MatrixXd(s.basis.rows(), 0);
   const InverseParts parts = inverse_parts(s.basis.transpose() * s.normal.information * s.basis);
@@ -36,7 +36,7 @@ int moved_numbers(const Eigen::MatrixXd& rows) {
 }
 
 /// The numbers of a fixture's small motion that mean something.
-std::vector<Eigen::Index> numbers_of(FixtureKind kind) {
+std::vector<Eigen::Index> list_numbers(FixtureKind kind) {
   switch (kind) {
     case FixtureKind::plane:
     case FixtureKind::gauge:
@@ -50,13 +50,13 @@ std::vector<Eigen::Index> numbers_of(FixtureKind kind) {
   return {};
 }
 
-std::vector<std::string> untold_fixtures(const Session& session, const Fit& fit, const Eigen::MatrixXd& untold) {
+std::vector<std::string> undetermined_fixtures(const Session& session, const Fit& fit, const Eigen::MatrixXd& untold) {
   std::vector<std::string> names;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
     const Eigen::Index column = fit.problem.column_of_mount(static_cast<int>(f));
     if (column < 0) continue;
     Eigen::MatrixXd rows(0, untold.cols());
-    for (const Eigen::Index n : numbers_of(session.fixtures[f].kind)) {
+    for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) {
       rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
       rows.bottomRows<1>() = untold.row(column + n);
     }
@@ -73,7 +73,7 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   std::vector<EffectTerm> zeros;
   for (const int joint : effect_places(zero, chain)) zeros.push_back(term_of(zero, joint));
   if (zeros.empty()) return {};
-  Problem problem = make_problem(session, chain, terms_of(fit), zeros);
+  Problem problem = make_problem(session, chain, list_terms(fit), zeros);
   problem.noise = fit.problem.noise;
   problem.robot_scale.reset();
   Unknowns u = estimate(fit);
@@ -109,14 +109,14 @@ bool is_one_plane(const Session& session) {
 
 std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit) {
   std::vector<Message> texts;
-  const Eigen::MatrixXd untold = untold_directions(fit);
+  const Eigen::MatrixXd untold = undetermined_directions(fit);
   const int tip = moved_numbers(untold.topRows(3 * fit.problem.marker_count));
   if (tip > 0)
     texts.push_back(
         message("Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
                 "than one axis while it touches.",
                 tip, 3 * fit.problem.marker_count));
-  if (const auto names = untold_fixtures(session, fit, untold); !names.empty())
+  if (const auto names = undetermined_fixtures(session, fit, untold); !names.empty())
     texts.push_back(
         message("Where {} stands is not determined by these touches; touch it more often, farther apart and with "
                 "the hand turned.",

@@ -8,7 +8,7 @@
 namespace handsight {
 
 /// Sentences for people, of a session of touches: what of the tip and of the fixtures no touch determines, and which
-/// joints' zeros another place of tip or fixtures would hide. Empty where all of it is told.
+/// joints' zeros another place of tip or fixtures would hide. Empty where all of it is reported.
 std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit);
 
 }  // namespace handsight

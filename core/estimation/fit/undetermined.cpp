@@ -49,7 +49,7 @@ Eigen::MatrixXd turns_of(const Problem& problem, const Unknowns& u, const Eigen:
 }
 
 /// The longest way of a marker or of the sensor.
-double length_of(const Problem& problem, const Eigen::VectorXd& direction) {
+double measure_length(const Problem& problem, const Eigen::VectorXd& direction) {
   double length = 1e-300;
   for (Eigen::Index m = 0; m < problem.marker_count; ++m) length = std::max(length, direction.segment<3>(3 * m).norm());
   if (problem.mount_is_estimated) length = std::max(length, direction.segment<3>(problem.mount_column()).norm());
@@ -75,7 +75,7 @@ Eigen::MatrixXd parted(const Problem& problem, const Unknowns& u, const Eigen::M
     turned.col(i) *=
         std::sqrt(unknown_angle_variance) / std::max(turns.col(i).head<3>().norm(), turns.col(i).tail<3>().norm());
   for (Eigen::Index i = 0; i < shifted.cols(); ++i)
-    shifted.col(i) *= unknown_length / length_of(problem, shifted.col(i));
+    shifted.col(i) *= unknown_length / measure_length(problem, shifted.col(i));
   Eigen::MatrixXd all(directions.rows(), directions.cols());
   all << turned, shifted;
   return all;

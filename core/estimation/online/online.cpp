@@ -12,7 +12,7 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t fewest_for_scatter = 10;
+constexpr std::size_t fewest_for_repeatability = 10;
 
 int markers_needed(int marker_count) { return std::min(3, marker_count); }
 
@@ -29,7 +29,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point began) {
 }  // namespace
 
 OnlineCalibration::OnlineCalibration(const Session& session, OnlineOptions options)
-    : chain_(chain_of(session)),
+    : chain_(make_chain(session)),
       mount_(session.mount),
       options_(std::move(options)),
       declared_noise_(session.is_tracker() ? session.sigma_point : session.sigma_pixel),
@@ -91,7 +91,8 @@ Message OnlineCalibration::find_markers(const std::vector<Corner>& left, const s
                                         const ProblemObservation& posture, std::vector<Sighting>& sightings) const {
   // The markers in the TCP frame stand for the body: its prediction is the chain's TCP (thesis 4.52).
   const Rigid prediction = sensor_from_tcp_at(posture, fit_->unknowns());
-  const Match match = match_markers(stereo_of(*problem_.rig), left, right, known_markers(), prediction, options_.match);
+  const Match match =
+      match_markers(make_stereo(*problem_.rig), left, right, known_markers(), prediction, options_.match);
   for (const MatchedMarker& m : match.markers) {
     Sighting s{.marker = m.marker, .by = MarkedBy::tracker};
     const auto take = [&](const Corner& corner, int camera) {
@@ -224,11 +225,11 @@ void OnlineCalibration::describe(const ProblemObservation& o, OnlineStep& step) 
   const auto sigma = noise();
   const int degrees = fit_->rows() - static_cast<int>(problem_.columns()) + fit_->unobservable();
   const double scale = sigma ? *sigma * *sigma : degrees > 0 ? fit_->cost() / degrees : 0.0;
-  if (sigma && *sigma > 0 && degrees > 0 && fit_->size() >= fewest_for_scatter)
+  if (sigma && *sigma > 0 && degrees > 0 && fit_->size() >= fewest_for_repeatability)
     step.covariance_is_scatter =
         exceeds_noise(fit_->cost() / (*sigma * *sigma), degrees, declared_noise_ ? 0 : noise_degrees());
   const Eigen::MatrixXd covariance =
-      step.covariance_is_scatter ? fit_->scatter_covariance() : Eigen::MatrixXd(scale * fit_->unit_covariance());
+      step.covariance_is_scatter ? fit_->repeatability_covariance() : Eigen::MatrixXd(scale * fit_->unit_covariance());
   step.covariance = body_covariance(frame, covariance.topLeftCorner(markers, markers));
   // Of the origin itself, not of exp(xi)'s translation, which turns with the rotation about the TCP.
   Matrix6 at_origin = Matrix6::Identity();
@@ -245,7 +246,7 @@ OnlineStep OnlineCalibration::add(const Observation& observation, const ImagePai
   const auto began = std::chrono::steady_clock::now();
   OnlineStep step;
   step.id = observation.id;
-  const Circumstances here = circumstances_at(chain_, observation.position);
+  const ObservationState here = states_at(chain_, observation.position);
   const ChainEnds ends = observed_ends(here, moved_sites(here, options_.effects)).ends;
   ProblemObservation posture{.root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount};
   const bool first = !fit_;

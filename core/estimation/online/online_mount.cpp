@@ -61,7 +61,7 @@ KnownMarkers OnlineCalibration::labelled_markers() const {
     for (const Sighting& s : o.posture.sightings) {
       const CameraPoint *left = seen_by(s, 0), *right = seen_by(s, 1);
       if (!left || !right) continue;
-      const auto point = triangulate(stereo_of(*problem_.rig), left->pixel, right->pixel,
+      const auto point = triangulate(make_stereo(*problem_.rig), left->pixel, right->pixel,
                                      covariance_at(o.left, left->pixel), covariance_at(o.right, right->pixel));
       if (!point) continue;
       known.in_body[static_cast<std::size_t>(s.marker)] = point->point;
@@ -134,7 +134,7 @@ void OnlineCalibration::look_for_mount() {
   for (Open& o : open_) {
     if (!o.is_labelled && open-- > most_looked_at) continue;
     if (!o.has_bodies && !o.is_labelled)
-      o.bodies = seen_bodies(stereo_of(*problem_.rig), o.left, o.right, known, options_.match);
+      o.bodies = seen_bodies(make_stereo(*problem_.rig), o.left, o.right, known, options_.match);
     if (o.is_labelled && !o.has_bodies) {
       std::vector<Vector3> in_body;
       for (const auto& x : known.in_body) in_body.push_back(x.value_or(Vector3::Zero()));

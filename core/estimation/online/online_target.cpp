@@ -7,14 +7,14 @@
 
 #include "estimation/fit/noise.h"
 #include "estimation/problem/target_pose.h"
-#include "estimation/start/half_turns.h"
 #include "estimation/start/shape_start.h"
 #include "estimation/start/start.h"
+#include "estimation/start/target_symmetry.h"
 
 namespace handsight {
 namespace {
 
-constexpr std::size_t fewest_for_scatter = 10;
+constexpr std::size_t fewest_for_repeatability = 10;
 constexpr std::size_t fewest_for_mount = 5;  // observations that an unknown mount is first found from
 
 /// The unit of squared residuals that noise alone leaves before anything is known of it.
@@ -23,7 +23,7 @@ double usual_noise(const Problem& problem) { return problem.rig ? 0.5 : 1e-3; }
 }  // namespace
 
 OnlineTarget::OnlineTarget(const Session& session, const OnlineOptions& options)
-    : chain_(chain_of(session)),
+    : chain_(make_chain(session)),
       mount_(session.mount),
       options_(options),
       declared_noise_(session.is_tracker() ? session.sigma_point : session.sigma_pixel),
@@ -130,12 +130,12 @@ void OnlineTarget::describe(const ProblemObservation& o, OnlineStep& step) const
   const auto sigma = noise();
   const int degrees = fit_->rows() - static_cast<int>(fit_->columns());
   const double scale = sigma ? *sigma * *sigma : degrees > 0 ? fit_->cost() / degrees : 0.0;
-  if (sigma && *sigma > 0 && degrees > 0 && fit_->size() >= fewest_for_scatter) {
+  if (sigma && *sigma > 0 && degrees > 0 && fit_->size() >= fewest_for_repeatability) {
     const auto test = noise_test(fit_->cost() / (*sigma * *sigma), degrees, declared_noise_ ? 0 : internal_rows_);
     step.covariance_is_scatter = test && test->p < 1e-3;
   }
   const Eigen::MatrixXd covariance =
-      step.covariance_is_scatter ? fit_->scatter_covariance() : Eigen::MatrixXd(scale * fit_->unit_covariance());
+      step.covariance_is_scatter ? fit_->repeatability_covariance() : Eigen::MatrixXd(scale * fit_->unit_covariance());
   const Eigen::MatrixXd by = frame.motion_by_markers * fit_->markers_by_unknowns();
   step.covariance = by * covariance * by.transpose();
   Matrix6 at_origin = Matrix6::Identity();  // of the origin itself, not of exp(xi)'s translation
@@ -151,7 +151,7 @@ OnlineStep OnlineTarget::add(const Observation& observation, const Message& refu
   OnlineStep step;
   step.id = observation.id;
   step.from_images = has_images(observation) && problem_.rig;
-  const Circumstances here = circumstances_at(chain_, observation.position);
+  const ObservationState here = states_at(chain_, observation.position);
   const ChainEnds ends = observed_ends(here, moved_sites(here, options_.effects)).ends;
   ProblemObservation posture{
       .root_from_tcp = ends.root_from_tcp, .root_from_mount = ends.root_from_mount, .sightings = observation.sightings};

@@ -35,7 +35,7 @@ class OnlineTarget {
   Problem problem_;
   std::optional<double> declared_noise_;
   double usual_sigma_;
-  bool looks_the_same_turned_ = false;  // a chessboard whose two ends cannot be told apart
+  bool looks_the_same_turned_ = false;  // a chessboard whose two ends cannot be distinguished
   std::optional<HeldFit> fit_;
   std::vector<ProblemObservation> waiting_;  // until an unknown mount can be found
   Eigen::VectorXd last_position_;

@@ -58,7 +58,7 @@ std::optional<std::vector<Sighting>> second_look(const Session& session, const F
   posed.decision = Decision::none;
   posed.sightings = {seen_at(0, Vector2(0, 0))};
   alone.observations = {posed};
-  const Problem problem = make_problem(alone, chain_of(alone));
+  const Problem problem = make_problem(alone, make_chain(alone));
   const Rigid sensor_from_body = sensor_from_tcp_at(problem.observations[0], estimate(fit)) * fit.tcp_from_body;
   const std::vector<Corner> left = detect_corners(images.left), right = detect_corners(images.right);
   for (const Look& look : looks) {
@@ -67,7 +67,7 @@ std::optional<std::vector<Sighting>> second_look(const Session& session, const F
     options.body_gate = look.body_gate;
     options.turn_gate = look.turn_gate;
     options.pairs.epipolar_threshold = look.epipolar;
-    const Match match = match_markers(stereo_of(*session.rig), left, right, known_markers(fit, look.side_sigma),
+    const Match match = match_markers(make_stereo(*session.rig), left, right, known_markers(fit, look.side_sigma),
                                       sensor_from_body, options);
     if (match.accepted() && match.markers.size() >= 3) return sightings_of(match, left, right);
   }

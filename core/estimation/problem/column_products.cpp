@@ -14,7 +14,7 @@ namespace {
 
 constexpr Eigen::Index lanes = 8;
 constexpr Eigen::Index rows_at_once = 512;  // 4 columns of each side stay in the first cache
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+using Simd = double __attribute__((vector_size(lanes * sizeof(double))));
 
 /// Columns of a block of rows.
 struct Block {

@@ -43,7 +43,7 @@ void add_known_place(const Session& session, int fixture, std::vector<MountPlace
   if (!f.place_sigma) return;
   constexpr double apart = 0.3;  // m
   const int number = part_of_fixture(session, fixture).mount;
-  const Rigid& frame = mount_of(session, number).mount_from_sensor;
+  const Rigid& frame = find_mount(session, number).mount_from_sensor;
   const auto add = [&](const Vector3& in_frame, const Vector3& along) {
     places.push_back({number, frame * in_frame, along, *f.place_sigma});
   };
@@ -80,19 +80,19 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   problem.marker_is_seen.assign(static_cast<std::size_t>(chain.marker_count), 0);
   problem.terms = held;
   for (const EffectTerm& term : estimated) {
-    const Effect& effect = effect_of(term);
+    const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (is_free(effect, term, p))
-        problem.columns_of_effects.push_back({problem.terms.size(), p, plausible_size(effect.parameters[p], chain)});
+        problem.columns_of_effects.push_back({problem.terms.size(), p, prior_sigma(effect.parameters[p], chain)});
     problem.terms.push_back(term);
   }
   auto source = std::make_shared<ProblemSource>();
   source->chain = chain;
-  source->circumstances = circumstances_of(session, source->chain);
-  source->own_effects = own_effects_of(session, source->chain);
+  source->states = observation_states(session, source->chain);
+  source->own_effects = list_own_effects(session, source->chain);
   const bool torques = reads(&Effect::reads_torque, problem.terms, source->own_effects);
   const bool places = reads(&Effect::reads_place, problem.terms, source->own_effects);
-  for (Circumstances& c : source->circumstances) {
+  for (ObservationState& c : source->states) {
     if (torques) c.torque = nominal_torques(*c.chain, c.sensor);
     if (places) c.tcp = nominal_tcp(*c.chain, c.sensor);
   }
@@ -105,7 +105,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     if (!is_used(observation)) continue;
     ProblemObservation& o = problem.observations.emplace_back();
     o.index = index;
-    o.mount = source->circumstances[static_cast<std::size_t>(index)].chain->mount;
+    o.mount = source->states[static_cast<std::size_t>(index)].chain->mount;
     o.sightings = observation.sightings;
     for (Sighting& s : o.sightings) s.usual_sigma = usual;
     for (const Sighting& s : observation.sightings) problem.marker_is_seen[static_cast<std::size_t>(s.marker)] = 1;

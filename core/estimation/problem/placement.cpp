@@ -28,7 +28,7 @@ class MovedSites {
   explicit MovedSites(const Problem& problem)
       : problem_(&problem), all_(unmoved_sites(problem.source->chain)), unit_(all_) {
     for (const EffectTerm& term : problem.terms) {
-      effects_.push_back(&effect_of(term));
+      effects_.push_back(&term_effect(term));
       if (effects_.back()->scope == EffectScope::marker && term.joint >= static_cast<int>(all_.markers.size()))
         all_.markers.resize(static_cast<std::size_t>(term.joint + 1), Vector3::Zero());
     }
@@ -37,7 +37,7 @@ class MovedSites {
   }
 
   /// By all terms at their values.
-  const Sites& by_all(const Circumstances& c) {
+  const Sites& by_all(const ObservationState& c) {
     clear(all_);
     for (std::size_t t = 0; t < effects_.size(); ++t)
       effects_[t]->move(c, problem_->terms[t].joint, problem_->terms[t].values, all_);
@@ -45,7 +45,7 @@ class MovedSites {
   }
 
   /// As a unit of one column moves them, choices of its term as they are.
-  const Sites& by_unit(const Circumstances& c, const EffectColumn& column) {
+  const Sites& by_unit(const ObservationState& c, const EffectColumn& column) {
     const EffectTerm& term = problem_->terms[column.term];
     const Effect& effect = *effects_[column.term];
     if (joint_ >= 0)
@@ -93,7 +93,7 @@ SiteMotions site_motions(const Rigid& tcp_from_slip, const Sites& sites, const R
   return m;
 }
 
-void set_motion(const Problem& problem, const Circumstances& c, const Posture& posture, MovedSites& moved,
+void set_motion(const Problem& problem, const ObservationState& c, const Posture& posture, MovedSites& moved,
                 const Sites& sites, ProblemObservation& o) {
   const Chain& chain = *c.chain;
   const Rigid& slip_frame = problem.slip_frame(chain.body);
@@ -136,7 +136,7 @@ bool is_nothing(const Deflection& d) {
 
 /// `derives`: EffectMotion too; else it stays as it was.
 void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObservation& o) {
-  const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
+  const ObservationState& c = problem.source->states[static_cast<std::size_t>(o.index)];
   const Chain& chain = *c.chain;
   const Sites& sites = moved.by_all(c);
   Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives, &o.deflection);
@@ -167,13 +167,12 @@ void set_numbers(const Sites& sites, const Sites& d, int cameras, Eigen::Ref<Eig
   }
 }
 
-/// Cameras and rig move alike in all observations; only the chain's circumstances are needed.
+/// Cameras and rig move alike in all observations; only the chain's observation states are needed.
 void place_cameras(Problem& problem) {
   const Chain& chain = problem.source->chain;
   if (!chain.rig || !problem.rig) return;
   MovedSites moved(problem);
-  const Circumstances c =
-      circumstances_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
+  const ObservationState c = states_at(chain, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chain.joints.size())));
   const Sites& sites = moved.by_all(c);
   if (!problem.terms.empty()) problem.rig = moved_rig(*chain.rig, sites);
   problem.cameras_by_effect.resize(0, 0);

@@ -17,8 +17,8 @@ namespace handsight {
 struct EffectColumn {
   std::size_t term = 0;       // into Problem::terms
   std::size_t parameter = 0;  // of the effect
-  double sigma = 0;           // the plausible size
-  double width = 1;           // of the prior, in plausible sizes (estimation/fit/prior_widths.h)
+  double sigma = 0;           // the prior sigma
+  double width = 1;           // of the prior, in prior sigmas (estimation/fit/prior_widths.h)
 
   double prior_sigma() const { return sigma * width; }
 };
@@ -71,8 +71,8 @@ struct FlangeError {
 /// What the places of the observations follow from; shared by all copies and parts of a problem.
 struct ProblemSource {
   Chain chain;
-  std::vector<Circumstances> circumstances;  // per observation of the session
-  OwnEffects own_effects;                    // of the session, beside the catalogue
+  std::vector<ObservationState> states;  // per observation of the session
+  OwnEffects own_effects;                // of the session, beside the catalogue
 };
 
 /// How large the robot is as the effects have it, against its description (robot_scale.h).
@@ -147,7 +147,7 @@ struct Problem {
     return body == 0 || other_slip_frames.empty() ? tcp_from_slip
                                                   : other_slip_frames[static_cast<std::size_t>(body - 1)];
   }
-  void set_slip_frames_of(const Problem& other) {
+  void copy_slip_frames(const Problem& other) {
     tcp_from_slip = other.tcp_from_slip;
     other_slip_frames = other.other_slip_frames;
   }
@@ -203,11 +203,11 @@ struct Unknowns {
 };
 
 /// mount_from_sensor of what watched in an observation.
-inline const Rigid& mount_of(const ProblemObservation& o, const Unknowns& u) { return u.mount(o.mount); }
+inline const Rigid& find_mount(const ProblemObservation& o, const Unknowns& u) { return u.mount(o.mount); }
 
 /// The whole chain of an observation at these unknowns.
 inline Rigid sensor_from_tcp_at(const ProblemObservation& o, const Unknowns& u) {
-  return sensor_from_tcp_at(o, mount_of(o, u));
+  return sensor_from_tcp_at(o, find_mount(o, u));
 }
 
 /// Where a marker sits in one observation (m, TCP frame): slips included.

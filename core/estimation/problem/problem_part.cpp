@@ -35,14 +35,14 @@ Problem without_observations(const Problem& problem) {
                  shape};
 }
 
-Problem part_of(const Problem& problem, const std::function<bool(const ProblemObservation&)>& is_taken) {
+Problem take_part(const Problem& problem, const std::function<bool(const ProblemObservation&)>& is_taken) {
   Problem part = without_observations(problem);
   std::copy_if(problem.observations.begin(), problem.observations.end(), std::back_inserter(part.observations),
                is_taken);
   return part;
 }
 
-Problem stretch_of(const Problem& problem, std::size_t first, std::size_t last) {
+Problem take_stretch(const Problem& problem, std::size_t first, std::size_t last) {
   Problem part = without_observations(problem);
   const auto at = [&](std::size_t place) {
     return problem.observations.begin() + static_cast<std::ptrdiff_t>(std::min(place, problem.observations.size()));

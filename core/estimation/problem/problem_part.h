@@ -12,9 +12,9 @@ namespace handsight {
 Problem without_observations(const Problem& problem);
 
 /// The problem with the observations alone of which `is_taken` says so.
-Problem part_of(const Problem& problem, const std::function<bool(const ProblemObservation&)>& is_taken);
+Problem take_part(const Problem& problem, const std::function<bool(const ProblemObservation&)>& is_taken);
 
 /// The problem with the observations from `first` to before `last` (or the end of all) alone.
-Problem stretch_of(const Problem& problem, std::size_t first, std::size_t last);
+Problem take_stretch(const Problem& problem, std::size_t first, std::size_t last);
 
 }  // namespace handsight

@@ -16,7 +16,7 @@ bool measures_no_length(const Session& session, const Chain& chain) {
     const Fixture& fixture = session.fixtures[f];
     // From the robot's base to a place that is known is a length too.
     const bool is_known =
-        fixture.place_sigma || !mount_of(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate;
+        fixture.place_sigma || !find_mount(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate;
     if (fixture.kind == FixtureKind::length || is_known) return false;
   }
   double length = 0;
@@ -48,7 +48,7 @@ double drawn_value(const Joint& joint, std::mt19937_64& random) {
 
 std::shared_ptr<const ProblemSource> in_all_postures(const ProblemSource& source) {
   auto all = std::make_shared<ProblemSource>(source);
-  all->circumstances.clear();
+  all->states.clear();
   std::mt19937_64 random(20);
   const Chain& chain = all->chain;
   for (int i = 0; i < postures; ++i) {
@@ -57,7 +57,7 @@ std::shared_ptr<const ProblemSource> in_all_postures(const ProblemSource& source
       const auto joint = static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)]);
       values[j] = drawn_value(chain.robot.joints[joint], random);
     }
-    all->circumstances.push_back(circumstances_at(chain, values));
+    all->states.push_back(states_at(chain, values));
   }
   return all;
 }

@@ -12,7 +12,7 @@ struct Point {
   Matrix3 covariance;
 };
 
-std::vector<Point> points_of(const Rig* rig, const std::vector<Sighting>& sightings, double noise) {
+std::vector<Point> list_points(const Rig* rig, const std::vector<Sighting>& sightings, double noise) {
   std::vector<Point> points;
   for (const Sighting& s : sightings) {
     if (s.point) {
@@ -44,7 +44,7 @@ std::vector<double> RunningShape::sigmas() const {
 }
 
 void RunningShape::add(const Rig* rig, const std::vector<Sighting>& sightings, double noise) {
-  const std::vector<Point> points = points_of(rig, sightings, noise);
+  const std::vector<Point> points = list_points(rig, sightings, noise);
   Rigid body_from_sensor;
   if (started_) {
     const auto known = markers();

@@ -38,7 +38,7 @@ Plane plane_of(const std::vector<Sighting>& sightings, const std::vector<Vector3
 }
 
 /// The motion that a homography from the plane to rays (x', y', 1) is made of.
-std::optional<Rigid> motion_of(const Matrix3& homography) {
+std::optional<Rigid> make_motion(const Matrix3& homography) {
   const double scale = std::sqrt(homography.col(0).norm() * homography.col(1).norm());
   if (!(scale > 0)) return std::nullopt;
   Matrix3 columns = homography / scale;
@@ -86,7 +86,7 @@ std::vector<Rigid> poses_by_plane(const Rig& rig, const std::vector<Sighting>& f
   for (const Ray& r : rays)
     pairs.push_back({(plane_from_target * places[static_cast<std::size_t>(r.marker)]).head<2>(), r.ray});
   const auto homography = linear_homography(pairs);
-  const auto camera_from_plane = homography ? motion_of(*homography) : std::nullopt;
+  const auto camera_from_plane = homography ? make_motion(*homography) : std::nullopt;
   if (!camera_from_plane) return {};
   const Rigid first_from_camera = inverse(rig.at(best).camera_from_first);
   return {first_from_camera * *camera_from_plane * plane_from_target,

@@ -14,8 +14,8 @@ struct ErrorSummary {
   std::optional<double> rms_pixel, rms_m, mean_m, max_m, hand_m;
 };
 
-/// What the noise of one coordinate makes of an rms error as it is told: in px it is over coordinates, in metres over
-/// the lengths of three coordinates together.
-inline double as_told(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
+/// What the noise of one coordinate makes of an rms error as it is reported: in px it is over coordinates, in metres
+/// over the lengths of three coordinates together.
+inline double as_reported(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
 
 }  // namespace handsight

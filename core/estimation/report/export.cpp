@@ -52,10 +52,10 @@ WrittenTerms written(const std::vector<EffectTerm>& terms, const std::vector<dou
   for (const std::vector<std::size_t>& element : terms_by_element(terms)) {
     CalibrationEffect& one = w.effects.emplace_back();
     for (const std::size_t t : element) {
-      const Effect& effect = effect_of(terms[t]);
+      const Effect& effect = term_effect(terms[t]);
       one.id = effect.id;
-      const auto is_told = [&](const EffectDefinition& d) { return d.id == effect.id; };
-      if (effect.definition && std::none_of(definitions.begin(), definitions.end(), is_told))
+      const auto is_reported = [&](const EffectDefinition& d) { return d.id == effect.id; };
+      if (effect.definition && std::none_of(definitions.begin(), definitions.end(), is_reported))
         definitions.push_back(*effect.definition);
       const std::string of = place_name(effect, terms[t].joint, robot);
       for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
@@ -71,21 +71,21 @@ WrittenTerms written(const std::vector<EffectTerm>& terms, const std::vector<dou
 
 /// Places of a file's numbers among a fit's: xi, then those of its terms.
 std::vector<Eigen::Index> after_xi(const std::vector<Eigen::Index>& number_of) {
-  std::vector<Eigen::Index> place_of{0, 1, 2, 3, 4, 5};
-  for (const Eigen::Index number : number_of) place_of.push_back(6 + number);
-  return place_of;
+  std::vector<Eigen::Index> locate{0, 1, 2, 3, 4, 5};
+  for (const Eigen::Index number : number_of) locate.push_back(6 + number);
+  return locate;
 }
 
 void set_effects(const Session& session, const Fit& fit, Calibration& c) {
   std::vector<double> sigmas;
   for (const FittedEffect& e : fit.effects) sigmas.insert(sigmas.end(), e.sigmas.begin(), e.sigmas.end());
-  WrittenTerms own = written(terms_of(fit), sigmas, session.robot, c.definitions);
+  WrittenTerms own = written(list_terms(fit), sigmas, session.robot, c.definitions);
   c.effects = std::move(own.effects);
   if (c.effects.empty()) return;
-  const std::vector<Eigen::Index> place_of = after_xi(own.number_of);
+  const std::vector<Eigen::Index> locate = after_xi(own.number_of);
   const auto in_file = [&](const Eigen::MatrixXd& of_fit) -> std::optional<Eigen::MatrixXd> {
-    if (of_fit.cols() != static_cast<Eigen::Index>(place_of.size())) return std::nullopt;
-    return of_fit(place_of, place_of);
+    if (of_fit.cols() != static_cast<Eigen::Index>(locate.size())) return std::nullopt;
+    return of_fit(locate, locate);
   };
   c.model_covariance = in_file(fit.model_covariance);
   if (session.mount.estimate && hand_carries_sensor(fit.problem.source->chain))
@@ -105,19 +105,20 @@ std::vector<Eigen::VectorXd> used_positions(const Session& session) {
 
 }  // namespace
 
-void set_doubt(const Robot& robot, const std::vector<EffectTerm>& terms, const Doubt& doubt, Calibration& c) {
-  c.doubt.reset();
-  if (!doubt.is_any()) return;
+void set_model_uncertainty(const Robot& robot, const std::vector<EffectTerm>& terms,
+                           const ModelUncertainty& model_uncertainty, Calibration& c) {
+  c.model_uncertainty.reset();
+  if (!model_uncertainty.is_any()) return;
   const Eigen::Index numbers = first_numbers(terms).back();
   std::vector<EffectDefinition> known = c.definitions;
-  std::vector<Eigen::Index> place_of =
+  std::vector<Eigen::Index> locate =
       after_xi(written(terms, std::vector<double>(static_cast<std::size_t>(numbers)), robot, known).number_of);
   std::vector<double> sigmas;
-  for (Eigen::Index i = 6 + numbers; i < doubt.covariance.cols(); ++i)
-    sigmas.push_back(std::sqrt(std::max(doubt.covariance(i, i), 0.0)));
-  WrittenTerms others = written(doubt.others, sigmas, robot, c.definitions);
-  for (const Eigen::Index number : others.number_of) place_of.push_back(6 + numbers + number);
-  c.doubt = CalibrationDoubt{std::move(others.effects), doubt.covariance(place_of, place_of)};
+  for (Eigen::Index i = 6 + numbers; i < model_uncertainty.covariance.cols(); ++i)
+    sigmas.push_back(std::sqrt(std::max(model_uncertainty.covariance(i, i), 0.0)));
+  WrittenTerms others = written(model_uncertainty.others, sigmas, robot, c.definitions);
+  for (const Eigen::Index number : others.number_of) locate.push_back(6 + numbers + number);
+  c.model_uncertainty = CalibrationUncertainty{std::move(others.effects), model_uncertainty.covariance(locate, locate)};
 }
 
 namespace {
@@ -125,47 +126,47 @@ namespace {
 /// The same effect at the same place, with the same choices?
 bool is_same(const EffectTerm& a, const EffectTerm& b) {
   if (a.id != b.id || a.joint != b.joint || a.values.size() != b.values.size()) return false;
-  const Effect& effect = effect_of(a);
+  const Effect& effect = term_effect(a);
   for (std::size_t p = 0; p < a.values.size(); ++p)
     if (effect.parameters[p].is_choice && a.values[p] != b.values[p]) return false;
   return true;
 }
 
 /// A fit whose effects have those that may be there as well beside them, and the doubt for its covariance.
-Fit with_others(const Fit& fit, const Doubt& doubt) {
+Fit with_others(const Fit& fit, const ModelUncertainty& model_uncertainty) {
   Fit with = fit;
-  for (const EffectTerm& t : doubt.others) {
-    const Effect& effect = effect_of(t);
+  for (const EffectTerm& t : model_uncertainty.others) {
+    const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p)
       if (!effect.parameters[p].is_choice)
         with.problem.columns_of_effects.push_back({with.problem.terms.size(), p, effect.parameters[p].sigma});
     with.problem.terms.push_back(t);
   }
-  with.parameter_covariance = doubt.of_columns;
+  with.parameter_covariance = model_uncertainty.of_columns;
   return with;
 }
 
 /// What the choice of the effects of all sessions leaves open of one of them, whose fit is `own`.
-Doubt doubt_of_part(const Session& joined, const Fit& with_others, int number, const Fit& own) {
+ModelUncertainty model_uncertainty_of_part(const Session& joined, const Fit& with_others, int number, const Fit& own) {
   const Fit found = fit_of_part(joined, with_others, number).fit;
-  const std::vector<EffectTerm> all = terms_of(found);
+  const std::vector<EffectTerm> all = list_terms(found);
   const std::vector<Eigen::Index> first = first_numbers(all, 6);
   std::vector<Eigen::Index> places{0, 1, 2, 3, 4, 5};
   const auto add = [&](std::size_t t) {
     for (Eigen::Index n = first[t]; n < first[t + 1]; ++n) places.push_back(n);
   };
   std::vector<char> is_own(all.size(), 0);
-  for (const EffectTerm& t : terms_of(own)) {
+  for (const EffectTerm& t : list_terms(own)) {
     const auto at = std::find_if(all.begin(), all.end(), [&](const EffectTerm& o) { return is_same(t, o); });
     check(at != all.end(), "{} of a session is not among those of all", t.id);
     const auto i = static_cast<std::size_t>(at - all.begin());
     is_own[i] = 1;
     add(i);
   }
-  Doubt doubt;
+  ModelUncertainty model_uncertainty;
   for (std::size_t t = 0; t < all.size(); ++t) {
     if (is_own[t]) continue;
-    doubt.others.push_back(all[t]);
+    model_uncertainty.others.push_back(all[t]);
     add(t);
   }
   // Turns that nothing shows are in the fit's own covariance.
@@ -175,21 +176,23 @@ Doubt doubt_of_part(const Session& joined, const Fit& with_others, int number, c
   covariance.topLeftCorner<6, 6>() = frame.motion_by_markers *
                                      found.parameter_covariance.topLeftCorner(markers, markers) *
                                      frame.motion_by_markers.transpose();
-  doubt.covariance = covariance(places, places);
-  return doubt;
+  model_uncertainty.covariance = covariance(places, places);
+  return model_uncertainty;
 }
 
 /// Of a collection: each part by itself, the first one's beside.
-Calibration calibration_of_parts(const Session& joined, const Fit& fit, const FitReport& told,
-                                 const FitOptions& options, const std::string& software, const Doubt& doubt) {
-  const bool is_open = doubt.of_columns.size() > 0;
-  const Fit open = is_open ? with_others(fit, doubt) : Fit();
+Calibration calibration_of_parts(const Session& joined, const Fit& fit, const FitReport& reported,
+                                 const FitOptions& options, const std::string& software,
+                                 const ModelUncertainty& model_uncertainty) {
+  const bool is_open = model_uncertainty.of_columns.size() > 0;
+  const Fit open = is_open ? with_others(fit, model_uncertainty) : Fit();
   std::vector<Calibration> sessions;
-  const std::vector<PartReport> reports = part_reports(joined, fit, told);
+  const std::vector<PartReport> reports = part_reports(joined, fit, reported);
   for (std::size_t p = 0; p < reports.size(); ++p) {
     const PartFit part = fit_of_part(joined, fit, static_cast<int>(p));
-    const Doubt own = is_open ? doubt_of_part(joined, open, static_cast<int>(p), part.fit) : Doubt();
-    sessions.push_back(calibration_of(part.session, part.fit, report_of(reports[p]), options, software, own));
+    const ModelUncertainty own =
+        is_open ? model_uncertainty_of_part(joined, open, static_cast<int>(p), part.fit) : ModelUncertainty();
+    sessions.push_back(make_calibration(part.session, part.fit, make_report(reports[p]), options, software, own));
   }
   Calibration all = sessions.front();
   all.session = joined.title;
@@ -199,30 +202,31 @@ Calibration calibration_of_parts(const Session& joined, const Fit& fit, const Fi
 
 }  // namespace
 
-Calibration calibration_of(const Session& session, const Fit& fit, const FitReport& told, const FitOptions& options,
-                           const std::string& software, const Doubt& doubt) {
+Calibration make_calibration(const Session& session, const Fit& fit, const FitReport& reported,
+                             const FitOptions& options, const std::string& software,
+                             const ModelUncertainty& model_uncertainty) {
   if (session.is_touch()) {  // one hand, whatever it touches
     const PartFit part = fit_of_part(session, fit, 0);
-    Calibration c = calibration_of(part.session, part.fit, told, options, software);
+    Calibration c = make_calibration(part.session, part.fit, reported, options, software);
     c.session = session.title;
-    if (!c.effects.empty()) c.times = times_of(session);
+    if (!c.effects.empty()) c.times = list_times(session);
     c.positions = used_positions(session);
     return c;
   }
-  if (!session.parts.empty()) return calibration_of_parts(session, fit, told, options, software, doubt);
+  if (!session.parts.empty()) return calibration_of_parts(session, fit, reported, options, software, model_uncertainty);
   Calibration c;
   c.session = session.title;
   c.created = utc_now();
   c.software = software;
   c.tcp_from_body = {fit.tcp_from_body, fit.covariance};
-  c.fit = {told.observations,
-           told.used,
-           static_cast<int>(told.rejected.size()),
-           told.fitted.rms_pixel,
-           told.held_out.rms_pixel,
+  c.fit = {reported.observations,
+           reported.used,
+           static_cast<int>(reported.rejected.size()),
+           reported.fitted.rms_pixel,
+           reported.held_out.rms_pixel,
            {},
-           told.fitted.rms_m,
-           told.held_out.rms_m,
+           reported.fitted.rms_m,
+           reported.held_out.rms_m,
            {},
            fit.chi2_per_dof};
   (session.is_tracker() ? c.fit.noise_m : c.fit.noise_pixel) = fit.noise;
@@ -230,21 +234,22 @@ Calibration calibration_of(const Session& session, const Fit& fit, const FitRepo
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) c.unseen_markers.push_back(static_cast<int>(m));
   set_effects(session, fit, c);
-  set_doubt(session.robot, terms_of(fit), doubt, c);
+  set_model_uncertainty(session.robot, list_terms(fit), model_uncertainty, c);
   c.tcp = session.tcp;
   c.mount = session.mount.link;
   c.gravity = session.gravity;
   c.joints = session.joints;
-  if (!c.effects.empty()) c.times = times_of(session);
+  if (!c.effects.empty()) c.times = list_times(session);
   if (!session.robot.is_of_poses) c.positions = used_positions(session);
   if (session.mount.estimate)
     c.mount_from_sensor =
         EstimatedMotion{estimate(fit).mount_from_sensor,
                         fit.parameter_covariance.block<6, 6>(fit.problem.mount_column(), fit.problem.mount_column())};
-  const TcpScatter scatter = tcp_scatter(fit);
-  if (scatter.observations >= 3) c.tcp_scatter = scatter.covariance;
+  const TcpRepeatability repeatability = tcp_repeatability(fit);
+  if (repeatability.observations >= 3) c.tcp_repeatability = repeatability.covariance;
   if (!session.mount.estimate || !hand_carries_sensor(fit.problem.source->chain)) return c;
-  if (const TcpScatter of_hand = hand_scatter(fit); of_hand.observations >= 3) c.hand_scatter = of_hand.covariance;
+  if (const TcpRepeatability of_hand = hand_repeatability(fit); of_hand.observations >= 3)
+    c.hand_repeatability = of_hand.covariance;
   return c;
 }
 

@@ -20,12 +20,12 @@ namespace handsight {
 namespace {
 
 /// `in_part` has one entry an observation of the session.
-Problem part_of(const Problem& whole, const std::vector<char>& in_part) {
-  return part_of(whole, [&](const ProblemObservation& o) { return in_part[static_cast<std::size_t>(o.index)] != 0; });
+Problem take_part(const Problem& whole, const std::vector<char>& in_part) {
+  return take_part(whole, [&](const ProblemObservation& o) { return in_part[static_cast<std::size_t>(o.index)] != 0; });
 }
 
-/// How long a step of the unknowns is: m and rad as they are, an effect's number in thousandths of its plausible size.
-double size_of(const Problem& problem, const Eigen::VectorXd& step) {
+/// How long a step of the unknowns is: m and rad as they are, an effect's number in thousandths of its prior sigma.
+double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   double size = step.head(problem.effect_column()).cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
     size = std::max(size, 1e-3 * std::abs(step[problem.effect_column() + i]) /
@@ -40,14 +40,14 @@ std::optional<Unknowns> nearby_estimate(const Fit& fit, const std::vector<char>&
   constexpr double settled = 1e-6;
   constexpr int most_steps = 16;
   const double little = 1e-3 * fit.residual_rms * fit.residual_rms;  // of the squares: no residual shows it
-  Problem part = part_of(fit.problem, trains);
+  Problem part = take_part(fit.problem, trains);
   Unknowns unknowns = estimate(fit);
   NormalEquations normal = normal_equations(part, unknowns);
   const double first_cost = normal.cost;
   double last = 0;
   for (int i = 0; i < most_steps; ++i) {
     const Eigen::VectorXd step = pseudo_inverse(normal.information) * normal.gradient;
-    const double size = size_of(part, step), gain = normal.gradient.dot(step);
+    const double size = measure_size(part, step), gain = normal.gradient.dot(step);
     // The first step may go too far, where little is seen; those after it lead back.
     if (i > 1 && (gain > 0.9 * last || normal.cost > first_cost)) return std::nullopt;
     unknowns = moved(part, unknowns, step);
@@ -65,12 +65,12 @@ Unknowns part_estimate(const Fit& fit, const FitOptions& options, const std::vec
   if (is_plain && fit.problem.effect_count() > 0)
     if (const auto nearby = nearby_estimate(fit, trains)) return *nearby;
   FitOptions fold_options = options;
-  // Effects are followed to a ten-thousandth of their plausible size: far below what a fold shows of them.
+  // Effects are followed to a ten-thousandth of their prior sigma: far below what a fold shows of them.
   if (fit.problem.effect_count() > 0) {
     fold_options.smallest_step = std::max(options.smallest_step, 1e-7);
     fold_options.reuse_below = std::max(options.reuse_below, 1e-4);
   }
-  return refit(fit, fold_options, part_of(fit.problem, trains), fit.noise.value_or(1));
+  return refit(fit, fold_options, take_part(fit.problem, trains), fit.noise.value_or(1));
 }
 
 /// Whoever is asked whether a fit may go on is asked by one thread at a time.
@@ -104,7 +104,7 @@ std::vector<std::optional<Residuals>> held_out_residuals(const Problem& images, 
     if (held_ranks.empty() || held_ranks.size() == images.observations.size()) return;
     const Unknowns unknowns = part_estimate(fit, options, trains);
     for (char& train : trains) train = !train;
-    Problem held = part_of(images, trains);
+    Problem held = take_part(images, trains);
     if (held.effect_count() > 0) {
       set_effect_values(held, unknowns.effects);
       hold_effects(held);  // residuals need no derivatives
@@ -113,21 +113,21 @@ std::vector<std::optional<Residuals>> held_out_residuals(const Problem& images, 
     std::size_t i = 0;
     for (const ProblemObservation& o : held.observations) {
       if (!trains[static_cast<std::size_t>(o.index)]) continue;
-      all[held_ranks[i++]] = residuals_of(held, o, unknowns);
+      all[held_ranks[i++]] = compute_residuals(held, o, unknowns);
     }
   });
   return all;
 }
 
-std::vector<Residuals> known_of(const std::vector<std::optional<Residuals>>& all) {
+std::vector<Residuals> assess_knowledge(const std::vector<std::optional<Residuals>>& all) {
   std::vector<Residuals> known;
   for (const std::optional<Residuals>& one : all)
     if (one) known.push_back(*one);
   return known;
 }
 
-ErrorSummary summary_of(const std::vector<std::optional<Residuals>>& all, bool pixels) {
-  const std::vector<Residuals> known = known_of(all);
+ErrorSummary read_summary(const std::vector<std::optional<Residuals>>& all, bool pixels) {
+  const std::vector<Residuals> known = assess_knowledge(all);
   return known.empty() ? ErrorSummary{} : summary(known, pixels);
 }
 
@@ -141,8 +141,8 @@ std::vector<std::optional<Residuals>> held_out(const Problem& images, const Fit&
 /// Where the points of the images were fitted: the images, moved by the same effects. Else they are the fit's problem.
 std::optional<Problem> images_of_points(const Session& session, const Fit& fit) {
   if (fit.objective != Objective::camera || !session.rig) return std::nullopt;
-  Problem images = make_problem(session, chain_of(session), fit.problem.terms);
-  images.set_slip_frames_of(fit.problem);
+  Problem images = make_problem(session, make_chain(session), fit.problem.terms);
+  images.copy_slip_frames(fit.problem);
   images.columns_of_effects = fit.problem.columns_of_effects;
   if (!images.terms.empty()) place_observations(images);
   return images;
@@ -208,11 +208,11 @@ std::vector<double> mean_squares_of(const std::vector<Residuals>& all) {
 
 /// Of each used observation of another session.
 std::vector<Residuals> residuals_on(const Session& others, const Fit& fit) {
-  Problem images = make_problem(others, chain_of(others), fit.problem.terms);
-  images.set_slip_frames_of(fit.problem);
+  Problem images = make_problem(others, make_chain(others), fit.problem.terms);
+  images.copy_slip_frames(fit.problem);
   if (!images.terms.empty()) place_observations(images);
   std::vector<Residuals> all;
-  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  for (const ProblemObservation& o : images.observations) all.push_back(compute_residuals(images, o, estimate(fit)));
   return all;
 }
 
@@ -232,7 +232,7 @@ std::vector<Unused> unused(const Session& session) {
   return list;
 }
 
-/// 0 for the points of tags that are told to lie elsewhere than described, 1 for all others.
+/// 0 for the points of tags that are found to lie elsewhere than described, 1 for all others.
 Eigen::VectorXd not_displaced(const Target& target, const std::vector<EffectTerm>& terms) {
   Eigen::VectorXd firm = Eigen::VectorXd::Ones(point_count(target));
   for (const EffectTerm& term : terms)
@@ -289,7 +289,7 @@ std::vector<double> mean_squares_on(const Session& others, const Fit& fit) {
 std::vector<double> mean_squares(const Fit& fit) {
   std::vector<double> squares;
   for (const ProblemObservation& o : fit.problem.observations)
-    squares.push_back(mean_square(residuals_of(fit.problem, o, estimate(fit))));
+    squares.push_back(mean_square(compute_residuals(fit.problem, o, estimate(fit))));
   return squares;
 }
 
@@ -298,23 +298,24 @@ std::vector<double> held_out_in_blocks(const Session& session, const Fit& fit, c
   std::vector<int> folds;
   for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
     folds.push_back(static_cast<int>(rank * static_cast<std::size_t>(blocks) / images.observations.size()));
-  return mean_squares_of(known_of(held_out_residuals(images, fit, options, session.observations.size(), folds)));
+  return mean_squares_of(
+      assess_knowledge(held_out_residuals(images, fit, options, session.observations.size(), folds)));
 }
 
 ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const FitOptions& options) {
   const std::optional<Problem> of_session = images_of_points(session, fit);
   const Problem& images = of_session ? *of_session : fit.problem;
-  const std::vector<int> regions = regions_of(images);
+  const std::vector<int> regions = list_regions(images);
   FitOptions quick = options;  // to a hundredth of what a residual shows
   quick.least_gain = std::max(options.least_gain, 1e-2 * fit.residual_rms * fit.residual_rms);
   quick.reuse_below = std::max(options.reuse_below, 1e-3);
   quick.most_iterations = std::min(options.most_iterations, 40);
-  return summary_of(held_out_residuals(images, fit, quick, session.observations.size(), regions),
-                    images.rig.has_value());
+  return read_summary(held_out_residuals(images, fit, quick, session.observations.size(), regions),
+                      images.rig.has_value());
 }
 
 std::optional<HandResidual> hand_residual(const Problem& images, const ProblemObservation& o, const Unknowns& u) {
-  return residuals_of(images, o, u).hand;
+  return compute_residuals(images, o, u).hand;
 }
 
 FitReport report(const Session& session, const Fit& fit, const FitOptions& options) {
@@ -325,12 +326,12 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
   r.used = static_cast<int>(images.observations.size());
   r.rejected = unused(session);
   std::vector<Residuals> all;
-  for (const ProblemObservation& o : images.observations) all.push_back(residuals_of(images, o, estimate(fit)));
+  for (const ProblemObservation& o : images.observations) all.push_back(compute_residuals(images, o, estimate(fit)));
   r.fitted = summary(all, images.rig.has_value());
   r.rms_of_noise_m = rms_of_noise(all, fit.noise);
   r.noise_of_hand_m = noise_of_hand(all, fit.noise);
   auto held = held_out(images, fit, options, session.observations.size());
-  r.held_out = summary_of(held, images.rig.has_value());
+  r.held_out = read_summary(held, images.rig.has_value());
   if (!session.parts.empty()) r.held_out_residuals = std::move(held);
   const std::vector<char> out = outliers(all, fit.noise);
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -38,8 +38,8 @@ struct FitReport {
   std::optional<double> rms_of_noise_m;
   std::optional<double> noise_of_hand_m;  // what the noise alone makes of ErrorSummary::hand_m
   ErrorSummary held_out;         // five folds over observations: floor(rank by time / 4) mod 5, repeated poses together
-  ErrorSummary held_out_region;  // five regions (regions.h), each foretold from the others; where asked for
-  /// Of a joined session, where asked for (part_report.h): every part foretold by a robot learned from the others; in
+  ErrorSummary held_out_region;  // five regions (regions.h), each predicted from the others; where asked for
+  /// Of a joined session, where asked for (part_report.h): every part predicted by a robot learned from the others; in
   /// units of its own sensor part by part.
   ErrorSummary held_out_session;
   std::vector<ErrorSummary> held_out_sessions;

@@ -25,7 +25,7 @@ bool moves_nothing(const JointChange& c) {
 /// Does a term move the robot itself, not what stands at the chain's ends? A payload hangs at the TCP link, which
 /// stands still here.
 bool moves_robot(const EffectTerm& term, const Chain& chain) {
-  const Effect& effect = effect_of(term);
+  const Effect& effect = term_effect(term);
   if (effect.definition) {
     constexpr std::array<std::string_view, 3> ends{"hand_", "body_", "mount_"};
     return std::any_of(effect.definition->moves.begin(), effect.definition->moves.end(), [&](const DefinedMove& m) {
@@ -35,8 +35,7 @@ bool moves_robot(const EffectTerm& term, const Chain& chain) {
   EffectTerm one = term;
   for (std::size_t p = 0; p < one.values.size(); ++p)
     if (!effect.parameters[p].is_choice) one.values[p] = effect.parameters[p].sigma;
-  Circumstances c =
-      circumstances_at(chain, Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.3));
+  ObservationState c = states_at(chain, Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.3));
   c.velocity.setConstant(1);
   c.approach.setConstant(1);
   const RobotChange change = moved_sites(c, {one}).robot;
@@ -65,11 +64,11 @@ PredictionModel of_robot_alone(PredictionModel model, const Chain& chain) {
   const std::vector<Eigen::Index> places = keep_robot_terms(chain, model.effects, {0, 1, 2, 3, 4, 5}, 6);
   model.covariance = Eigen::MatrixXd(model.covariance(places, places));
   model.rotation_is_observed = true;
-  if (!model.doubt.is_any()) return model;
-  const std::vector<Eigen::Index> with_others = keep_robot_terms(chain, model.doubt.others, places, all);
-  model.doubt.covariance = Eigen::MatrixXd(model.doubt.covariance(with_others, with_others));
-  model.doubt.covariance.topRows<6>().setZero();
-  model.doubt.covariance.leftCols<6>().setZero();
+  if (!model.model_uncertainty.is_any()) return model;
+  const std::vector<Eigen::Index> with_others = keep_robot_terms(chain, model.model_uncertainty.others, places, all);
+  model.model_uncertainty.covariance = Eigen::MatrixXd(model.model_uncertainty.covariance(with_others, with_others));
+  model.model_uncertainty.covariance.topRows<6>().setZero();
+  model.model_uncertainty.covariance.leftCols<6>().setZero();
   return model;
 }
 
@@ -100,19 +99,19 @@ Eigen::MatrixXd hand_covariance(const Fit& fit) {
   return 0.5 * (covariance + covariance.transpose());
 }
 
-TcpScatter hand_scatter(const Fit& fit) {
-  return tcp_scatter(fit, [&](const ProblemObservation& o) {
+TcpRepeatability hand_repeatability(const Fit& fit) {
+  return tcp_repeatability(fit, [&](const ProblemObservation& o) {
     const Rigid& mount_from_sensor = estimate(fit).mount_from_sensor;
     // The hand errs by E where the target seems to by D: E mount_from_tcp D = mount_from_tcp.
     return Matrix6(-adjoint(mount_from_sensor * sensor_from_tcp_at(o, mount_from_sensor)));
   });
 }
 
-std::optional<PredictionModel> model_of_hand(const Fit& fit, const Doubt& doubt) {
+std::optional<PredictionModel> model_of_hand(const Fit& fit, const ModelUncertainty& model_uncertainty) {
   if (!fit.problem.mount_is_estimated) return std::nullopt;
-  PredictionModel model{terms_of(fit), hand_scatter(fit), hand_covariance(fit), estimate(fit).mount_from_sensor,
+  PredictionModel model{list_terms(fit), hand_repeatability(fit), hand_covariance(fit), estimate(fit).mount_from_sensor,
                         fit.tcp_from_body};
-  model.doubt = doubt;
+  model.model_uncertainty = model_uncertainty;
   return of_robot_alone(std::move(model), fit.problem.source->chain);
 }
 
@@ -123,7 +122,7 @@ std::optional<PredictionModel> model_of_hand(const Calibration& calibration, con
   const Matrix6 to_mount = adjoint(exchanged.tcp_from_body.motion);
   exchanged.tcp_from_body.covariance = to_mount * exchanged.tcp_from_body.covariance * to_mount.transpose();
   exchanged.model_covariance = calibration.hand_covariance;
-  exchanged.tcp_scatter = calibration.hand_scatter;
+  exchanged.tcp_repeatability = calibration.hand_repeatability;
   return of_robot_alone(prediction_model(exchanged, chain.robot), chain);
 }
 

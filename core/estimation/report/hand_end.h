@@ -17,7 +17,7 @@ Chain chain_of_hand(const Chain& chain);
 /// What is known of the hand that carries the sensor, for chain_of_hand: the sensor is the body on the hand, the target
 /// what it is seen from. Of the effects those stay that move the robot: what slips or drifts at either end does not
 /// move the hand. Nothing where the mount was not estimated.
-std::optional<PredictionModel> model_of_hand(const Fit& fit, const Doubt& doubt);
+std::optional<PredictionModel> model_of_hand(const Fit& fit, const ModelUncertainty& model_uncertainty);
 
 /// The same from an exported calibration, for the session's own chain. One without <hand_covariance> tells the mount's
 /// sigma and those of the effects alone. Nothing where it does not say where the sensor sits.
@@ -27,7 +27,7 @@ std::optional<PredictionModel> model_of_hand(const Calibration& calibration, con
 /// the effects. The mount must be estimated.
 Eigen::MatrixXd hand_covariance(const Fit& fit);
 
-/// tcp_scatter as scatter of the mount's link, in its axes.
-TcpScatter hand_scatter(const Fit& fit);
+/// tcp_repeatability as scatter of the mount's link, in its axes.
+TcpRepeatability hand_repeatability(const Fit& fit);
 
 }  // namespace handsight

@@ -126,7 +126,7 @@ OneMarkerResult effective_masses(const Session& session, const OneMarkerOptions&
   if (options.marker < 0 || options.marker >= session.marker_count)
     throw InputError(message("Marker {} does not exist; the session has markers 0 to {}.", options.marker,
                              session.marker_count - 1));
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   OneMarkerResult result;
   Arm arm{chain, arm_joints(chain, options.default_stiffness, result.stiffness_is_assumed),
           session.mount.mount_from_sensor, Vector3::Zero()};

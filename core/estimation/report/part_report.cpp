@@ -27,8 +27,8 @@ std::vector<int> observations_of(const Session& joined, int part, bool others) {
 }
 
 /// Can other parts tell the term's numbers? Not what belongs to a part, nor a joint that none of the others moves.
-bool is_told_elsewhere(const EffectTerm& term, const Chain& chain, int part) {
-  const Effect& effect = effect_of(term);
+bool is_reported_elsewhere(const EffectTerm& term, const Chain& chain, int part) {
+  const Effect& effect = term_effect(term);
   if (effect.scope == EffectScope::session) return true;
   if (!moves_one_joint(effect)) return false;
   return std::any_of(chain.parts.begin(), chain.parts.end(), [&](const Chain& other) {
@@ -44,8 +44,8 @@ FitOptions with_robot_of(const Fit& elsewhere, const FitOptions& options, int pa
   own.estimated.clear();
   own.start = estimate(elsewhere);
   const Chain& chain = elsewhere.problem.source->chain;
-  for (const EffectTerm& term : terms_of(elsewhere))
-    (is_told_elsewhere(term, chain, part) ? own.effects : own.estimated).push_back(term);
+  for (const EffectTerm& term : list_terms(elsewhere))
+    (is_reported_elsewhere(term, chain, part) ? own.effects : own.estimated).push_back(term);
   return own;
 }
 
@@ -61,9 +61,9 @@ FitOptions to_what_is_shown(const Fit& fit, FitOptions options) {
 std::vector<Residuals> held_out_part(const Session& joined, const Fit& fit, const FitOptions& options, int part) {
   FitOptions of_others = to_what_is_shown(fit, options);
   of_others.start = estimate(fit);
-  const Fit elsewhere = handsight::fit(part_of(joined, observations_of(joined, part, true)), of_others);
+  const Fit elsewhere = handsight::fit(take_part(joined, observations_of(joined, part, true)), of_others);
   const FitOptions own = with_robot_of(elsewhere, to_what_is_shown(fit, options), part);
-  const Session alone = part_of(joined, observations_of(joined, part, false));
+  const Session alone = take_part(joined, observations_of(joined, part, false));
   std::vector<Residuals> held;
   for (auto& one : report(alone, handsight::fit(alone, own), own).held_out_residuals)
     if (one) held.push_back(std::move(*one));
@@ -72,21 +72,21 @@ std::vector<Residuals> held_out_part(const Session& joined, const Fit& fit, cons
 
 }  // namespace
 
-std::vector<PartReport> part_reports(const Session& joined, const Fit& fit, const FitReport& told) {
+std::vector<PartReport> part_reports(const Session& joined, const Fit& fit, const FitReport& reported) {
   if (joined.parts.empty()) return {};
   std::vector<PartReport> reports(joined.parts.size());
-  const std::vector<FitPart> found = parts_of(joined, fit);
+  const std::vector<FitPart> found = list_parts(joined, fit);
   std::vector<std::vector<Residuals>> fitted(reports.size()), held(reports.size());
   for (const Observation& o : joined.observations) ++reports[static_cast<std::size_t>(o.part)].observations;
   for (std::size_t i = 0; i < fit.problem.observations.size(); ++i) {
     const ProblemObservation& o = fit.problem.observations[i];
     const auto p = static_cast<std::size_t>(part_at(joined, o));
     const SessionPart& part = joined.parts[p];
-    fitted[p].push_back(in_own_unit(residuals_of(fit.problem, o, estimate(fit)), part));
-    if (i < told.held_out_residuals.size() && told.held_out_residuals[i])
-      held[p].push_back(in_own_unit(*told.held_out_residuals[i], part));
+    fitted[p].push_back(in_own_unit(compute_residuals(fit.problem, o, estimate(fit)), part));
+    if (i < reported.held_out_residuals.size() && reported.held_out_residuals[i])
+      held[p].push_back(in_own_unit(*reported.held_out_residuals[i], part));
     ++reports[p].used;
-    ObservationReport one = told.per_observation[i];
+    ObservationReport one = reported.per_observation[i];
     one.id -= part.first_id;
     if (part.camera_count == 0)
       one.rms_pixel.reset();
@@ -98,14 +98,14 @@ std::vector<PartReport> part_reports(const Session& joined, const Fit& fit, cons
     reports[p].title = joined.parts[p].title;
     reports[p].has_cameras = joined.parts[p].camera_count > 0;
     reports[p].found = found[p];
-    if (p < told.held_out_sessions.size()) reports[p].held_out_session = told.held_out_sessions[p];
+    if (p < reported.held_out_sessions.size()) reports[p].held_out_session = reported.held_out_sessions[p];
     if (!fitted[p].empty()) reports[p].fitted = summary(fitted[p], reports[p].has_cameras);
     if (!held[p].empty()) reports[p].held_out = summary(held[p], reports[p].has_cameras);
   }
   return reports;
 }
 
-FitReport report_of(const PartReport& part) {
+FitReport make_report(const PartReport& part) {
   FitReport r;
   r.observations = part.observations;
   r.used = part.used;
@@ -115,11 +115,11 @@ FitReport report_of(const PartReport& part) {
   return r;
 }
 
-void hold_out_sessions(const Session& joined, const Fit& fit, const FitOptions& options, FitReport& told,
+void hold_out_sessions(const Session& joined, const Fit& fit, const FitOptions& options, FitReport& reported,
                        const std::function<bool()>& go_on) {
   if (joined.parts.empty()) return;
   std::vector<Residuals> all;
-  told.held_out_sessions.assign(joined.parts.size(), {});
+  reported.held_out_sessions.assign(joined.parts.size(), {});
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     if (go_on && !go_on()) return;
     std::vector<Residuals> held;
@@ -131,9 +131,9 @@ void hold_out_sessions(const Session& joined, const Fit& fit, const FitOptions& 
     all.insert(all.end(), held.begin(), held.end());
     const SessionPart& part = joined.parts[p];
     for (Residuals& r : held) r = in_own_unit(std::move(r), part);
-    if (!held.empty()) told.held_out_sessions[p] = summary(held, part.camera_count > 0);
+    if (!held.empty()) reported.held_out_sessions[p] = summary(held, part.camera_count > 0);
   }
-  if (!all.empty()) told.held_out_session = summary(all, joined.rig.has_value());
+  if (!all.empty()) reported.held_out_session = summary(all, joined.rig.has_value());
 }
 
 }  // namespace handsight

@@ -22,16 +22,16 @@ struct PartReport {
 };
 
 /// Part by part; `told` must be the fit's own report. Empty where the session is none of several.
-std::vector<PartReport> part_reports(const Session& joined, const Fit& fit, const FitReport& told);
+std::vector<PartReport> part_reports(const Session& joined, const Fit& fit, const FitReport& reported);
 
 /// A part's report as that of a session by itself.
-FitReport report_of(const PartReport& part);
+FitReport make_report(const PartReport& part);
 
 /// Sets FitReport::held_out_session: the robot's effects from all other parts; in the part that is held out only what
 /// is its own (mount, body, its own effects, joints that no other part moves), fitted on four fifths of it, the error
 /// on the fifth, five times. Absent of a part whose own numbers cannot be fitted without the others. `go_on` is asked
 /// after each part. Nothing where the session is none of several.
-void hold_out_sessions(const Session& joined, const Fit& fit, const FitOptions& options, FitReport& told,
+void hold_out_sessions(const Session& joined, const Fit& fit, const FitOptions& options, FitReport& reported,
                        const std::function<bool()>& go_on = {});
 
 }  // namespace handsight

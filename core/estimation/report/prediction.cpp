@@ -19,7 +19,7 @@ Matrix6 without_negative(const Matrix6& symmetric) {
   return covariance_from(eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal());
 }
 
-Rigid root_from_tcp_with(const Circumstances& c, const std::vector<EffectTerm>& effects) {
+Rigid root_from_tcp_with(const ObservationState& c, const std::vector<EffectTerm>& effects) {
   return observed_ends(c, moved_sites(c, effects)).ends.root_from_tcp;
 }
 
@@ -80,14 +80,14 @@ Matrix6 covariance_behind(const std::vector<MeasuredDeviation>& all) {
 
 }  // namespace
 
-TcpScatter tcp_scatter(const Fit& fit) { return tcp_scatter(fit, nullptr); }
+TcpRepeatability tcp_repeatability(const Fit& fit) { return tcp_repeatability(fit, nullptr); }
 
-TcpScatter tcp_scatter(const Fit& fit, const ToFrame& to_frame) {
+TcpRepeatability tcp_repeatability(const Fit& fit, const ToFrame& to_frame) {
   const std::vector<MeasuredDeviation> all = measured_deviations(fit, to_frame);
-  TcpScatter scatter{.observations = static_cast<int>(all.size())};
+  TcpRepeatability repeatability{.observations = static_cast<int>(all.size())};
   const bool agrees = fit.covariance_kind == CovarianceKind::noise;
-  if (scatter.observations >= 3 && !agrees) scatter.covariance = covariance_behind(all);
-  return scatter;
+  if (repeatability.observations >= 3 && !agrees) repeatability.covariance = covariance_behind(all);
+  return repeatability;
 }
 
 namespace {
@@ -111,10 +111,10 @@ bool without_unknown_motions(Eigen::MatrixXd& covariance) {
 
 }  // namespace
 
-PredictionModel prediction_model(const Fit& fit, const Doubt& doubt) {
-  PredictionModel model{terms_of(fit), tcp_scatter(fit), fit.model_covariance, fit.tcp_from_body,
+PredictionModel prediction_model(const Fit& fit, const ModelUncertainty& model_uncertainty) {
+  PredictionModel model{list_terms(fit), tcp_repeatability(fit), fit.model_covariance, fit.tcp_from_body,
                         estimate(fit).mount_from_sensor};
-  model.doubt = doubt;
+  model.model_uncertainty = model_uncertainty;
   model.rotation_is_observed = without_unknown_motions(model.covariance);
   return model;
 }
@@ -146,7 +146,7 @@ Rig rig_named_in(const Calibration& calibration) {
     }
   for (const EffectDefinition& d : calibration.definitions)
     for (const DefinedMove& m : d.moves) add(camera_before_number(m.site));
-  if (names.empty()) return rig_of(StereoRig{});
+  if (names.empty()) return make_rig(StereoRig{});
   if (has_single && names.size() == 2) names.push_back("another camera");
   if (!has_single && names.size() == 1) names.push_back(names.front() == "right" ? "left" : "right");
   Rig rig;
@@ -187,10 +187,9 @@ ReadTerms read_terms(const std::vector<CalibrationEffect>& effects, const Robot&
 }
 
 /// A covariance in the order of a file as one in the order of a model with so many numbers.
-Eigen::MatrixXd reordered(const Eigen::MatrixXd& of_file, const std::vector<Eigen::Index>& place_of,
-                          Eigen::Index count) {
+Eigen::MatrixXd reordered(const Eigen::MatrixXd& of_file, const std::vector<Eigen::Index>& locate, Eigen::Index count) {
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
-  covariance(place_of, place_of) = of_file;
+  covariance(locate, locate) = of_file;
   return covariance;
 }
 
@@ -205,21 +204,22 @@ PredictionModel prediction_model(const Calibration& calibration, const Robot& ro
   model.effects = read.terms;
   model.tcp_from_body = calibration.tcp_from_body.motion;
   if (calibration.mount_from_sensor) model.mount_from_sensor = calibration.mount_from_sensor->motion;
-  if (calibration.tcp_scatter) model.scatter = {*calibration.tcp_scatter, calibration.fit.used};
+  if (calibration.tcp_repeatability) model.repeatability = {*calibration.tcp_repeatability, calibration.fit.used};
 
-  const std::vector<Eigen::Index> place_of = read.after({0, 1, 2, 3, 4, 5}, 6);
-  const auto count = static_cast<Eigen::Index>(place_of.size());
+  const std::vector<Eigen::Index> locate = read.after({0, 1, 2, 3, 4, 5}, 6);
+  const auto count = static_cast<Eigen::Index>(locate.size());
   Eigen::MatrixXd of_file = Eigen::MatrixXd::Zero(count, count);
   of_file.topLeftCorner<6, 6>() = calibration.tcp_from_body.covariance;
   of_file.diagonal().tail(count - 6) =
       Eigen::Map<const Eigen::VectorXd>(read.variances.data(), static_cast<Eigen::Index>(read.variances.size()));
   if (calibration.model_covariance) of_file = *calibration.model_covariance;
-  model.covariance = reordered(of_file, place_of, 6 + read.count());
-  if (calibration.doubt) {
-    const ReadTerms others = read_terms(calibration.doubt->others, robot, own);
-    model.doubt.others = others.terms;
-    model.doubt.covariance = reordered(calibration.doubt->covariance, others.after(place_of, 6 + read.count()),
-                                       6 + read.count() + others.count());
+  model.covariance = reordered(of_file, locate, 6 + read.count());
+  if (calibration.model_uncertainty) {
+    const ReadTerms others = read_terms(calibration.model_uncertainty->others, robot, own);
+    model.model_uncertainty.others = others.terms;
+    model.model_uncertainty.covariance =
+        reordered(calibration.model_uncertainty->covariance, others.after(locate, 6 + read.count()),
+                  6 + read.count() + others.count());
   }
   model.rotation_is_observed = without_unknown_motions(model.covariance);
   return model;
@@ -229,18 +229,18 @@ namespace {
 
 /// Of xi, the model's numbers and those of what else may be there; both covariances together.
 Eigen::MatrixXd whole_covariance(const PredictionModel& model) {
-  if (!model.doubt.is_any()) return model.covariance;
-  Eigen::MatrixXd whole = model.doubt.covariance;
+  if (!model.model_uncertainty.is_any()) return model.covariance;
+  Eigen::MatrixXd whole = model.model_uncertainty.covariance;
   whole.topLeftCorner(model.covariance.rows(), model.covariance.cols()) += model.covariance;
   return whole;
 }
 
 /// The motion of the TCP (position m, rotation rad, root axes) for one sigma of each number of the effects, and of
 /// those that may be there too: 6 x n. The secant over a sigma, which the solver of the springs cannot disturb.
-Eigen::MatrixXd tcp_by_sigma(const Circumstances& c, const PredictionModel& model, const Eigen::VectorXd& sigmas) {
+Eigen::MatrixXd tcp_by_sigma(const ObservationState& c, const PredictionModel& model, const Eigen::VectorXd& sigmas) {
   Eigen::MatrixXd by_sigma = Eigen::MatrixXd::Zero(6, sigmas.size() - 6);
   std::vector<EffectTerm> terms = model.effects;
-  terms.insert(terms.end(), model.doubt.others.begin(), model.doubt.others.end());
+  terms.insert(terms.end(), model.model_uncertainty.others.begin(), model.model_uncertainty.others.end());
   Eigen::Index number = -1;
   for (EffectTerm& term : terms)
     for (double& value : term.values) {
@@ -261,10 +261,10 @@ Eigen::MatrixXd tcp_by_sigma(const Circumstances& c, const PredictionModel& mode
 }  // namespace
 
 TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model) {
-  return predict_tcp(circumstances_at(chain, position), model);
+  return predict_tcp(states_at(chain, position), model);
 }
 
-TcpPrediction predict_tcp(const Circumstances& c, const PredictionModel& model) {
+TcpPrediction predict_tcp(const ObservationState& c, const PredictionModel& model) {
   TcpPrediction p;
   p.root_from_tcp = root_from_tcp_with(c, {});
   const Sites sites = moved_sites(c, model.effects);
@@ -284,7 +284,8 @@ TcpPrediction predict_tcp(const Circumstances& c, const PredictionModel& model) 
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(whole.cols());
   for (Eigen::Index i = 6; i < unit.size(); ++i) unit[i] = sigmas[i] > 0 ? 1 / sigmas[i] : 0;
   const Eigen::MatrixXd scaled = unit.asDiagonal() * whole * unit.asDiagonal();
-  p.covariance = turned * model.scatter.covariance * turned.transpose() + by_model * scaled * by_model.transpose();
+  p.covariance =
+      turned * model.repeatability.covariance * turned.transpose() + by_model * scaled * by_model.transpose();
   return p;
 }
 

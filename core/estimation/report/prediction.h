@@ -4,14 +4,14 @@
 
 #include <functional>
 
-#include "estimation/report/doubt.h"
 #include "estimation/report/fit_report.h"
+#include "estimation/report/model_uncertainty.h"
 #include "session/calibration.h"
 
 namespace handsight {
 
 /// How the real TCP scatters about the model's, learned from the observations of a fit.
-struct TcpScatter {
+struct TcpRepeatability {
   Matrix6 covariance = Matrix6::Zero();  // of tcp_from_tcp_est: translation (m) and rotation vector (rad), TCP axes
   int observations = 0;                  // that showed three markers
 };
@@ -19,26 +19,26 @@ struct TcpScatter {
 /// The covariance of tcp_from_tcp_est over the observations behind the noise with which each was measured (maximum
 /// likelihood); zero where the model agrees with the measurements down to the noise (CovarianceKind::noise). With fewer
 /// than three such observations nothing is known of it: zero, and `observations` says so.
-TcpScatter tcp_scatter(const Fit& fit);
+TcpRepeatability tcp_repeatability(const Fit& fit);
 
 /// The same of the deviations as another frame has them: `to_frame` carries a small motion there from the TCP's axes.
-TcpScatter tcp_scatter(const Fit& fit, const std::function<Matrix6(const ProblemObservation&)>& to_frame);
+TcpRepeatability tcp_repeatability(const Fit& fit, const std::function<Matrix6(const ProblemObservation&)>& to_frame);
 
 /// What a prediction is made from.
 struct PredictionModel {
   std::vector<EffectTerm> effects;
-  TcpScatter scatter;
+  TcpRepeatability repeatability;
   Eigen::MatrixXd covariance = Matrix6::Zero();  // 6 + n: xi of TCP->Body, then every number of the effects in order
   Rigid tcp_from_body;
   std::optional<Rigid> mount_from_sensor;  // absent: a file that does not say where the sensor sits
   bool rotation_is_observed =
-      true;     // false: with one or two markers the body's rotation is a convention, kept at its start
-  Doubt doubt;  // of the effects that the model has, and of others
+      true;  // false: with one or two markers the body's rotation is a convention, kept at its start
+  ModelUncertainty model_uncertainty;  // of the effects that the model has, and of others
 };
 
 /// A rotation of the body of which nothing is known (more than a radian) is no error of where the TCP is: nothing was
 /// learned from it. It is left out of the covariance.
-PredictionModel prediction_model(const Fit& fit, const Doubt& doubt = {});
+PredictionModel prediction_model(const Fit& fit, const ModelUncertainty& model_uncertainty = {});
 
 /// The same from an exported calibration. A file without <model_covariance> tells sigmas alone: TCP->Body and effects
 /// are then taken as independent, which makes sigma too large. InputError where an effect cannot be in this robot.
@@ -60,6 +60,6 @@ struct TcpPrediction {
 TcpPrediction predict_tcp(const Chain& chain, const Eigen::VectorXd& position, const PredictionModel& model);
 
 /// The same for a pose of which it is known how and when the robot comes there.
-TcpPrediction predict_tcp(const Circumstances& circumstances, const PredictionModel& model);
+TcpPrediction predict_tcp(const ObservationState& states, const PredictionModel& model);
 
 }  // namespace handsight

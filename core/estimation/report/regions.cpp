@@ -17,7 +17,7 @@ Eigen::MatrixXd joint_values(const Problem& problem) {
   Eigen::MatrixXd values(problem.observations.size(), joints.size());
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const auto index = static_cast<std::size_t>(problem.observations[i].index);
-    const Eigen::VectorXd& all = problem.source->circumstances[index].sensor;
+    const Eigen::VectorXd& all = problem.source->states[index].sensor;
     for (std::size_t j = 0; j < joints.size(); ++j)
       values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = all[static_cast<Eigen::Index>(joints[j])];
   }
@@ -105,8 +105,7 @@ Eigen::MatrixXd posture_features(const Problem& problem) {
     // The nominal robot's: no effect of the model moves an observation to another region.
     const auto index = static_cast<std::size_t>(problem.observations[static_cast<std::size_t>(i)].index);
     features.row(i).tail<3>() =
-        nominal_tcp(*problem.source->circumstances[index].chain, problem.source->circumstances[index].sensor)
-            .transpose();
+        nominal_tcp(*problem.source->states[index].chain, problem.source->states[index].sensor).transpose();
   }
   scale_to_range(features);
   return features;
@@ -128,7 +127,7 @@ std::vector<int> clusters_of(const Eigen::MatrixXd& features) {
 
 }  // namespace
 
-std::vector<int> regions_of(const Problem& problem) {
+std::vector<int> list_regions(const Problem& problem) {
   if (problem.observations.empty()) return {};
   const Eigen::MatrixXd features = posture_features(problem);
   if (problem.source->chain.parts.empty()) return clusters_of(features);
@@ -138,7 +137,7 @@ std::vector<int> regions_of(const Problem& problem) {
     std::vector<Eigen::Index> rows;
     for (std::size_t i = 0; i < problem.observations.size(); ++i) {
       const auto index = static_cast<std::size_t>(problem.observations[i].index);
-      if (problem.source->circumstances[index].chain->part == part.part) rows.push_back(static_cast<Eigen::Index>(i));
+      if (problem.source->states[index].chain->part == part.part) rows.push_back(static_cast<Eigen::Index>(i));
     }
     if (rows.empty()) continue;
     Eigen::MatrixXd own = features(rows, Eigen::all);

@@ -13,13 +13,13 @@ namespace handsight {
 /// second pose.
 std::vector<int> first_of_same_pose(const Problem& problem);
 
-/// What postures are told by, a row an observation: the measured joints' values and the hand's place (of the nominal
-/// robot), each from 0 to 1 over these observations; 0 where it does not vary.
+/// What postures are described by, a row an observation: the measured joints' values and the hand's place (of the
+/// nominal robot), each from 0 to 1 over these observations; 0 where it does not vary.
 Eigen::MatrixXd posture_features(const Problem& problem);
 
 /// Parts the observations into at most five regions by k-means of the joints' values, each over its range in these
 /// observations, and of the hand's place over its spread. The start is fixed: from the mean outwards, each time what is
 /// farthest from all before. Equal poses lie in one region.
-std::vector<int> regions_of(const Problem& problem);
+std::vector<int> list_regions(const Problem& problem);
 
 }  // namespace handsight

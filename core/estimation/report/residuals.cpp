@@ -60,7 +60,7 @@ void add_lengths_of_pose(const Problem& images, const ProblemObservation& o, con
 
 }  // namespace
 
-Residuals residuals_of(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
+Residuals compute_residuals(const Problem& images, const ProblemObservation& o, const Unknowns& unknowns) {
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, unknowns);
   Residuals residuals;
   std::vector<std::pair<Vector3, SightingNormal>> seen;

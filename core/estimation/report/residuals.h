@@ -19,7 +19,7 @@ struct Residuals {
 };
 
 /// `images` must stand at the effects of `unknowns`.
-Residuals residuals_of(const Problem& images, const ProblemObservation& observation, const Unknowns& unknowns);
+Residuals compute_residuals(const Problem& images, const ProblemObservation& observation, const Unknowns& unknowns);
 
 /// Root mean square.
 double rms(const std::vector<double>& values);

@@ -9,7 +9,7 @@
 #include "chain/arrangement.h"
 #include "chain/chain.h"
 #include "chain/sighting.h"
-#include "estimation/report/session_doubts.h"
+#include "estimation/report/session_warnings.h"
 #include "session/touch_xml.h"
 #include "vision/image/image_file.h"
 
@@ -56,7 +56,7 @@ int missing_images(const Session& session, const Observation& o) {
 void list_fixtures(const Session& session, SessionCheck& check) {
   for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
     const Fixture& fixture = session.fixtures[f];
-    const Mount& mount = mount_of(session, static_cast<int>(f));
+    const Mount& mount = find_mount(session, static_cast<int>(f));
     const auto touches = std::count_if(session.observations.begin(), session.observations.end(), [&](const auto& o) {
       return o.part == static_cast<int>(f) && !o.sightings.empty();
     });
@@ -104,7 +104,7 @@ void list_contents(const Session& session, const Chain& chain, SessionCheck& che
                                                        : "labelled",
                                    with_images, unused, target_of(session)));
   if (session.target)
-    check.contents.push_back(message("Target: {}; {}.", description_of(*session.target), print_of(*session.target)));
+    check.contents.push_back(message("Target: {}; {}.", describe_target(*session.target), print_of(*session.target)));
   if (session.is_touch()) return;
   const auto& declared = session.rig ? session.sigma_pixel : session.sigma_point;
   check.contents.push_back(
@@ -206,9 +206,9 @@ void check_torques(const Session& session, const Chain& chain, SessionCheck& che
 
 SessionCheck check_session(const Session& session) {
   SessionCheck check;
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   list_contents(session, chain, check);
-  check.warnings = session_doubts(session);
+  check.warnings = session_warnings(session);
   if (session.mount.estimate && session.observations.size() > 1 && never_moved(session))
     check.problems.emplace_back(
         "The robot stands in one and the same pose in all observations, and where the sensor sits is asked for: "

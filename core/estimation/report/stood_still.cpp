@@ -73,9 +73,9 @@ bool is_touch(const Session& session, const Observation& o) {
 
 }  // namespace
 
-std::vector<Message> standstill_doubts(const Session& session) {
-  std::vector<Message> robot_stood, sight_stood, doubts;
-  if (session.joints.empty() || session.is_touch()) return doubts;
+std::vector<Message> standstill_warnings(const Session& session) {
+  std::vector<Message> robot_stood, sight_stood, warnings;
+  if (session.joints.empty() || session.is_touch()) return warnings;
   for (std::size_t i = 1; i < session.observations.size(); ++i) {
     const Observation &a = session.observations[i - 1], &b = session.observations[i];
     if (!is_used(a) || !is_used(b) || is_touch(session, a) || is_touch(session, b)) continue;
@@ -87,7 +87,7 @@ std::vector<Message> standstill_doubts(const Session& session) {
   }
   if (robot_stood.size() + 1 == session.observations.size()) robot_stood.clear();  // all are one pose: told as that
   if (!robot_stood.empty())
-    doubts.push_back(
+    warnings.push_back(
         session.robot.is_of_poses
             ? message("The pose of the flange is the same in observations {}, while what was seen moved: the "
                       "reading of one is old, or something slipped between them; leave out what is wrong.",
@@ -96,11 +96,11 @@ std::vector<Message> standstill_doubts(const Session& session) {
                       "of one is old, or something slipped between them; leave out what is wrong.",
                       listed(robot_stood)));
   if (!sight_stood.empty())
-    doubts.push_back(
+    warnings.push_back(
         message("What was seen is the same in observations {}, while the robot moved: the measurement of one is "
                 "old. Leave it out.",
                 listed(sight_stood)));
-  return doubts;
+  return warnings;
 }
 
 }  // namespace handsight

@@ -12,6 +12,6 @@ namespace handsight {
 
 /// A sentence each way with the observations' numbers; empty where neither is. Neighbours in time count whose readings
 /// are equal to the last digit while the others' changed by more than any noise (2 mm, 0.01 rad, 5 px).
-std::vector<Message> standstill_doubts(const Session& session);
+std::vector<Message> standstill_warnings(const Session& session);
 
 }  // namespace handsight

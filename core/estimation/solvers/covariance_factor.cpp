@@ -12,7 +12,7 @@ namespace handsight {
 
 Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& factor) { return column_products(factor.transpose().eval()); }
 
-Eigen::MatrixXd factor_of(const Eigen::MatrixXd& symmetric) {
+Eigen::MatrixXd make_factor(const Eigen::MatrixXd& symmetric) {
   if (!symmetric.allFinite())
     return Eigen::MatrixXd::Constant(symmetric.rows(), symmetric.cols(), std::numeric_limits<double>::quiet_NaN());
   const Eigen::VectorXd sigma = symmetric.diagonal().cwiseMax(0).cwiseSqrt();
@@ -28,7 +28,7 @@ Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric) {
 }
 
 Eigen::MatrixXd sandwich_factor(const Eigen::MatrixXd& unit, const Eigen::MatrixXd& middle) {
-  return unit * factor_of(unit.transpose() * middle * unit);
+  return unit * make_factor(unit.transpose() * middle * unit);
 }
 
 }  // namespace handsight

@@ -12,7 +12,7 @@ Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& factor);
 
 /// A factor (n x n) of the nearest covariance, as correlations: where a sum of moments is all there is, rounding may
 /// have left it a little negative in some direction. NaN where a number is not finite.
-Eigen::MatrixXd factor_of(const Eigen::MatrixXd& symmetric);
+Eigen::MatrixXd make_factor(const Eigen::MatrixXd& symmetric);
 
 /// A factor (n x n) of the pseudo-inverse.
 Eigen::MatrixXd pseudo_inverse_factor(const Eigen::MatrixXd& symmetric);

@@ -35,14 +35,14 @@ Matrix6 share_of_joints(const Chain& chain, const ProblemObservation& o) {
 }  // namespace
 
 FlangeErrorShares flange_error_shares(const Problem& problem, const ProblemObservation& o) {
-  const Chain& chain = *problem.source->circumstances[static_cast<std::size_t>(o.index)].chain;
+  const Chain& chain = *problem.source->states[static_cast<std::size_t>(o.index)].chain;
   const Matrix6 by_flange = adjoint(tcp_from_flange(chain, o));
   const auto by_place = by_flange.leftCols<3>(), by_turn = by_flange.rightCols<3>();
   return {by_place * by_place.transpose(),
           chain.robot.is_of_poses ? Matrix6(by_turn * by_turn.transpose()) : share_of_joints(chain, o)};
 }
 
-Matrix6 covariance_of(const FlangeErrorShares& shares, const FlangeError& error) {
+Matrix6 make_covariance(const FlangeErrorShares& shares, const FlangeError& error) {
   return error.place * error.place * shares.place + error.turn * error.turn * shares.turn;
 }
 
@@ -79,7 +79,7 @@ FlangeSums along(const FlangeSums& sums, const Matrix6& g) {
 
 void add_without_flange_error(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns,
                               const NormalEquations& one, NormalEquations& normal) {
-  const Matrix6 covariance = covariance_of(flange_error_shares(problem, o), problem.flange_error);
+  const Matrix6 covariance = make_covariance(flange_error_shares(problem, o), problem.flange_error);
   FlangeSums sums = along(flange_sums(problem, o, unknowns, one), root_of_covariance(covariance) / problem.noise);
   sums.own.diagonal().array() += 1;
   const Eigen::LLT<Matrix6> llt(sums.own);

@@ -21,7 +21,7 @@ struct FlangeErrorShares {
 FlangeErrorShares flange_error_shares(const Problem& problem, const ProblemObservation& observation);
 
 /// The covariance of the motion for these sizes.
-Matrix6 covariance_of(const FlangeErrorShares& shares, const FlangeError& error);
+Matrix6 make_covariance(const FlangeErrorShares& shares, const FlangeError& error);
 
 /// A matrix G with G G^T = `covariance`, which may be singular.
 Matrix6 root_of_covariance(const Matrix6& covariance);

@@ -111,7 +111,7 @@ Eigen::MatrixXd HeldFit::markers_by_unknowns() const {
 
 Eigen::MatrixXd HeldFit::unit_covariance() const { return pseudo_inverse(sums_.information); }
 
-Eigen::MatrixXd HeldFit::scatter_covariance() const {
+Eigen::MatrixXd HeldFit::repeatability_covariance() const {
   const Eigen::MatrixXd bread = pseudo_inverse(sums_.information);
   const auto n = static_cast<double>(observations_.size());
   return n / std::max(n - 1, 1.0) * bread * sums_.middle * bread;

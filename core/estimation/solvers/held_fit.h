@@ -27,8 +27,8 @@ class HeldFit {
 
   /// How the markers move with the unknowns (3 markers x columns).
   Eigen::MatrixXd markers_by_unknowns() const;
-  Eigen::MatrixXd unit_covariance() const;     // of the unknowns, for noise 1
-  Eigen::MatrixXd scatter_covariance() const;  // from how the observations differ
+  Eigen::MatrixXd unit_covariance() const;           // of the unknowns, for noise 1
+  Eigen::MatrixXd repeatability_covariance() const;  // from how the observations differ
 
  private:
   /// The normal equations of all observations at some unknowns.

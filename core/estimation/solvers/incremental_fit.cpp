@@ -121,7 +121,7 @@ void IncrementalFit::place_marker(int marker, const Vector3& in_tcp) {
 
 Eigen::MatrixXd IncrementalFit::unit_covariance() const { return pseudo_inverse(information_); }
 
-Eigen::MatrixXd IncrementalFit::scatter_covariance() const {
+Eigen::MatrixXd IncrementalFit::repeatability_covariance() const {
   const Eigen::MatrixXd bread = pseudo_inverse(information_);
   const auto n = static_cast<double>(count_);
   return n / std::max(n - 1, 1.0) * bread * middle_ * bread;

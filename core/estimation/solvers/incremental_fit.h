@@ -28,9 +28,9 @@ class IncrementalFit {
   const Unknowns& unknowns() const { return *current_; }
   std::size_t size() const { return count_; }
   int rows() const { return rows_; }
-  double cost() const { return cost_; }        // at the places of linearisation
-  Eigen::MatrixXd unit_covariance() const;     // for noise 1, problem columns
-  Eigen::MatrixXd scatter_covariance() const;  // from how the observations differ
+  double cost() const { return cost_; }              // at the places of linearisation
+  Eigen::MatrixXd unit_covariance() const;           // for noise 1, problem columns
+  Eigen::MatrixXd repeatability_covariance() const;  // from how the observations differ
   int unobservable() const;
 
  private:

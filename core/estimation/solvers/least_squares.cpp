@@ -88,8 +88,8 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) 
 
 namespace {
 
-/// The longest part of a step: m and rad as they are, an effect's number in thousandths of its plausible size.
-double size_of(const Problem& problem, const Eigen::VectorXd& step) {
+/// The longest part of a step: m and rad as they are, an effect's number in thousandths of its prior sigma.
+double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   const Eigen::Index rest = step.size() - problem.effect_count();
   double size = rest > 0 ? step.head(rest).cwiseAbs().maxCoeff() : 0.0;
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
@@ -141,7 +141,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const Eigen::VectorXd gradient = gradient_by_steps(solution.normal, solution.basis, options.fixed_body);
     const Eigen::VectorXd step = step_from(solution.normal, solution.basis, damping, options.fixed_body);
     Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
-    const double size = size_of(original, step);
+    const double size = measure_size(original, step);
     // The derivatives that are at hand after a refused step are those of where it led.
     NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
     if (size >= options.reuse_below)
@@ -165,7 +165,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
       if (options.on_iteration && !options.on_iteration(solution.iterations, solution.normal.cost, solution.unknowns))
         solution.stopped = true;
     } else {
-      // Near the bottom the cost cannot be told from rounding: a step that gains less than that is the end.
+      // Near the bottom the cost cannot be distinguished from rounding: a step that gains less than that is the end.
       if (size < 1e-9 && gradient.dot(step) < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
       damping = std::max(damping * 10, 1e-6);
       if (damping > 1e12) break;

@@ -11,7 +11,7 @@ namespace handsight {
 struct SolveOptions {
   bool fixed_body = false;  // the markers move as one rigid body: 6 unknowns in place of 3 a marker
   int most_iterations = 100;
-  double smallest_step = 1e-12;  // where the fit ends: m and rad, and thousandths of an effect's plausible size
+  double smallest_step = 1e-12;  // where the fit ends: m and rad, and thousandths of an effect's prior sigma
   double least_gain = 0;         // ... or where a step promises to lower the cost by less than this
   /// Steps shorter than this keep the effects' derivatives of before: quicker, and the answer is off by a share of the
   /// last such step, to which the cost is blind.

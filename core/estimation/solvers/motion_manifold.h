@@ -16,14 +16,14 @@ using MotionNumbers = std::array<double, 12>;  // the rotation column by column,
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Rows = Eigen::Map<RowMajor>;
 
-inline MotionNumbers numbers_of(const Rigid& motion) {
+inline MotionNumbers list_numbers(const Rigid& motion) {
   MotionNumbers numbers;
   Eigen::Map<Matrix3>(numbers.data()) = motion.rotation;
   Eigen::Map<Vector3>(numbers.data() + 9) = motion.translation;
   return numbers;
 }
 
-inline Rigid motion_of(const double* numbers) {
+inline Rigid make_motion(const double* numbers) {
   return {Eigen::Map<const Matrix3>(numbers), Eigen::Map<const Vector3>(numbers + 9)};
 }
 
@@ -36,12 +36,12 @@ class MotionManifold : public ceres::Manifold {
 
   bool Plus(const double* x, const double* delta, double* sum) const override {
     const Rigid step = small_motion<double>(Vector6(Eigen::Map<const Vector6>(delta)));
-    const MotionNumbers moved = numbers_of(from_left_ ? step * motion_of(x) : motion_of(x) * step);
+    const MotionNumbers moved = list_numbers(from_left_ ? step * make_motion(x) : make_motion(x) * step);
     std::copy(moved.begin(), moved.end(), sum);
     return true;
   }
   bool Minus(const double* y, const double* x, double* difference) const override {
-    const Rigid from = motion_of(x), to = motion_of(y);
+    const Rigid from = make_motion(x), to = make_motion(y);
     const Rigid step = from_left_ ? to * inverse(from) : inverse(from) * to;
     Eigen::Map<Vector6>(difference) << step.translation, vector_from_rotation(step.rotation);
     return true;
@@ -63,7 +63,7 @@ class MotionManifold : public ceres::Manifold {
 
  private:
   Eigen::Matrix<double, 12, 6> by_step(const double* x) const {
-    const Rigid motion = motion_of(x);
+    const Rigid motion = make_motion(x);
     Eigen::Matrix<double, 12, 6> by = Eigen::Matrix<double, 12, 6>::Zero();
     for (int axis = 0; axis < 3; ++axis) {
       const Matrix3 turn = cross_matrix(Vector3(Vector3::Unit(axis)));

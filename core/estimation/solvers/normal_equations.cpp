@@ -30,7 +30,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> motion_by_columns(const Problem& proble
   if (mounts > 6 || mount < 0) motion.leftCols(mounts).setZero();
   if (mount >= 0) motion.middleCols<6>(mount - problem.mount_column()) = -adjoint(inverse(o.sensor_motion));
   if (problem.effect_count() == 0) return motion;
-  const Rigid sensor_from_root = inverse(o.root_from_mount * mount_of(o, u) * o.sensor_motion);
+  const Rigid sensor_from_root = inverse(o.root_from_mount * find_mount(o, u) * o.sensor_motion);
   motion.rightCols(problem.effect_count()).noalias() = adjoint(sensor_from_root) * o.motion.tcp_by_effect;
   if (o.motion.sensor_by_effect.cols() > 0) motion.rightCols(problem.effect_count()) -= o.motion.sensor_by_effect;
   return motion;
@@ -75,7 +75,7 @@ GatheredRows rows_for(const Problem& problem, NormalEquations& normal, std::size
 }
 
 /// A matrix R with R^T R = m, for m >= 0.
-Matrix6 root_of(const Matrix6& m) {
+Matrix6 require_root(const Matrix6& m) {
   const Eigen::LDLT<Matrix6> ldlt(m);
   Matrix6 root = Matrix6::Identity();
   root = ldlt.transpositionsP() * root;
@@ -131,7 +131,7 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
     add(problem, o, sighting, r, x, root, sensor_from_tcp.rotation, motion, direct, sums, gathered, normal);
   }
   if (direct) return;
-  gathered.add(root_of(sums.information).lazyProduct(motion));
+  gathered.add(require_root(sums.information).lazyProduct(motion));
   normal.gradient.segment(mount, count).noalias() += motion.transpose() * sums.gradient;
 }
 
@@ -240,7 +240,7 @@ void add_observation(const Problem& problem, const ProblemObservation& observati
   gathered.settle();
 }
 
-Eigen::VectorXd gradient_of(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
+Eigen::VectorXd compute_gradient(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(problem.columns());
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
   const bool direct = problem.cameras_by_effect.cols() > 0 || !o.motion.markers.empty();
@@ -271,7 +271,7 @@ namespace {
 void hold_turns_of_sockets(const Problem& problem, NormalEquations& normal) {
   if (!has_fixtures(problem)) return;
   for (const ProblemObservation& o : problem.observations) {
-    const Circumstances& c = problem.source->circumstances[static_cast<std::size_t>(o.index)];
+    const ObservationState& c = problem.source->states[static_cast<std::size_t>(o.index)];
     const bool is_socket =
         c.chain->is_fixture && !o.sightings.empty() && !o.sightings.front().along && !o.sightings.front().by_distance;
     const Eigen::Index turns = is_socket ? problem.column_of_mount(o.mount) + 3 : -1;

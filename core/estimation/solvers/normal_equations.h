@@ -20,7 +20,8 @@ void add_observation(const Problem& problem, const ProblemObservation& observati
                      NormalEquations& normal);
 
 /// The gradient alone of what add_observation adds.
-Eigen::VectorXd gradient_of(const Problem& problem, const ProblemObservation& observation, const Unknowns& unknowns);
+Eigen::VectorXd compute_gradient(const Problem& problem, const ProblemObservation& observation,
+                                 const Unknowns& unknowns);
 
 /// The motion of the body against the sensor, in the sensor's frame, by the mount's columns and the effects': 6 x
 /// (6 where the mount is estimated, + effects).

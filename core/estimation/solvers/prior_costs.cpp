@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-/// The priors: every effect's number in plausible sizes.
+/// The priors: every effect's number in prior sigmas.
 class PriorCost : public ceres::CostFunction {
  public:
   explicit PriorCost(int count) {
@@ -83,7 +83,8 @@ class DistanceCost : public ceres::CostFunction {
     mutable_parameter_block_sizes()->assign(2, 12);
   }
   bool Evaluate(double const* const* mounts, double* residuals, double** jacobians) const override {
-    const DistanceRow row = distance_row(distance_, motion_of(mounts[0]).translation, motion_of(mounts[1]).translation);
+    const DistanceRow row =
+        distance_row(distance_, make_motion(mounts[0]).translation, make_motion(mounts[1]).translation);
     residuals[0] = row.off;
     for (int m = 0; jacobians && m < 2; ++m) {
       if (!jacobians[m]) continue;
@@ -106,7 +107,7 @@ class PlaceCost : public ceres::CostFunction {
     mutable_parameter_block_sizes()->assign(1, 12);
   }
   bool Evaluate(double const* const* mount, double* residuals, double** jacobians) const override {
-    const PlaceRow row = place_row(place_, motion_of(mount[0]));
+    const PlaceRow row = place_row(place_, make_motion(mount[0]));
     residuals[0] = row.off;
     if (jacobians && jacobians[0])
       Rows(jacobians[0], 1, 12) = row.by_motion.transpose() * manifold_.step_by_numbers(mount[0]);

@@ -19,11 +19,11 @@ class TriedPlace : public ceres::EvaluationCallback {
       : problem(original),
         unknowns(start),
         is_fixed_body(options.fixed_body),
-        body(numbers_of(Rigid{})),
+        body(list_numbers(Rigid{})),
         effects(start.effects.size()),
         start_(start) {
     for (Eigen::Index i = 0; i < effects.size(); ++i) effects[i] = start.effects[i] / sigma(i);
-    for (int i = 0; i < problem.mount_count(); ++i) mounts.push_back(numbers_of(start.mount(i)));
+    for (int i = 0; i < problem.mount_count(); ++i) mounts.push_back(list_numbers(start.mount(i)));
     mount_steps_by_numbers.resize(mounts.size());
     motions.resize(problem.observations.size());
     sensor_from_tcp.resize(problem.observations.size());
@@ -54,10 +54,10 @@ class TriedPlace : public ceres::EvaluationCallback {
   void read() {
     for (Eigen::Index i = 0; i < effects.size(); ++i) unknowns.effects[i] = effects[i] * sigma(i);
     for (std::size_t i = 0; i < mounts.size(); ++i)
-      if (is_free(i)) unknowns.mount(static_cast<int>(i)) = motion_of(mounts[i].data());
+      if (is_free(i)) unknowns.mount(static_cast<int>(i)) = make_motion(mounts[i].data());
     if (!is_fixed_body) return;
     for (std::size_t m = 0; m < unknowns.markers_in_tcp.size(); ++m)
-      unknowns.markers_in_tcp[m] = motion_of(body.data()) * start_.markers_in_tcp[m];
+      unknowns.markers_in_tcp[m] = make_motion(body.data()) * start_.markers_in_tcp[m];
   }
 
   bool is_free(std::size_t mount) const { return problem.column_of_mount(static_cast<int>(mount)) >= 0; }
@@ -70,7 +70,7 @@ class TriedPlace : public ceres::EvaluationCallback {
   bool is_fixed_body;
   MotionNumbers body;
   std::vector<MotionNumbers> mounts;
-  Eigen::VectorXd effects;  // in plausible sizes
+  Eigen::VectorXd effects;  // in prior sigmas
   MotionManifold mount_manifold{false}, body_manifold{true};
   Eigen::Matrix<double, 6, 12> body_step_by_numbers;
   std::vector<Eigen::Matrix<double, 6, 12>> mount_steps_by_numbers;

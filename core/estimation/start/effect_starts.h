@@ -9,7 +9,7 @@
 namespace handsight {
 
 /// A start from which less is left than `found` leaves, priors included: the best end of a few searches whose effects
-/// begin at draws of their plausible sizes (the same ones in every run). Nothing where `found` is the best.
+/// begin at draws of their prior sigmas (the same ones in every run). Nothing where `found` is the best.
 std::optional<Unknowns> better_effects(const Problem& problem, const Solution& found, const SolveOptions& options);
 
 }  // namespace handsight

@@ -12,7 +12,7 @@ namespace {
 constexpr double least_turn = 0.15;           // rad: what turns less says nothing about axes
 constexpr double least_sine = 0.25;           // between two axes
 constexpr double most_turn = 2.94;            // rad: near half a turn the axis has two signs
-constexpr double robot_turn = 0.05;           // rad: what arms do beside what they are told
+constexpr double robot_turn = 0.05;           // rad: what arms do beside what they are commanded
 constexpr std::size_t most_pairs = 20000;     // of motions, tried
 constexpr std::size_t most_generating = 400;  // motions that pairs are made of
 

@@ -5,7 +5,7 @@
 
 #include "estimation/problem/problem_part.h"
 #include "estimation/solvers/least_squares.h"
-#include "estimation/start/competition.h"
+#include "estimation/start/multi_start.h"
 #include "estimation/start/start_markers.h"
 
 namespace handsight {

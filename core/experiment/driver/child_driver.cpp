@@ -8,7 +8,7 @@
 namespace handsight {
 namespace {
 
-double length_of(const std::vector<Eigen::VectorXd>& path, const std::optional<Eigen::VectorXd>& from) {
+double measure_length(const std::vector<Eigen::VectorXd>& path, const std::optional<Eigen::VectorXd>& from) {
   double length = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Eigen::VectorXd* const before = i > 0 ? &path[i - 1] : from ? &*from : nullptr;
@@ -86,7 +86,7 @@ DriverHello ChildDriver::hello() {
 
 MoveAnswer ChildDriver::move(const std::vector<Eigen::VectorXd>& path, double speed) {
   is_moving_ = true;
-  const double seconds = patience_.move + 3 * length_of(path, last_) / speed;
+  const double seconds = patience_.move + 3 * measure_length(path, last_) / speed;
   const std::string line = asked(move_line(next_id_, path, speed), "move", seconds);
   is_moving_ = false;
   MoveAnswer answer = move_answer(line, joints_);

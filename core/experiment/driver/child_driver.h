@@ -20,7 +20,7 @@ struct DriverPatience {
 class ChildDriver : public DrivenRobot {
  public:
   /// `session` says which cameras and markers there are. `is_interrupted` may be asked from any wait: where it says yes
-  /// the driver is told to stop and DriverFault is thrown.
+  /// the driver is asked to stop and DriverFault is thrown.
   ChildDriver(const std::string& command, const Session& session, DriverPatience patience = {},
               std::function<bool()> is_interrupted = {});
   ~ChildDriver() override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot that is told where to go and what to look at: a driver's process (child_driver.h), or a simulation.
+// A robot that is reported where to go and what to look at: a driver's process (child_driver.h), or a simulation.
 #pragma once
 
 #include <map>

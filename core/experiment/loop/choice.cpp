@@ -26,16 +26,16 @@ std::vector<Vector3> seen_markers(const Fit& fit) {
   return markers;
 }
 
-Vector3 middle_of(const std::vector<Vector3>& points) {
+Vector3 find_middle(const std::vector<Vector3>& points) {
   Vector3 middle = Vector3::Zero();
   for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
   return middle;
 }
 
 /// The direction across flat markers, unit; nothing where they are too few or not flat.
-std::optional<Vector3> normal_of(const std::vector<Vector3>& markers) {
+std::optional<Vector3> make_normal(const std::vector<Vector3>& markers) {
   if (markers.size() < 3) return std::nullopt;
-  const Vector3 middle = middle_of(markers);
+  const Vector3 middle = find_middle(markers);
   Matrix3 spread = Matrix3::Zero();
   for (const Vector3& x : markers) spread += (x - middle) * (x - middle).transpose();
   const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(spread);
@@ -49,7 +49,7 @@ bool is_in_view(const Camera& camera, const Rigid& camera_from_tcp, const std::v
   for (const Vector3& m : markers)
     if (!is_visible(camera, camera_from_tcp * m, margin)) return false;
   if (!normal) return true;
-  const Vector3 to = (camera_from_tcp * middle_of(markers)).normalized();
+  const Vector3 to = (camera_from_tcp * find_middle(markers)).normalized();
   return std::abs((camera_from_tcp.rotation * *normal).dot(to)) > std::cos(most_turned);
 }
 
@@ -132,7 +132,7 @@ void add_planned(const Session& session, const ExperimentModel& model, const Kno
   plan_options.effects = model.held;
   plan_options.estimated = model.estimated;
   if (between)
-    plan_options.between = known.rivals;
+    plan_options.between = known.competing;
   else
     plan_options.estimated.insert(plan_options.estimated.end(), known.likely.begin(), known.likely.end());
   plan_options.pool = usual_pool;
@@ -196,8 +196,8 @@ bool is_well_seen(const Reach& reach, const Fit& fit, const Eigen::VectorXd& pos
   const Rigid& mount_from_sensor = estimate(fit).mount_from_sensor;
   const ChainEnds ends = chain_ends(reach.chain, position);
   const Rigid sensor_from_tcp = inverse(ends.root_from_mount * mount_from_sensor) * ends.root_from_tcp;
-  const std::optional<Vector3> normal = normal_of(markers);
-  const Vector3 middle = middle_of(markers);
+  const std::optional<Vector3> normal = make_normal(markers);
+  const Vector3 middle = find_middle(markers);
   if (!fit.problem.rig) return !reach.world.is_hidden(position, mount_from_sensor.translation, middle);
   int seen = 0;
   for (const RigCamera& c : fit.problem.rig->cameras) {
@@ -245,7 +245,7 @@ std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentMod
       chosen.push_back({*position, PoseReason::region});
   }
   const auto left = [&] { return options.count - static_cast<int>(chosen.size()); };
-  if (known.rivals && left() > 0) add_planned(session, model, known, reach, options, left(), true, chosen);
+  if (known.competing && left() > 0) add_planned(session, model, known, reach, options, left(), true, chosen);
   if (left() > 0) add_planned(session, model, known, reach, options, left(), false, chosen);
   return chosen;
 }

@@ -6,7 +6,7 @@
 
 #include "diagnosis/planning/pose_pool.h"
 #include "experiment/loop/knowledge.h"
-#include "experiment/paths/ways.h"
+#include "experiment/paths/joint_paths.h"
 
 namespace handsight {
 
@@ -45,8 +45,8 @@ struct ChoiceOptions {
 
 /// Up to `count` poses. Without a fit, or with fewer than six observations, poses are spread: with a fit over what can
 /// be seen, else about where the target was seen, or where the robot stands (`from`). Later: for the two causes that
-/// cannot be told apart, the rest for the precision of the model with what is likely, one in a region not yet seen, one
-/// that is repeated for the scatter. Fewer, or none, where there are no more.
+/// cannot be distinguished, the rest for the precision of the model with what is likely, one in a region not yet seen,
+/// one that is repeated for the scatter. Fewer, or none, where there are no more.
 std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
                                      const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options);
 

@@ -45,8 +45,8 @@ ImagePair pair_of(const Session& session, const Observation& o) {
 
 }  // namespace
 
-Observation observation_of(const Session& session, std::int64_t id, double time, const MoveAnswer& stood,
-                           const LookAnswer& seen) {
+Observation make_observation(const Session& session, std::int64_t id, double time, const MoveAnswer& stood,
+                             const LookAnswer& seen) {
   Observation o;
   o.id = id;
   o.time = time;
@@ -79,7 +79,7 @@ Deciding::Deciding(const Session& session) : online_(std::make_unique<OnlineCali
   online_->take_revised();
 }
 
-OnlineStep Deciding::step_of(const Session& session, const Observation& o) {
+OnlineStep Deciding::find_step(const Session& session, const Observation& o) {
   if (!has_images(o)) return online_->add(o, nullptr);
   if (finder_) {
     TargetFinding found = finder_->find(o);
@@ -98,7 +98,7 @@ OnlineStep Deciding::step_of(const Session& session, const Observation& o) {
 }
 
 OnlineStep Deciding::decide(Session& session, std::size_t place) {
-  OnlineStep step = step_of(session, session.observations[place]);
+  OnlineStep step = find_step(session, session.observations[place]);
   for (const OnlineStep& revised : online_->take_revised())
     for (Observation& o : session.observations)
       if (o.id == revised.id && o.decision != Decision::excluded) keep_step(revised, o);

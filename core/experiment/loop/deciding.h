@@ -20,7 +20,7 @@ class Deciding {
   OnlineStep decide(Session& session, std::size_t place);
 
  private:
-  OnlineStep step_of(const Session& session, const Observation& observation);
+  OnlineStep find_step(const Session& session, const Observation& observation);
 
   std::unique_ptr<OnlineCalibration> online_;
   std::optional<TargetFinder> finder_;
@@ -28,7 +28,7 @@ class Deciding {
 
 /// An observation of this session: images are brought into its folder under the observation's number. DriverFault where
 /// the driver saw something else than the session's sensor sees, or names images that are not there.
-Observation observation_of(const Session& session, std::int64_t id, double time, const MoveAnswer& stood,
-                           const LookAnswer& seen);
+Observation make_observation(const Session& session, std::int64_t id, double time, const MoveAnswer& stood,
+                             const LookAnswer& seen);
 
 }  // namespace handsight

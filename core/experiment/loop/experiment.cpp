@@ -91,7 +91,7 @@ class Experiment {
   void look(ExperimentStep& step, const MoveAnswer& stood);
   MoveAnswer moved(const PlannedMove& move);
   void keep();
-  void told(const ExperimentStep& step);
+  void reported(const ExperimentStep& step);
   void finish();
 
   bool is_interrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
@@ -136,7 +136,7 @@ void Experiment::make_reach() {
   std::vector<Eigen::VectorXd> taken;
   for (const Observation& o : session_.observations) taken.push_back(o.position);
   taken.push_back(at_);
-  const Chain chain = chain_of(session_);
+  const Chain chain = make_chain(session_);
   CollisionWorld world(chain, robot_solids(session_), options_.cell, taken);
   for (const Message& text : world.notes()) note(text);
   JointRanges ranges = joint_ranges(chain, taken);
@@ -192,12 +192,12 @@ void Experiment::learn(bool with_diagnosis) {
     judged_by_ = poses_to_judge_by(session_, *result_.known.fit, *reach_, poses_for_limit, options_.seed + 5);
     judged_at_ = session_.observations.size();
   }
-  Knowledge known = known_of(session_, model_, with_diagnosis, judged_by_);
+  Knowledge known = assess_knowledge(session_, model_, with_diagnosis, judged_by_);
   if (known.fit && judged_by_.empty()) {
     judged_by_ = poses_to_judge_by(session_, *known.fit, *reach_, poses_for_limit, options_.seed + 5);
     known.hand_limit = hand_limit(*known.fit, judged_by_);
   }
-  if (options_.between) known.rivals = options_.between;
+  if (options_.between) known.competing = options_.between;
   result_.known = std::move(known);
   if (options_.on_knowledge) options_.on_knowledge(result_.known);
 }
@@ -205,10 +205,10 @@ void Experiment::learn(bool with_diagnosis) {
 /// Between two diagnoses: a fit, beside what the last one found.
 void Experiment::learn_from_look() {
   Knowledge before = std::move(result_.known);
-  Knowledge known = known_of(session_, model_, false, judged_by_);
+  Knowledge known = assess_knowledge(session_, model_, false, judged_by_);
   known.diagnosis = std::move(before.diagnosis);
   known.settled = std::move(before.settled);
-  known.rivals = std::move(before.rivals);
+  known.competing = std::move(before.competing);
   known.likely = std::move(before.likely);
   result_.known = std::move(known);
   if (options_.on_knowledge) options_.on_knowledge(result_.known);
@@ -287,7 +287,7 @@ void Experiment::add_moves(std::vector<ChosenPose> chosen, std::vector<PlannedMo
       reach_->refused.push_back(pose.position);
       continue;
     }
-    moves.push_back({pose, *way, length_of(from, *way)});
+    moves.push_back({pose, *way, measure_length(from, *way)});
     from = pose.position;
   }
 }
@@ -323,7 +323,7 @@ void Experiment::drive(const PlannedMove& move) {
     if (!way) {
       step.reason = "no way leads there from where the robot stands now";
       reach_->refused.push_back(move.pose.position);
-      return told(step);
+      return reported(step);
     }
     step.move.way = *way;
   }
@@ -335,13 +335,13 @@ void Experiment::drive(const PlannedMove& move) {
       throw DriverFault(
           message("The driver has refused or shown nothing in {} moves in a row, the last time because: {}.",
                   most_in_vain, stood.why));
-    return told(step);
+    return reported(step);
   }
   step.reached = true;
   if (is_interrupted()) throw Ended{ExperimentEnd::interrupted, "The experiment was interrupted after a move."};
   look(step, stood);
   if (step.accepted && options_.fit_each_look && options_.given.empty()) learn_from_look();
-  told(step);
+  reported(step);
 }
 
 void Experiment::look(ExperimentStep& step, const MoveAnswer& stood) {
@@ -357,7 +357,7 @@ void Experiment::look(ExperimentStep& step, const MoveAnswer& stood) {
     std::int64_t id = 0;
     for (const Observation& o : session_.observations) id = std::max(id, o.id + 1);
     last_time_ = std::max(last_time_, time);
-    session_.observations.push_back(observation_of(session_, id, last_time_, stood, seen));
+    session_.observations.push_back(make_observation(session_, id, last_time_, stood, seen));
     const OnlineStep decided = deciding_->decide(session_, session_.observations.size() - 1);
     step.id = id;
     step.accepted = decided.accepted;
@@ -386,7 +386,7 @@ void Experiment::keep() {
   session_.source = std::make_shared<const std::string>(session_text(session_));
 }
 
-void Experiment::told(const ExperimentStep& step) {
+void Experiment::reported(const ExperimentStep& step) {
   result_.steps.push_back(step);
   result_.steps.back().hand_limit = result_.known.hand_limit;
   if (options_.on_step) options_.on_step(result_.steps.back());
@@ -399,7 +399,7 @@ void Experiment::finish() {
     else if (result_.observations > 0)
       result_.seconds_a_pose = seconds_since(start_) / result_.observations;
     if (result_.end == ExperimentEnd::fault || result_.end == ExperimentEnd::interrupted) try {
-        result_.known = known_of(session_, model_, false, judged_by_);
+        result_.known = assess_knowledge(session_, model_, false, judged_by_);
       } catch (const InputError&) {  // of what there is nothing follows
       }
     if (reach_) result_.more = forecast(session_, model_, result_.known, *reach_, result_.seconds_a_pose);

@@ -32,7 +32,7 @@ const char* end_name(ExperimentEnd end);
 struct ExperimentOptions {
   Goals until;
   ExperimentModel model;
-  std::optional<RivalEffects> between;  // asked for by the user, in place of what the diagnosis finds
+  std::optional<CompetingEffects> between;  // asked for by the user, in place of what the diagnosis finds
   Cell cell;
   std::optional<WorkBox> box;
   double speed = 0.2;  // rad/s (m/s) of the fastest joint; the first move takes a tenth of it
@@ -66,7 +66,7 @@ struct ExperimentResult {
   double longest_choice = 0;  // s, of the choices of poses, a pose
 };
 
-/// Drives until the goals are reached. Where a driver fails it is told to stop and the result says so; what was
+/// Drives until the goals are reached. Where a driver fails it is asked to stop and the result says so; what was
 /// measured until then is in the session, on disk too. InputError where session and driver do not belong together,
 /// where the program has no paths (what_paths_need), or where the session cannot be written.
 ExperimentResult run_experiment(Session session, DrivenRobot& robot, const ExperimentOptions& options);

@@ -8,7 +8,7 @@
 namespace handsight {
 
 /// A sentence: how well the body's place on the hand would be known after one more hour of the best poses, by the
-/// information that twelve of them add. Empty where it cannot be foretold.
+/// information that twelve of them add. Empty where it cannot be predicted.
 Message forecast(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
                  double seconds_a_pose);
 

@@ -17,9 +17,9 @@ constexpr double ln_20 = 2.995732273553991;
 constexpr double probability = 0.95;
 constexpr double worth_showing = 1;  // ln Bayes factor from which on a candidate is measured for
 
-bool are_told_apart(const DiagnosisCandidate& a, const DiagnosisCandidate& b) {
-  return a.id != b.id &&
-         std::find(a.cannot_be_told_from.begin(), a.cannot_be_told_from.end(), b.id) == a.cannot_be_told_from.end();
+bool are_distinguished(const DiagnosisCandidate& a, const DiagnosisCandidate& b) {
+  return a.id != b.id && std::find(a.indistinguishable_from.begin(), a.indistinguishable_from.end(), b.id) ==
+                             a.indistinguishable_from.end();
 }
 
 std::vector<const DiagnosisCandidate*> named(const Diagnosis& diagnosis) {
@@ -35,9 +35,9 @@ void set_open_questions(Knowledge& known) {
   if (all.empty() || all[0]->ln_bayes_factor < worth_showing) return;
   known.likely = all[0]->terms;
   for (const DiagnosisCandidate* other : all)
-    if (are_told_apart(*all[0], *other) && other->ln_bayes_factor > 0 &&
+    if (are_distinguished(*all[0], *other) && other->ln_bayes_factor > 0 &&
         all[0]->ln_bayes_factor - other->ln_bayes_factor < ln_20) {
-      known.rivals = RivalEffects{all[0]->id, other->id, all[0]->terms, other->terms};
+      known.competing = CompetingEffects{all[0]->id, other->id, all[0]->terms, other->terms};
       return;
     }
 }
@@ -59,7 +59,7 @@ SettledCause settled_cause(const Diagnosis& diagnosis) {
   if (all.empty() || all[0]->ln_bayes_factor < diagnosis.threshold) return {};
   double next = 0;  // of none
   for (const DiagnosisCandidate* other : all)
-    if (are_told_apart(*all[0], *other)) {
+    if (are_distinguished(*all[0], *other)) {
       next = std::max(next, other->ln_bayes_factor);
       break;
     }
@@ -84,8 +84,8 @@ std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::Vector
   return *place;
 }
 
-Knowledge known_of(const Session& session, const ExperimentModel& model, bool with_diagnosis,
-                   const std::vector<Eigen::VectorXd>& poses) {
+Knowledge assess_knowledge(const Session& session, const ExperimentModel& model, bool with_diagnosis,
+                           const std::vector<Eigen::VectorXd>& poses) {
   Knowledge known;
   known.used =
       static_cast<std::size_t>(std::count_if(session.observations.begin(), session.observations.end(), is_used));

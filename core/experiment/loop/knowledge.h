@@ -26,24 +26,24 @@ struct SettledCause {
   std::string id;  // empty: nothing is missing
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;
-  /// Of it against the next best, or none, those that cannot be told from it left out; of none against the mean of the
-  /// causes that the poses can show, of all plausible sizes, small ones too.
+  /// Of it against the next best, or none, those that cannot be distinguished from it left out; of none against the
+  /// mean of the causes that the poses can show, of all prior sigmas, small ones too.
   double odds = 1;
 };
 
 struct Knowledge {
-  std::size_t used = 0;                 // observations
-  std::optional<Fit> fit;               // nothing where too little is known for one
-  std::optional<Diagnosis> diagnosis;   // from ten used observations on
-  std::optional<SettledCause> settled;  // what is likeliest, however unsure
-  std::optional<RivalEffects> rivals;   // the two likeliest that cannot be told apart
-  std::vector<EffectTerm> likely;       // terms that poses should show, beside the model
-  std::optional<double> hand_limit;     // m: of 95 of 100 poses, the error below which the hand is in 95 of 100 cases
+  std::size_t used = 0;                       // observations
+  std::optional<Fit> fit;                     // nothing where too little is known for one
+  std::optional<Diagnosis> diagnosis;         // from ten used observations on
+  std::optional<SettledCause> settled;        // what is likeliest, however unsure
+  std::optional<CompetingEffects> competing;  // the two likeliest that cannot be distinguished
+  std::vector<EffectTerm> likely;             // terms that poses should show, beside the model
+  std::optional<double> hand_limit;  // m: of 95 of 100 poses, the error below which the hand is in 95 of 100 cases
 };
 
 /// The fit and, `with_diagnosis`, what is missing. `poses`: where the hand's limit is asked for.
-Knowledge known_of(const Session& session, const ExperimentModel& model, bool with_diagnosis,
-                   const std::vector<Eigen::VectorXd>& poses);
+Knowledge assess_knowledge(const Session& session, const ExperimentModel& model, bool with_diagnosis,
+                           const std::vector<Eigen::VectorXd>& poses);
 
 /// The error below which the hand is in 95 of 100 cases, m, in 95 of 100 of these poses. Nothing without poses, and
 /// where the measurements leave a direction of the unknowns open: its covariance is no number.

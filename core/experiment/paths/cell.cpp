@@ -33,7 +33,7 @@ CellPlane read_plane(const XmlNode& node) {
 
 Cell parse_cell(const std::string& text, const std::string& file) {
   const auto document = parse_xml(text, file);
-  const XmlNode root = root_of(*document, file, "handsight_cell");
+  const XmlNode root = require_root(*document, file, "handsight_cell");
   require_version_1(root);
   Cell cell;
   for (const XmlNode& node : children(root)) {

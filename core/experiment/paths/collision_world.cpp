@@ -54,7 +54,7 @@ Geometry geometry_of(const RobotSolid& s, double wider) {
   }
 }
 
-Place place_of(const Rigid& rigid) {
+Place locate(const Rigid& rigid) {
   Place place = Place::Identity();
   place.linear() = rigid.rotation;
   place.translation() = rigid.translation;
@@ -107,8 +107,8 @@ struct CollisionWorld::Parts {
   std::vector<Place> places(const std::vector<Rigid>& links) const {
     std::vector<Place> places;
     for (const Thing& t : things)
-      places.push_back(place_of(t.body < 0 ? t.solid.link_from_solid
-                                           : links[static_cast<std::size_t>(t.solid.link)] * t.solid.link_from_solid));
+      places.push_back(locate(t.body < 0 ? t.solid.link_from_solid
+                                         : links[static_cast<std::size_t>(t.solid.link)] * t.solid.link_from_solid));
     return places;
   }
 
@@ -126,7 +126,7 @@ struct CollisionWorld::Parts {
     return false;
   }
 
-  std::string name_of(const Pair& pair) const {
+  std::string display_name(const Pair& pair) const {
     return things[groups[pair.a].front()].name + " and " + things[groups[pair.b].front()].name;
   }
 
@@ -229,8 +229,8 @@ void CollisionWorld::Parts::set_watches(const std::vector<Eigen::VectorXd>& take
     if (tight[i] >= (is_near ? sometimes : often) * drawn_postures || touched[i]) {
       pairs[i].watch = Watch::not_at_all;
       if (touched[i] && !is_near)
-        notes.push_back(
-            message("{} touch by their shapes where the robot has been: they are not watched.", name_of(pairs[i])));
+        notes.push_back(message("{} touch by their shapes where the robot has been: they are not watched.",
+                                display_name(pairs[i])));
     } else if (is_near || near[i]) {
       pairs[i].watch = Watch::tightly;
     }
@@ -302,7 +302,8 @@ std::optional<Message> CollisionWorld::touching(const Eigen::VectorXd& position,
   }
   const std::vector<Place> at = p.places(links);
   for (const Pair& pair : p.pairs)
-    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance)) return verbatim(p.name_of(pair));
+    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance))
+      return verbatim(p.display_name(pair));
   return std::nullopt;
 }
 
@@ -320,7 +321,7 @@ bool CollisionWorld::is_hidden(const Eigen::VectorXd& position, const Vector3& i
   sight.link_from_solid.rotation.col(1) =
       sight.link_from_solid.rotation.col(2).cross(sight.link_from_solid.rotation.col(0));
   const Geometry line = geometry_of(sight, 0);
-  const Place at_line = place_of(sight.link_from_solid);
+  const Place at_line = locate(sight.link_from_solid);
   const std::vector<Place> at = p.places(links);
   const int mount_body = p.body_of_link[static_cast<std::size_t>(p.chain.mount_link)];
   const int tcp_body = p.body_of_link[static_cast<std::size_t>(p.chain.tcp_link)];

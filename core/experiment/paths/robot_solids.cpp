@@ -94,7 +94,7 @@ void add_shape(const Shape& shape, int link, const fs::path& robot_folder, Robot
       try {
         const auto file = find_mesh(shape.mesh_file, robot_folder);
         if (!file) throw InputError(message("{} is not there", in_quotes(shape.mesh_file)));
-        for (const RobotSolid& box : boxes_of(read_mesh(*file), shape.size, link, shape.link_from_shape))
+        for (const RobotSolid& box : make_boxes(read_mesh(*file), shape.size, link, shape.link_from_shape))
           all.solids.push_back(box);
       } catch (const InputError& error) {
         all.notes.push_back(message("A mesh is left out of the robot's shapes: {}", error.what()));
@@ -138,7 +138,7 @@ void read_srdf(const fs::path& robot_file, RobotSolids& all) {
     if (entry.path().extension() != ".srdf") continue;
     const std::string name = entry.path().filename().string(), text = read_file(entry.path());
     const auto document = parse_xml(text, name);
-    for (const XmlNode& pair : children(root_of(*document, name, "robot"), "disable_collisions")) {
+    for (const XmlNode& pair : children(require_root(*document, name, "robot"), "disable_collisions")) {
       const std::string a = required_name(pair, "link1"), b = required_name(pair, "link2");
       all.never_watched.insert({std::min(a, b), std::max(a, b)});
     }
@@ -161,7 +161,7 @@ double RobotSolid::reach() const {
   }
 }
 
-std::vector<RobotSolid> boxes_of(const Mesh& mesh, const Vector3& scale, int link, const Rigid& link_from_mesh) {
+std::vector<RobotSolid> make_boxes(const Mesh& mesh, const Vector3& scale, int link, const Rigid& link_from_mesh) {
   std::vector<Triangle> triangles;
   for (const auto& t : mesh.triangles) {
     Triangle& triangle = triangles.emplace_back();

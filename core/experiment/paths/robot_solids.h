@@ -36,7 +36,7 @@ struct RobotSolids {
 
 /// Boxes that together hold every triangle of a mesh: halves of halves along the longest side, as long as that saves
 /// space, at most 8.
-std::vector<RobotSolid> boxes_of(const Mesh& mesh, const Vector3& scale, int link, const Rigid& link_from_mesh);
+std::vector<RobotSolid> make_boxes(const Mesh& mesh, const Vector3& scale, int link, const Rigid& link_from_mesh);
 
 /// Of the URDF's <collision> shapes, else its <visual> ones; a link that has none is a limb (a capsule) from its frame
 /// to those of the joints on it, of a radius of 40 mm, 0.35 of the length of short ones, and a last one such a ball.

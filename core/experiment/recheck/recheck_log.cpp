@@ -26,19 +26,19 @@ std::string quoted(const std::string& text) {
 }
 
 /// "joint_offset:a3.offset=0.0002+-1e-05 rad"
-std::string text_of(const RecheckNumber& n) {
+std::string make_text(const RecheckNumber& n) {
   return fmt::format("{}{}{}.{}={:.5g}+-{:.3g} {}", n.what, n.where.empty() ? "" : ":", n.where, n.name, n.value,
                      n.sigma, n.unit);
 }
 
 std::string numbers_text(const std::vector<RecheckNumber>& numbers) {
   std::string text;
-  for (const RecheckNumber& n : numbers) text += (text.empty() ? "" : "; ") + text_of(n);
+  for (const RecheckNumber& n : numbers) text += (text.empty() ? "" : "; ") + make_text(n);
   return text;
 }
 
 /// The cells of a line; nothing where a quote is not closed.
-std::optional<std::vector<std::string>> cells_of(const std::string& line) {
+std::optional<std::vector<std::string>> split_cells(const std::string& line) {
   std::vector<std::string> cells(1);
   bool is_quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -56,7 +56,7 @@ std::optional<std::vector<std::string>> cells_of(const std::string& line) {
   return cells;
 }
 
-/// What text_of wrote; nothing where it is something else.
+/// What make_text wrote; nothing where it is something else.
 std::optional<RecheckNumber> number_of(const std::string& text) {
   const auto equal = text.find('='), plus = text.find("+-", equal == std::string::npos ? 0 : equal);
   if (equal == std::string::npos || plus == std::string::npos) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<RecheckNumber> number_of(const std::string& text) {
   return n;
 }
 
-std::vector<RecheckNumber> numbers_of(const std::string& text) {
+std::vector<RecheckNumber> list_numbers(const std::string& text) {
   std::vector<RecheckNumber> numbers;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t to = std::min(text.find("; ", from), text.size());
@@ -86,7 +86,7 @@ std::vector<RecheckNumber> numbers_of(const std::string& text) {
   return numbers;
 }
 
-RecheckEntry entry_of(const std::vector<std::string>& cells, const std::string& file, int line) {
+RecheckEntry find_entry(const std::vector<std::string>& cells, const std::string& file, int line) {
   RecheckEntry e{.utc = cells[0], .changed = cells[3] == "1", .what = cells[4], .where = cells[5], .text = cells[6]};
   const auto id = parse_integer(cells[1]);
   const auto value = parse_number(cells[2]);
@@ -96,7 +96,7 @@ RecheckEntry entry_of(const std::vector<std::string>& cells, const std::string& 
                    "move the file away, and recheck begins a new one."));
   e.id = *id;
   e.e_value = *value;
-  if (cells.size() > least_columns) e.numbers = numbers_of(cells[least_columns]);
+  if (cells.size() > least_columns) e.numbers = list_numbers(cells[least_columns]);
   return e;
 }
 
@@ -113,18 +113,18 @@ std::string header_of(const fs::path& csv) {
 
 }  // namespace
 
-double e_value_of(const WatchStep& step) {
+double compute_e_value(const WatchStep& step) {
   constexpr double largest = 690;  // ln of what a double still holds
   return std::exp(std::min(step.ln_e_value, largest));
 }
 
 RecheckEntry recheck_entry(const std::string& utc, std::int64_t id, const WatchStep& step) {
-  RecheckEntry e{utc, id, e_value_of(step), step.changed, step.what, step.where, step.text, {}};
+  RecheckEntry e{utc, id, compute_e_value(step), step.changed, step.what, step.where, step.text, {}};
   for (const WatchedChange& change : step.each) {
     if (change.what != "camera_mount" && change.what != "body_slip" && change.what != "joint_offset") continue;
     Eigen::Index next = 0;
     for (const EffectTerm& term : change.terms) {
-      const Effect& effect = effect_of(term);
+      const Effect& effect = term_effect(term);
       for (std::size_t p = 0; p < term.values.size(); ++p)
         if (!effect.parameters[p].is_choice)
           e.numbers.push_back({change.what, change.where, effect.parameters[p].name, term.values[p],
@@ -161,10 +161,10 @@ std::vector<RecheckEntry> read_recheck_log(const fs::path& csv) {
     if (++number == 1 && !is_header(line))
       refuse(name, 1, message("is no log of recheck; expected the columns {}.", columns));
     if (number == 1 || line.empty()) continue;
-    const auto cells = cells_of(line);
+    const auto cells = split_cells(line);
     if (!cells || cells->size() < least_columns)
       refuse(name, number, message("has {} columns, expected {} at least.", cells ? cells->size() : 0, least_columns));
-    entries.push_back(entry_of(*cells, name, number));
+    entries.push_back(find_entry(*cells, name, number));
   }
   return entries;
 }

@@ -28,7 +28,7 @@ struct RecheckEntry {
 };
 
 /// The e-value itself, as large as a number can be.
-double e_value_of(const WatchStep& step);
+double compute_e_value(const WatchStep& step);
 
 RecheckEntry recheck_entry(const std::string& utc, std::int64_t id, const WatchStep& step);
 

@@ -17,7 +17,7 @@ std::vector<Eigen::VectorXd> recheck_poses(const CalibratedRobot& before, const 
         "Neither the calibration nor the session says where the robot was measured: no pose to recheck in.");
   std::vector<Eigen::VectorXd> taken, free;
   for (const Observation& one : session.observations) taken.push_back(one.position);
-  const CollisionWorld world(chain_of(session), robot_solids(session), cell, taken);
+  const CollisionWorld world(make_chain(session), robot_solids(session), cell, taken);
   for (const Eigen::VectorXd& q : positions)
     if (!world.touching(q)) free.push_back(q);
   if (static_cast<int>(free.size()) >= count) positions = free;

@@ -10,11 +10,11 @@ namespace handsight {
 namespace {
 
 constexpr double looking_time = 1;  // s
-constexpr std::uint64_t scatter_stream = 7001;
+constexpr std::uint64_t repeatability_stream = 7001;
 
 }  // namespace
 
-SimulatedRobotOptions robot_of(const Session& session, SimulatedRobotOptions options, Session& like) {
+SimulatedRobotOptions make_simulated_robot(const Session& session, SimulatedRobotOptions options, Session& like) {
   like = session;
   try {
     const Fit f = fit(session, {.effects = options.truth.effects});
@@ -30,7 +30,7 @@ SimulatedRobotOptions robot_of(const Session& session, SimulatedRobotOptions opt
 SimulatedRobot::SimulatedRobot(const Session& like, SimulatedRobotOptions options)
     : like_(like),
       options_(std::move(options)),
-      random_(Random(options_.truth.seed).child(scatter_stream)),
+      random_(Random(options_.truth.seed).child(repeatability_stream)),
       position_(like.observations.back().position),
       true_position_(position_) {
   like_.observations.resize(1);
@@ -53,7 +53,7 @@ MoveAnswer SimulatedRobot::move(const std::vector<Eigen::VectorXd>& path, double
     position_ = point;
   }
   true_position_ = position_;
-  for (double& q : true_position_) q += options_.scatter * random_.gaussian();
+  for (double& q : true_position_) q += options_.repeatability * random_.gaussian();
   MoveAnswer answer{.ok = true, .position = position_};
   answer.time = time_;
   return answer;

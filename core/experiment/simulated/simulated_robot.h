@@ -11,13 +11,13 @@ namespace handsight {
 
 struct SimulatedRobotOptions {
   SimulationOptions truth;          // effects, curves, noise, seed, size of the body
-  double scatter = 0;               // rad (m) a joint: the robot stands so far from what it reads, anew after each move
-  std::filesystem::path images_to;  // images are rendered into images/ there; empty: markers or points are told
+  double repeatability = 0;         // rad (m) a joint: the robot stands so far from what it reads, anew after each move
+  std::filesystem::path images_to;  // images are rendered into images/ there; empty: markers or points are reported
 };
 
 /// The robot that made a session: the body on its hand, and a mount that was not known, are those of the session's fit
 /// with the truth's effects. Where nothing can be fitted the body is drawn by the seed.
-SimulatedRobotOptions robot_of(const Session& session, SimulatedRobotOptions options, Session& like);
+SimulatedRobotOptions make_simulated_robot(const Session& session, SimulatedRobotOptions options, Session& like);
 
 /// Stands where the session's last observation was taken. Moves take no time but tell the time that they would have
 /// taken. Lenses, rig, noise and target are those of `like`, beside the truth's effects.

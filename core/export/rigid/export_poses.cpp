@@ -50,13 +50,13 @@ ExportPoses export_poses(const CalibratedRobot& robot) {
       poses.are_measured ? spread(robot.positions) : drawn_positions(robot.chain, random);
   std::vector<DrivenPose> driven;
   for (const Eigen::VectorXd& p : positions) driven.push_back({p, {}, {}});
-  poses.measured = circumstances_at(robot.chain, driven);
+  poses.measured = states_at(robot.chain, driven);
   for (std::size_t i = 0; i < std::min(most_between, 3 * positions.size()); ++i) {
     const auto a = random() % positions.size();
     const auto b = random() % positions.size();
     const double share = drawn(0, 1, random);
     poses.between.push_back(
-        circumstances_at(robot.chain, Eigen::VectorXd(positions[a] + share * (positions[b] - positions[a]))));
+        states_at(robot.chain, Eigen::VectorXd(positions[a] + share * (positions[b] - positions[a]))));
   }
   return poses;
 }

@@ -7,8 +7,8 @@
 namespace handsight {
 
 struct ExportPoses {
-  std::vector<Circumstances> measured;  // the session's, driven to one after another; else drawn within the limits
-  std::vector<Circumstances> between;   // each between two of them, drawn
+  std::vector<ObservationState> measured;  // the session's, driven to one after another; else drawn within the limits
+  std::vector<ObservationState> between;   // each between two of them, drawn
   bool are_measured = false;
 };
 

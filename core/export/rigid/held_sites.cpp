@@ -42,7 +42,7 @@ bool is_the_same_everywhere(const Chain& chain, const EffectTerm& term) {
   for (int draw = 0; draw < 4; ++draw) {
     Eigen::VectorXd position(static_cast<Eigen::Index>(chain.joints.size()));
     for (double& q : position) q = uniform(random);
-    Circumstances c = circumstances_at(chain, position);
+    ObservationState c = states_at(chain, position);
     for (double& v : c.velocity) v = uniform(random);
     for (double& a : c.approach) a = uniform(random);
     const std::vector<double> here = flat(moved_sites(c, {term}));
@@ -67,8 +67,8 @@ bool has_more_than_is_held(Sites s) {
   return std::any_of(rest.begin(), rest.end(), [](double x) { return x != 0; });
 }
 
-std::string numbers_of(const EffectTerm& term, const Robot& robot) {
-  const Effect& effect = effect_of(term);
+std::string list_numbers(const EffectTerm& term, const Robot& robot) {
+  const Effect& effect = term_effect(term);
   std::string text;
   for (std::size_t p = 0; p < term.values.size(); ++p)
     text += fmt::format("{}{} {:.4g} {}", p ? ", " : "", effect.parameters[p].name, term.values[p],
@@ -93,15 +93,15 @@ HeldSites held_sites(const CalibratedRobot& robot) {
   HeldSites held;
   std::vector<EffectTerm> constant;
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.chain.joints.size()));
-  const Circumstances c = circumstances_at(robot.chain, zero);
+  const ObservationState c = states_at(robot.chain, zero);
   for (const EffectTerm& term : robot.model.effects) {
     if (std::all_of(term.values.begin(), term.values.end(), [](double v) { return v == 0; })) continue;
     const bool is_constant = is_the_same_everywhere(robot.chain, term);
     if (is_constant) constant.push_back(term);
     if (is_constant && !has_more_than_is_held(moved_sites(c, {term}))) continue;
-    const std::string where = place_name(effect_of(term), term.joint, robot.chain.robot);
+    const std::string where = place_name(term_effect(term), term.joint, robot.chain.robot);
     held.left_out.push_back(message("{}{} ({})", term.id, where.empty() ? Message() : message(" of {}", where),
-                                    shortened(numbers_of(term, robot.chain.robot), 300)));
+                                    shortened(list_numbers(term, robot.chain.robot), 300)));
   }
   held.sites = moved_sites(c, constant);
   held.sites.robot.joints.resize(robot.chain.robot.joints.size());

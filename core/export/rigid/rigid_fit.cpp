@@ -35,7 +35,7 @@ double value_of(const RobotChange& change, const FreeNumber& n) {
   return n.number == angle_number ? c.angle : c.frame[n.number];
 }
 
-JointChange unit_of(const FreeNumber& n) {
+JointChange find_unit(const FreeNumber& n) {
   RobotChange change;
   change.joints.resize(1);
   add_to(change, {0, n.number}, 1);
@@ -75,8 +75,8 @@ std::vector<End> ends_of(const CalibratedRobot& robot, const Rigid& hand) {
 Task task_of(const CalibratedRobot& robot, const ExportPoses& poses, const Rigid& hand) {
   Task task{robot.chain.robot, robot.chain.gravity, {}, ends_of(robot, hand), poses.measured.size()};
   for (Joint& joint : task.robot.joints) joint.stiffness = 0;
-  for (const std::vector<Circumstances>* some : {&poses.measured, &poses.between})
-    for (const Circumstances& c : *some) {
+  for (const std::vector<ObservationState>* some : {&poses.measured, &poses.between})
+    for (const ObservationState& c : *some) {
       const ChainEnds wanted = observed_ends(c, moved_sites(c, robot.model.effects)).ends;
       task.sensors.push_back(c.sensor);
       for (End& end : task.ends)
@@ -124,7 +124,7 @@ void add_pose(const Task& task, const RobotChange& change, std::size_t pose, con
     const Rigid hand = hand_of(end, posture);
     const PostureTangent tangent(task.robot, change, task.gravity, posture, end.link, 0);
     for (std::size_t n = 0; n < numbers.size(); ++n) {
-      const Vector6 motion = tangent.motion_by_joint(static_cast<std::size_t>(numbers[n].joint), unit_of(numbers[n]));
+      const Vector6 motion = tangent.motion_by_joint(static_cast<std::size_t>(numbers[n].joint), find_unit(numbers[n]));
       const Vector3 turn = motion.tail<3>();
       by_number.col(static_cast<Eigen::Index>(n)) << motion.head<3>() + turn.cross(hand.translation),
           length_of_radian * turn;

@@ -78,12 +78,12 @@ class Writer {
     set_text(e, "child", sdf_name(d_.robot.links[0].name));
   }
 
-  std::string name_of(int link) const { return sdf_name(d_.robot.links[static_cast<std::size_t>(link)].name); }
+  std::string display_name(int link) const { return sdf_name(d_.robot.links[static_cast<std::size_t>(link)].name); }
 
   void write_frame(XMLElement& model, const Joint& j) const {
     XMLElement& e = *model.InsertNewChildElement("frame");
-    e.SetAttribute("name", name_of(j.child_link).c_str());
-    e.SetAttribute("attached_to", name_of(j.parent_link).c_str());
+    e.SetAttribute("name", display_name(j.child_link).c_str());
+    e.SetAttribute("attached_to", display_name(j.parent_link).c_str());
     write_pose(e, j.parent_from_joint);
   }
 
@@ -148,9 +148,9 @@ class Writer {
                            : j.kind == JointKind::prismatic  ? "prismatic"
                            : j.kind == JointKind::continuous ? "continuous"
                                                              : "revolute");
-    write_pose(e, j.parent_from_joint).SetAttribute("relative_to", name_of(j.parent_link).c_str());
-    set_text(e, "parent", name_of(j.parent_link));
-    set_text(e, "child", name_of(j.child_link));
+    write_pose(e, j.parent_from_joint).SetAttribute("relative_to", display_name(j.parent_link).c_str());
+    set_text(e, "parent", display_name(j.parent_link));
+    set_text(e, "child", display_name(j.child_link));
     if (j.moves()) write_axis(*e.InsertNewChildElement("axis"), j, d_.strengths[joint]);
   }
 

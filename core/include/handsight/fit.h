@@ -22,6 +22,6 @@ FitReport report(const Session& session, const Fit& fit, const Model& model, con
 
 /// The model with the values that the fit has found. An effect counts as estimated where the fit moved one of its
 /// numbers.
-Model model_of(const Fit& fit);
+Model make_model(const Fit& fit);
 
 }  // namespace handsight

@@ -16,6 +16,6 @@ namespace handsight {
 Improvement improve(const Session& session, const Model& model, const ImprovementOptions& options = {});
 
 /// The model that an improvement ended with, with the values found.
-Model model_of(const Improvement& improvement);
+Model make_model(const Improvement& improvement);
 
 }  // namespace handsight

@@ -165,7 +165,7 @@ Bag open_bag(const fs::path& path) {
 }
 
 std::vector<Message> read_bag(const Bag& bag, const BagFile::Wanted& wanted, const BagFile::Take& take) {
-  constexpr std::size_t most_told = 5;
+  constexpr std::size_t most_reported = 5;
   std::vector<Message> lost;
   std::size_t damaged = 0;
   for (const auto& file : bag.files)
@@ -177,9 +177,9 @@ std::vector<Message> read_bag(const Bag& bag, const BagFile::Wanted& wanted, con
         lost);
   if (damaged > 0)
     lost.push_back(message("{}: {} messages whose compression is damaged are left out.", bag.name, damaged));
-  if (lost.size() > most_told) {
-    const std::size_t more = lost.size() - most_told;
-    lost.resize(most_told);
+  if (lost.size() > most_reported) {
+    const std::size_t more = lost.size() - most_reported;
+    lost.resize(most_reported);
     lost.push_back(message("{}: {} more places are damaged.", bag.name, more));
   }
   return lost;

@@ -25,7 +25,7 @@ struct BagTopic {
   std::int64_t messages = 0;
 };
 
-/// One file of a bag. What is lost of a damaged one is told in `lost`, a sentence each, and the rest is read.
+/// One file of a bag. What is lost of a damaged one is reported in `lost`, a sentence each, and the rest is read.
 class BagFile {
  public:
   BagFile() = default;

@@ -25,7 +25,7 @@ std::optional<Compression> compression_of(const std::string& name) {
 class McapBag : public BagFile {
  public:
   McapBag(const std::filesystem::path& file, std::string name) : name_(std::move(name)), file_(file) {
-    summary_ = summary_of(file_);
+    summary_ = read_summary(file_);
     channels_ = summary_.channels;
     if (!summary_.is_complete) count_messages();
     if (channels_.all.empty())
@@ -98,8 +98,8 @@ class McapBag : public BagFile {
   }
 
   void end_of_data(std::uint64_t begin) {
-    const auto told = Fields(file_.view(begin, 4)).number<std::uint32_t>();
-    if (told != 0 && crc_is_whole_ && !counts_ && told != crc_ && lost_->empty())
+    const auto reported = Fields(file_.view(begin, 4)).number<std::uint32_t>();
+    if (reported != 0 && crc_is_whole_ && !counts_ && reported != crc_ && lost_->empty())
       lost_->push_back(
           message("{}: its checksum does not agree: some of its bytes have changed since it was written; its messages "
                   "are taken as they are.",
@@ -113,7 +113,7 @@ class McapBag : public BagFile {
   }
 
   void take_message(std::string_view content) {
-    const auto message = message_of(content);
+    const auto message = read_message(content);
     const BagTopic* const topic = message ? channels_.find(message->channel) : nullptr;
     if (!topic) {
       ++nameless_;
@@ -128,7 +128,7 @@ class McapBag : public BagFile {
 
   /// A chunk that is whole, or (the file ends in it) as far as it is there.
   void take_chunk(std::string_view content, std::uint64_t at, bool whole) {
-    const auto chunk = chunk_of(content);
+    const auto chunk = read_chunk(content);
     if (!chunk) return lose_chunk(at, "its head is damaged", {});
     const auto compression = compression_of(chunk->compression);
     if (!compression)
@@ -155,11 +155,11 @@ class McapBag : public BagFile {
 
   void lose_chunk(std::uint64_t at, const handsight::Message& why, const std::optional<Chunk>& chunk) {
     const std::uint64_t count = messages_indexed_behind(at);
-    handsight::Message told = at_most(why, 100);
+    handsight::Message reported = at_most(why, 100);
     if (chunk && chunk->end >= chunk->begin && chunk->end < 1e11)
-      told += message(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end);
-    if (count > 0) told += message(", {} messages", count);
-    lost_->push_back(message("{}: the chunk at byte {} is left out: {}.", name_, at, told));
+      reported += message(" ({:.3f} s to {:.3f} s)", chunk->begin, chunk->end);
+    if (count > 0) reported += message(", {} messages", count);
+    lost_->push_back(message("{}: the chunk at byte {} is left out: {}.", name_, at, reported));
   }
 
   /// Of the records behind a chunk that say where its messages are.

@@ -15,7 +15,7 @@ std::optional<Record> next_record(Fields& list) {
   return record;
 }
 
-std::optional<Message> message_of(std::string_view content) {
+std::optional<Message> read_message(std::string_view content) {
   Fields in(content);
   Message m;
   m.channel = in.number<std::uint16_t>();
@@ -27,7 +27,7 @@ std::optional<Message> message_of(std::string_view content) {
   return m;
 }
 
-std::optional<Chunk> chunk_of(std::string_view content) {
+std::optional<Chunk> read_chunk(std::string_view content) {
   Fields in(content);
   Chunk c;
   c.begin = 1e-9 * static_cast<double>(in.number<std::uint64_t>());
@@ -52,7 +52,7 @@ void Channels::take(const Record& record) {
     BagTopic topic;
     topic.name = shortened(in.text(), longest_topic);
     topic.encoding = shortened(in.text(), 20);
-    if (schema != schemas_.end()) topic.type = ros::type_of(schema->second);
+    if (schema != schemas_.end()) topic.type = ros::find_type(schema->second);
     if (!in.ended) all.emplace(id, std::move(topic));  // said again in the summary
   }
 }
@@ -84,7 +84,7 @@ void take_statistics(std::string_view content, Summary& s) {
 
 }  // namespace
 
-Summary summary_of(FileBytes& file) {
+Summary read_summary(FileBytes& file) {
   constexpr std::uint64_t footer_size = record_head_size + 20, largest = 256u << 20;
   Summary s;
   if (file.size() < 2 * magic_size + footer_size) return s;

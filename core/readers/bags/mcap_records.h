@@ -40,17 +40,17 @@ struct Message {
   std::int64_t nanoseconds = 0;  // when it was recorded
   std::string_view data;
 };
-std::optional<Message> message_of(std::string_view content);
+std::optional<Message> read_message(std::string_view content);
 
 struct Chunk {
   double begin = 0, end = 0;  // s
   std::uint64_t size = 0;     // of what is in it, without compression
-  std::uint32_t crc = 0;      // of that; 0: not told
+  std::uint32_t crc = 0;      // of that; 0: not given
   std::string compression;
   std::string_view records;  // as they are in the file
 };
 /// Of a file that is broken off in it, as far as it is there; nothing where its head is not whole.
-std::optional<Chunk> chunk_of(std::string_view content);
+std::optional<Chunk> read_chunk(std::string_view content);
 
 /// What schemas and channels say, as they come.
 class Channels {
@@ -69,6 +69,6 @@ struct Summary {
   bool is_complete = false;           // it counts the messages of each channel
   std::vector<std::uint64_t> chunks;  // where they begin
 };
-Summary summary_of(FileBytes& file);
+Summary read_summary(FileBytes& file);
 
 }  // namespace handsight::mcap

@@ -91,7 +91,7 @@ class Reader {
   bool is_ros1_ = false, swap_ = false;
 };
 
-Rigid motion_of(Reader& in, const std::string& of_what) {
+Rigid make_motion(Reader& in, const std::string& of_what) {
   double n[7];
   in.numbers(n, 7);
   const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
@@ -104,7 +104,7 @@ Transform transform_of(Reader& in) {
   Transform t;
   t.header = in.header();
   t.child = in.text();
-  t.parent_from_child = motion_of(in, "transform of " + in_quotes(t.child));
+  t.parent_from_child = make_motion(in, "transform of " + in_quotes(t.child));
   return t;
 }
 
@@ -175,13 +175,13 @@ Transform read_pose(const Message& message) {
   Reader in(message);
   Transform t;
   t.header = in.header();
-  t.parent_from_child = motion_of(in, "pose");
+  t.parent_from_child = make_motion(in, "pose");
   return t;
 }
 
 std::string read_string(const Message& message) { return Reader(message).text(); }
 
-std::string type_of(std::string_view name) {
+std::string find_type(std::string_view name) {
   std::string type = shortened(name, 100);
   if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
   return type;

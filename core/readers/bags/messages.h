@@ -53,7 +53,7 @@ struct Transform {
 };
 
 /// "sensor_msgs/JointState" of both ROS's names for a type: ROS 2 has "sensor_msgs/msg/JointState".
-std::string type_of(std::string_view name);
+std::string find_type(std::string_view name);
 
 /// The bytes of one message, CDR with its four bytes of encapsulation and of either byte order; `what` is what
 /// sentences call it.

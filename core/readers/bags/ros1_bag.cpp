@@ -117,7 +117,7 @@ class Ros1Bag : public BagFile {
     const auto type = about.find("type");
     const auto id = record.number<std::uint32_t>("conn", ~0u);
     if (id == ~0u || type == about.end()) return;
-    topics_.emplace(id, BagTopic{shortened(record.text("topic"), longest_topic), ros::type_of(type->second), "ros1"});
+    topics_.emplace(id, BagTopic{shortened(record.text("topic"), longest_topic), ros::find_type(type->second), "ros1"});
   }
 
   void take_chunk_info(const Record& record) {

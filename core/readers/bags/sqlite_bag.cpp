@@ -21,7 +21,7 @@ struct Close {
 using Database = std::unique_ptr<sqlite3, Close>;
 using Statement = std::unique_ptr<sqlite3_stmt, Close>;
 
-std::string text_of(const Statement& statement, int column) {
+std::string make_text(const Statement& statement, int column) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), column));
   return text ? text : "";
 }
@@ -85,9 +85,9 @@ class SqliteBag : public BagFile {
         "topics");
     for (int status; (status = sqlite3_step(rows.get())) != SQLITE_DONE;) {
       if (status != SQLITE_ROW) fail(verbatim(sqlite3_errmsg(db_.get())));
-      topics_[sqlite3_column_int64(rows.get(), 0)] = {shortened(text_of(rows, 1), longest_topic),
-                                                      ros::type_of(text_of(rows, 2)), shortened(text_of(rows, 3), 20),
-                                                      sqlite3_column_int64(rows.get(), 4)};
+      topics_[sqlite3_column_int64(rows.get(), 0)] = {
+          shortened(make_text(rows, 1), longest_topic), ros::find_type(make_text(rows, 2)),
+          shortened(make_text(rows, 3), 20), sqlite3_column_int64(rows.get(), 4)};
     }
   }
 

@@ -22,7 +22,7 @@ struct ServoColumn {
   const Servo* servo = nullptr;
 };
 
-std::vector<ServoColumn> columns_of(const Table& t, const std::vector<Servo>& servos) {
+std::vector<ServoColumn> list_columns(const Table& t, const std::vector<Servo>& servos) {
   std::vector<ServoColumn> all;
   for (std::size_t c = 0; c < t.width(); ++c)
     for (const Servo& s : servos)
@@ -30,7 +30,7 @@ std::vector<ServoColumn> columns_of(const Table& t, const std::vector<Servo>& se
   return all;
 }
 
-Unit unit_of(const Table& t, const std::vector<ServoColumn>& columns, bool degrees) {
+Unit find_unit(const Table& t, const std::vector<ServoColumn>& columns, bool degrees) {
   double lowest = 0, largest = 0;
   bool is_whole = true;
   for (const ServoColumn& c : columns) {
@@ -47,14 +47,14 @@ Unit unit_of(const Table& t, const std::vector<ServoColumn>& columns, bool degre
 }
 
 /// rad from the middle of the servo's range.
-double radians_of(double told, const Servo& s, Unit unit) {
-  if (unit == Unit::degrees) return told / degrees_a_step * radians_a_step;
-  if (unit == Unit::steps) return (told - 0.5 * (s.lowest + s.highest)) * radians_a_step;
-  const double share = s.name.find("gripper") == std::string::npos ? told / 200 : told / 100 - 0.5;
+double radians_of(double reported, const Servo& s, Unit unit) {
+  if (unit == Unit::degrees) return reported / degrees_a_step * radians_a_step;
+  if (unit == Unit::steps) return (reported - 0.5 * (s.lowest + s.highest)) * radians_a_step;
+  const double share = s.name.find("gripper") == std::string::npos ? reported / 200 : reported / 100 - 0.5;
   return (s.is_reversed ? -share : share) * (s.highest - s.lowest) * radians_a_step;
 }
 
-const char* text_of(Unit unit) {
+const char* make_text(Unit unit) {
   return unit == Unit::percent ? "per cent of the servos' ranges (-100 to 100)"
          : unit == Unit::steps ? "steps of the servos (4096 a turn)"
                                : "degrees from the middle of the servos' ranges";
@@ -88,13 +88,13 @@ std::vector<Servo> read_lerobot_calibration(const YAML::Node& yaml, const std::s
 }
 
 void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, std::vector<Message>& notes) {
-  const std::vector<ServoColumn> columns = columns_of(table, servos);
+  const std::vector<ServoColumn> columns = list_columns(table, servos);
   if (columns.empty()) {
     notes.push_back(
         message("{}: no column has the name of a servo of LeRobot's calibration, which is not used.", table.file));
     return;
   }
-  const Unit unit = unit_of(table, columns, degrees);
+  const Unit unit = find_unit(table, columns, degrees);
   for (const ServoColumn& c : columns) {
     table.columns[c.at].unit = "rad";
     for (auto& row : table.rows) row[c.at] = radians_of(row[c.at], *c.servo, unit);
@@ -102,7 +102,7 @@ void set_radians(Table& table, const std::vector<Servo>& servos, bool degrees, s
   notes.push_back(
       message("{}: {} columns are read as {}; 0 is the middle of each range: where the robot's URDF has another zero, "
               "joint_offset finds it.",
-              table.file, columns.size(), text_of(unit)));
+              table.file, columns.size(), make_text(unit)));
 }
 
 }  // namespace handsight

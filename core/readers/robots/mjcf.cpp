@@ -45,7 +45,7 @@ class UrdfWriter {
       const Element e{model_, child, around};
       if (child.tag() == "body") add_body(e, link, before, depth + 1);
       if (child.tag() == "site") add_site(e, link, before);
-      if (child.tag() == "frame") add_parts(e, link, before * place_of(e), depth + 1);
+      if (child.tag() == "frame") add_parts(e, link, before * locate(e), depth + 1);
       for (const char* unread : {"replicate", "attach", "composite", "flexcomp"})
         if (child.tag() == unread)
           refuse(child, message("<{}> makes other bodies, which is not read; write the whole model with "
@@ -65,8 +65,8 @@ class UrdfWriter {
       if (child.tag() == "freejoint") still_.push_back(name + " (free)");
     }
     links_.insert(name);
-    add_joints(joints, parent, name, before * place_of(body));
-    XMLElement* const link = add_link(name, mass_of({model_, body.node, around}, geoms));
+    add_joints(joints, parent, name, before * locate(body));
+    XMLElement* const link = add_link(name, read_mass({model_, body.node, around}, geoms));
     for (const Element& geom : geoms) add_visual(*link, geom);
     add_parts(body, name, Rigid{}, depth);
   }
@@ -95,9 +95,9 @@ class UrdfWriter {
   void add_moving(const Element& joint, bool turns, const std::string& from, const std::string& to,
                   const Rigid& place) {
     const std::string name = new_joint_name(find_text(joint.node, "name").value_or(to + "_joint"));
-    const Vector3 told = joint.vector("axis", Vector3::UnitZ());
-    if (!(told.norm() > 1e-12)) refuse(joint.node, "has an axis without a direction, expected one.");
-    const Vector3 axis = told.normalized();
+    const Vector3 reported = joint.vector("axis", Vector3::UnitZ());
+    if (!(reported.norm() > 1e-12)) refuse(joint.node, "has an axis without a direction, expected one.");
+    const Vector3 axis = reported.normalized();
     const auto unit = [&](double value) { return turns ? joint.radians(value) : value; };
     const double reference = unit(joint.number("ref", 0));  // what the joint tells where the model stands as written
     const auto range = joint.numbers("range", 2);
@@ -121,7 +121,7 @@ class UrdfWriter {
     if (!name || name->empty()) return;
     const std::string own = new_link_name(links_.contains(*name) ? *name + "_site" : *name);
     add_link(own, {});
-    add_fixed(own + "_fixed", link, own, before * place_of(site));
+    add_fixed(own + "_fixed", link, own, before * locate(site));
   }
 
   /// joint1 = a0 + a1 (joint2 - ref2) + ref1
@@ -147,7 +147,7 @@ class UrdfWriter {
   }
 
   void add_visual(XMLElement& link, const Element& geom) {
-    const mjcf::Shape s = shape_of(geom);
+    const mjcf::Shape s = make_shape(geom);
     if (s.kind == "mesh") return add_mesh(link, geom, s);
     if (s.kind != "box" && s.kind != "cylinder" && s.kind != "capsule" && s.kind != "sphere") return;
     XMLElement& shape = add_geometry(link, s.place, s.kind == "capsule" ? "cylinder" : s.kind.c_str());

@@ -39,16 +39,16 @@ void set_from_to(const Element& geom, Shape& s) {
 
 }  // namespace
 
-Shape shape_of(const Element& geom) {
+Shape make_shape(const Element& geom) {
   Shape s;
   s.kind = geom.text("type").value_or(geom.text("mesh") ? "mesh" : "sphere");
-  s.place = place_of(geom);
+  s.place = locate(geom);
   if (const auto size = geom.numbers("size", 3, 1)) std::copy(size->begin(), size->end(), s.size.data());
   if (s.kind != "sphere") set_from_to(geom, s);
   return s;
 }
 
-Mass mass_of(const Element& body, const std::vector<Element>& geoms) {
+Mass read_mass(const Element& body, const std::vector<Element>& geoms) {
   const auto inertial = find_child(body.node, "inertial");
   if (inertial && !body.model.from_geoms.value_or(false)) {
     const Element e{body.model, *inertial, body.around};
@@ -60,7 +60,7 @@ Mass mass_of(const Element& body, const std::vector<Element>& geoms) {
   if (body.model.from_geoms == false) return all;
   Vector3 moment = Vector3::Zero();
   for (const Element& geom : geoms) {
-    const Shape s = shape_of(geom);
+    const Shape s = make_shape(geom);
     const double mass = geom.number("mass", volume_of(s) * geom.number("density", 1000));
     if (!bounds::mass.hold(mass)) refuse(geom.node, message("has a mass of {:g} kg.", mass));
     all.kilograms += mass;

@@ -13,9 +13,9 @@ struct Mass {
   Vector3 center = Vector3::Zero();  // m, in the body's frame
 };
 
-/// Of its <inertial>, else of its geoms by their mass or their volume and density (1000 kg/m^3 where none is told).
-/// Of a mesh only a mass that is told counts, and it is taken to lie in the geom's place.
-Mass mass_of(const Element& body, const std::vector<Element>& geoms);
+/// Of its <inertial>, else of its geoms by their mass or their volume and density (1000 kg/m^3 where none is given).
+/// Of a mesh only a mass that is given counts, and it is taken to lie in the geom's place.
+Mass read_mass(const Element& body, const std::vector<Element>& geoms);
 
 /// What a geom's shape is: half lengths as MuJoCo has them, its place in the body.
 struct Shape {
@@ -23,6 +23,6 @@ struct Shape {
   Vector3 size = Vector3::Zero();
   Rigid place;
 };
-Shape shape_of(const Element& geom);
+Shape make_shape(const Element& geom);
 
 }  // namespace handsight::mjcf

@@ -141,7 +141,7 @@ Model read_model(const fs::path& path, const std::string& file) {
   Model m;
   m.file = file;
   m.document = parse_xml(read_file(path), m.file);
-  const XmlNode root = root_of(*m.document, m.file, "mujoco");
+  const XmlNode root = require_root(*m.document, m.file, "mujoco");
   Includer(*m.document, path.parent_path(), m.file).expand(*m.document->RootElement());
   for (const XmlNode& compiler : children(root, "compiler")) take_compiler(compiler, m);
   for (const XmlNode& defaults : children(root, "default"))
@@ -167,11 +167,11 @@ std::optional<std::string> Element::text(const char* attribute) const {
 }
 
 std::optional<std::vector<double>> Element::numbers(const char* attribute, std::size_t count, std::size_t least) const {
-  const auto told = text(attribute);
-  if (!told) return std::nullopt;
-  auto all = parse_numbers(*told);
+  const auto reported = text(attribute);
+  if (!reported) return std::nullopt;
+  auto all = parse_numbers(*reported);
   if (!all || all->size() > count || all->size() < (least ? least : count))
-    refuse(node, message("has {}={}, expected {} finite numbers.", verbatim(attribute), in_quotes(*told), count));
+    refuse(node, message("has {}={}, expected {} finite numbers.", verbatim(attribute), in_quotes(*reported), count));
   for (const double number : *all)
     if (!bounds::length.hold(number) && !bounds::joint.hold(number))
       refuse(node, message("has {:g} in {}, far outside of any robot.", number, verbatim(attribute)));
@@ -188,6 +188,6 @@ Vector3 Element::vector(const char* attribute, const Vector3& missing) const {
   return three ? Vector3(three->data()) : missing;
 }
 
-Rigid place_of(const Element& element) { return {rotation_of(element), element.vector("pos", Vector3::Zero())}; }
+Rigid locate(const Element& element) { return {rotation_of(element), element.vector("pos", Vector3::Zero())}; }
 
 }  // namespace handsight::mjcf

@@ -47,6 +47,6 @@ struct Element {
 };
 
 /// pos with quat (w x y z), axisangle, euler, xyaxes or zaxis.
-Rigid place_of(const Element& element);
+Rigid locate(const Element& element);
 
 }  // namespace handsight::mjcf

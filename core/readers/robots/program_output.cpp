@@ -58,7 +58,7 @@ void read_until_both_end(Pipe& out, Pipe& err, ProgramOutput& all, pid_t child, 
 
 }  // namespace
 
-std::optional<ProgramOutput> output_of(const std::vector<std::string>& command, int seconds) {
+std::optional<ProgramOutput> run_for_output(const std::vector<std::string>& command, int seconds) {
   Pipe out, err;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

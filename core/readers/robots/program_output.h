@@ -15,6 +15,6 @@ struct ProgramOutput {
 
 /// Runs a program (found in PATH, no shell between) with these arguments and nothing to read; nothing where it is not
 /// installed. It is ended after `seconds`, and where it says more than 64 MiB.
-std::optional<ProgramOutput> output_of(const std::vector<std::string>& command, int seconds);
+std::optional<ProgramOutput> run_for_output(const std::vector<std::string>& command, int seconds);
 
 }  // namespace handsight

@@ -24,7 +24,7 @@ std::string last_line(std::string text) {
 /// Nothing where the program is not installed: the reader of URDF then says how to expand the file.
 std::optional<std::string> expanded(const fs::path& path, const std::string& file) {
   constexpr int seconds = 60;
-  const auto output = output_of({"xacro", fs::absolute(path).string()}, seconds);
+  const auto output = run_for_output({"xacro", fs::absolute(path).string()}, seconds);
   if (!output) return std::nullopt;
   if (output->status != 0 || !is_robot_text(output->out))
     throw InputError(

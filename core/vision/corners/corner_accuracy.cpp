@@ -11,10 +11,10 @@ namespace handsight {
 namespace {
 
 // Of the variance, that rendered boards of all kinds show: of what moves, of what stays, by the smoothed residuals.
-constexpr double kMeasured = 0.80, kMeasuredOfStaying = 0.75, kMeasuredSmoothed = 0.26;
-constexpr double kFreedomOfImage = 30;  // of the variance that the image's corners tell together
-constexpr double kPlain = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels' grid
-                               // do not make: below it the position is better off without them
+constexpr double measured_share = 0.80, measured_of_staying = 0.75, measured_smoothed = 0.26;
+constexpr double freedom_of_image = 30;  // of the variance that the image's corners tell together
+constexpr double plain_chi2 = 30;  // chi-squared of added light and bends, four numbers, that noise and the pixels'
+                                   // grid do not make: below it the position is better off without them
 
 // The fit's own position, which knows of neither added light nor bends: what they usually are pulls at it. The
 // information of the unknowns is that of this variance.
@@ -24,20 +24,21 @@ Eigen::Matrix2d covariance_of_staying(const OddSystem& system, const OddVector& 
   inverse = inverse.inverse().eval();
   const Eigen::Matrix<double, 2, 4> pulls = inverse.topRows<2>() * system.hessian.topRightCorner<4, 4>();
   const Eigen::Vector4d usual = variance * information.tail<4>().cwiseInverse();
-  return kMeasuredOfStaying * variance * inverse.topLeftCorner<2, 2>() + pulls * usual.asDiagonal() * pulls.transpose();
+  return measured_of_staying * variance * inverse.topLeftCorner<2, 2>() +
+         pulls * usual.asDiagonal() * pulls.transpose();
 }
 
 }  // namespace
 
 double pooling(double variance, double weights, double of_image) {
-  const double own = std::max(0.5 * weights - kOddUnknowns, 0.0);
-  return (own + kFreedomOfImage * of_image / variance) / (own + kFreedomOfImage);
+  const double own = std::max(0.5 * weights - odd_unknown_count, 0.0);
+  return (own + freedom_of_image * of_image / variance) / (own + freedom_of_image);
 }
 
 bool is_plain(const OddSystem& system) {
   double chi2 = 0;
-  for (int i = 4; i < kOddUnknowns; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
-  return chi2 * std::min(system.variance_ratio, 1.0) > kPlain;  // in terms of all that the fit leaves
+  for (int i = 4; i < odd_unknown_count; ++i) chi2 += system.seen[i] * system.seen[i] / system.seen_variance[i];
+  return chi2 * std::min(system.variance_ratio, 1.0) > plain_chi2;  // in terms of all that the fit leaves
 }
 
 std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits) {
@@ -59,7 +60,8 @@ std::optional<LastStep> last_step(const OddSystem& system, const Habits& habits)
   if (!last.is_needed)
     last.covariance = covariance_of_staying(system, information, variance);
   else
-    last.covariance = (system.is_smoothed ? kMeasuredSmoothed : kMeasured) * variance * inverse.topLeftCorner<2, 2>();
+    last.covariance =
+        (system.is_smoothed ? measured_smoothed : measured_share) * variance * inverse.topLeftCorner<2, 2>();
   if (system.is_smoothed) last.covariance += system.alias;
   if (!(last.covariance(0, 0) > 0 && last.covariance.determinant() > 0)) return std::nullopt;
   return last;

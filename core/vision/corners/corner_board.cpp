@@ -7,31 +7,33 @@
 namespace handsight {
 namespace {
 
-constexpr int kCell = 32;            // px
-constexpr double kReach = 64;        // px: cells that are larger are smaller in a coarser image
-constexpr double kUsualReach = 24;   // px, where most have all their neighbours
-constexpr double kLeastSpacing = 3;  // px
-constexpr double kParallel = 0.3;    // sine, between edges of neighbours
-constexpr double kAlike = 2;         // times another's contrast
+constexpr int cell_size = 32;          // px
+constexpr double reach_px = 64;        // px: cells that are larger are smaller in a coarser image
+constexpr double usual_reach = 24;     // px, where most have all their neighbours
+constexpr double least_spacing = 3;    // px
+constexpr double parallel_sine = 0.3;  // sine, between edges of neighbours
+constexpr double alike_contrast = 2;   // times another's contrast
 // A shadow's edge between two changes contrast and grey level by the same: so many times, and how alike what is left.
-constexpr double kMostShadow = 5, kAlikeInShadow = 1.3;
-constexpr double kLeastShadow = 1.15;  // times: what changes less may be uneven light
-constexpr double kNextButTwo = 2;      // times the spacing, at least
-constexpr double kStraight = 0.95;     // cosine, between a step and the edge along which it is
-constexpr double kMostUnequal = 6;     // times the other side of a cell, as steep views show it
-constexpr double kAside = 0.25;        // of the spacing, from the straight line along an edge
+constexpr double most_shadow = 5, alike_in_shadow = 1.3;
+constexpr double least_shadow = 1.15;      // times: what changes less may be uneven light
+constexpr double next_but_two = 2;         // times the spacing, at least
+constexpr double straight = 0.95;          // cosine, between a step and the edge along which it is
+constexpr double most_unequal = 6;         // times the other side of a cell, as steep views show it
+constexpr double most_aside_share = 0.25;  // of the spacing, from the straight line along an edge
 // Next cells that reach into a small one's disc turn its edges: so far aside a neighbour may lie all the same, where
 // the corners of other rows are farther.
-constexpr double kMostAside = 0.5, kAsideOfSmall = 3;  // of the spacing; px
-constexpr double kSure = 0.89;  // of a reach: what is nearer along an edge and not farther aside lies in the reach
+constexpr double most_off_line = 0.5, aside_of_small = 3;  // of the spacing; px
+constexpr double sure_share = 0.89;  // of a reach: what is nearer along an edge and not farther aside lies in the reach
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double most_aside(double along) { return std::max(kAside * along, std::min(kMostAside * along, kAsideOfSmall)); }
+double most_aside(double along) {
+  return std::max(most_aside_share * along, std::min(most_off_line * along, aside_of_small));
+}
 
 }  // namespace
 
-Lattice::Node Lattice::node_of(const Suspect& s) {
+Lattice::Node Lattice::make_node(const Suspect& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
   return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.edges, s.level, s.half_contrast, s.blur};
 }
@@ -39,13 +41,13 @@ Lattice::Node Lattice::node_of(const Suspect& s) {
 bool Lattice::are_of_one_board(const Node& a, const Node& b) {
   const double one = std::abs(a.half_contrast), other = std::abs(b.half_contrast);
   const auto within = [](double p, double q, double times) { return p < times * q && q < times * p; };
-  const bool alike = within(one, other, kAlike) ||
-                     (within(one, other, kMostShadow) && within(one * b.level, other * a.level, kAlikeInShadow));
+  const bool alike = within(one, other, alike_contrast) ||
+                     (within(one, other, most_shadow) && within(one * b.level, other * a.level, alike_in_shadow));
   return alike && edges_go_on(a, b);
 }
 
 bool Lattice::edges_go_on(const Node& a, const Node& b) {
-  const auto parallel = [&](int i, int j) { return std::abs(cross(a.along[i], b.along[j])) < kParallel; };
+  const auto parallel = [&](int i, int j) { return std::abs(cross(a.along[i], b.along[j])) < parallel_sine; };
   if (!(parallel(0, 0) && parallel(1, 1)) && !(parallel(0, 1) && parallel(1, 0))) return false;
   const Eigen::Vector2d between = a.along[0] + a.along[1];  // in a sector of both
   const auto colour = [&](const Node& n) {
@@ -55,18 +57,20 @@ bool Lattice::edges_go_on(const Node& a, const Node& b) {
 }
 
 Lattice::Lattice(int width, int height)
-    : across_(width / kCell + 1), down_(height / kCell + 1), first_(static_cast<std::size_t>(across_) * down_, -1) {}
+    : across_(width / cell_size + 1),
+      down_(height / cell_size + 1),
+      first_(static_cast<std::size_t>(across_) * down_, -1) {}
 
 int& Lattice::first_near(const Eigen::Vector2d& position) {
-  const int u = std::clamp(static_cast<int>(position.x()) / kCell, 0, across_ - 1);
-  const int v = std::clamp(static_cast<int>(position.y()) / kCell, 0, down_ - 1);
+  const int u = std::clamp(static_cast<int>(position.x()) / cell_size, 0, across_ - 1);
+  const int v = std::clamp(static_cast<int>(position.y()) / cell_size, 0, down_ - 1);
   return first_[static_cast<std::size_t>(v * across_ + u)];
 }
 
 void Lattice::add(const Suspect& suspect) {
   int& first = first_near(suspect.position);
   next_.push_back(first), first = size();
-  nodes_.push_back(node_of(suspect));
+  nodes_.push_back(make_node(suspect));
 }
 
 void Lattice::replace(int number, const Suspect& suspect) {
@@ -75,13 +79,13 @@ void Lattice::replace(int number, const Suspect& suspect) {
   *link = next_[number];
   int& first = first_near(suspect.position);
   next_[number] = first, first = number;
-  nodes_[number] = node_of(suspect);
+  nodes_[number] = make_node(suspect);
 }
 
 template <class Act>
 void Lattice::each_near(const Eigen::Vector2d& position, double reach, const Act& act) const {
   const auto cell = [&](double at, int cells) {
-    return std::clamp(static_cast<int>(std::max(at, 0.0)) / kCell, 0, cells - 1);
+    return std::clamp(static_cast<int>(std::max(at, 0.0)) / cell_size, 0, cells - 1);
   };
   const int left = cell(position.x() - reach, across_), right = cell(position.x() + reach, across_);
   const int bottom = cell(position.y() + reach, down_);
@@ -107,32 +111,32 @@ int Lattice::nearest(const Eigen::Vector2d& position, double distance) const {
   return nearest;
 }
 
-bool Lattice::light_changes_at(const Foretold& foretold) const {
-  const Node& witness = nodes_[foretold.witness];
-  const Eigen::Vector2d step = foretold.position - witness.position, beyond = foretold.position + step;
-  const double reach = kAside * step.norm(), here = std::abs(witness.half_contrast);
+bool Lattice::light_changes_at(const PredictedCorner& predicted) const {
+  const Node& witness = nodes_[predicted.witness];
+  const Eigen::Vector2d step = predicted.position - witness.position, beyond = predicted.position + step;
+  const double reach = most_aside_share * step.norm(), here = std::abs(witness.half_contrast);
   bool changes = false;
   each_near(beyond, reach, [&](int n) {
     const double there = std::abs(nodes_[n].half_contrast);
-    const bool differs = there > kLeastShadow * here || here > kLeastShadow * there;
+    const bool differs = there > least_shadow * here || here > least_shadow * there;
     changes |= differs && (nodes_[n].position - beyond).squaredNorm() < reach * reach;
   });
   return changes;
 }
 
-CornerModel Lattice::expected(const Foretold& foretold) const {
-  const Node& witness = nodes_[foretold.witness];
+CornerModel Lattice::expected(const PredictedCorner& predicted) const {
+  const Node& witness = nodes_[predicted.witness];
   CornerModel model;
-  model.position = foretold.position, model.edges = witness.edges, model.blur = witness.blur;
+  model.position = predicted.position, model.edges = witness.edges, model.blur = witness.blur;
   model.level = witness.level, model.half_contrast = -witness.half_contrast;
   return model;
 }
 
 bool Lattice::suits(int number, const Suspect& suspect) const {
-  return are_of_one_board(nodes_[number], node_of(suspect));
+  return are_of_one_board(nodes_[number], make_node(suspect));
 }
 
-bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], node_of(seen)); }
+bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], make_node(seen)); }
 
 Lattice::Nearest Lattice::nearest_within(int number, double reach) const {
   const Node& here = nodes_[number];
@@ -143,7 +147,7 @@ Lattice::Nearest Lattice::nearest_within(int number, double reach) const {
     for (int edge = 0; edge < 2; ++edge) {
       const double along = here.along[edge].dot(off), distance = std::abs(along);
       const int place = 2 * edge + (along < 0);
-      if (!(distance > kLeastSpacing && distance < nearest.distances[place])) continue;
+      if (!(distance > least_spacing && distance < nearest.distances[place])) continue;
       if (std::abs(cross(here.along[edge], off)) > most_aside(distance)) continue;
       if (are_of_one_board(here, nodes_[n])) nearest.distances[place] = distance, nearest.numbers[place] = n;
     }
@@ -152,10 +156,10 @@ Lattice::Nearest Lattice::nearest_within(int number, double reach) const {
 }
 
 std::array<int, 4> Lattice::neighbours(int number) const {
-  const Nearest nearest = nearest_within(number, kUsualReach);
+  const Nearest nearest = nearest_within(number, usual_reach);
   const auto& distances = nearest.distances;
-  const bool are_all = *std::max_element(distances.begin(), distances.end()) < kSure * kUsualReach;
-  return are_all ? nearest.numbers : nearest_within(number, kReach).numbers;
+  const bool are_all = *std::max_element(distances.begin(), distances.end()) < sure_share * usual_reach;
+  return are_all ? nearest.numbers : nearest_within(number, reach_px).numbers;
 }
 
 std::optional<Eigen::Vector2d> Lattice::step_beside(int number, int place, const std::array<int, 4>& near) const {
@@ -166,15 +170,15 @@ std::optional<Eigen::Vector2d> Lattice::step_beside(int number, int place, const
     for (const int next : neighbours(beside)) {
       if (next < 0) continue;
       const Eigen::Vector2d step = nodes_[next].position - nodes_[beside].position;
-      if (along.dot(step) > kStraight * step.norm() && step.norm() < kMostUnequal * aside.norm()) return step;
+      if (along.dot(step) > straight * step.norm() && step.norm() < most_unequal * aside.norm()) return step;
     }
   }
   return std::nullopt;
 }
 
-std::vector<Foretold> Lattice::foretold_by(int number) const {
+std::vector<PredictedCorner> Lattice::predicted_by(int number) const {
   const Node& here = nodes_[number];
-  std::vector<Foretold> all;
+  std::vector<PredictedCorner> all;
   const std::array<int, 4> near = neighbours(number);
   for (int place = 0; place < 4; ++place) {
     const int behind = near[place ^ 1];
@@ -186,7 +190,7 @@ std::vector<Foretold> Lattice::foretold_by(int number) const {
     if (!step) continue;
     // What is much farther is the next but two.
     const bool is_there =
-        near[place] >= 0 && (nodes_[near[place]].position - here.position).norm() < kNextButTwo * step->norm();
+        near[place] >= 0 && (nodes_[near[place]].position - here.position).norm() < next_but_two * step->norm();
     if (!is_there) all.push_back({here.position + *step, step->norm(), number, here.blur});
   }
   return all;

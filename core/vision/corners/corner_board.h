@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boards foretell their own missing corners: on the other side of a corner from one neighbour there is another, with
+// Boards predict their own missing corners: on the other side of a corner from one neighbour there is another, with
 // the colours the other way round.
 #pragma once
 
@@ -13,9 +13,9 @@
 namespace handsight {
 
 /// Where a corner should be.
-struct Foretold {
+struct PredictedCorner {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
-  double spacing = 0;                                  // px, to the corner that foretells it
+  double spacing = 0;                                  // px, to the corner that predicts it
   int witness = 0;                                     // number of that corner
   double blur = 0;                                     // px, of that corner
 };
@@ -34,13 +34,13 @@ class Lattice {
   /// Numbers of the neighbours: along the first edge forwards and backwards, then along the second; -1 where none is
   /// within 64 px, has edges along the same directions, a like contrast and the opposite colours.
   std::array<int, 4> neighbours(int number) const;
-  /// What the neighbours of this corner foretell of those that it lacks: on the other side of one, or, where both are
+  /// What the neighbours of this corner predict of those that it lacks: on the other side of one, or, where both are
   /// lacking, as far away as a neighbour's neighbour beside.
-  std::vector<Foretold> foretold_by(int number) const;
-  /// Whether the corner beyond a foretold one stands in another light than its witness: a shadow's edge lies between.
-  bool light_changes_at(const Foretold& foretold) const;
-  /// What a foretold corner looks like, if it is what its witness is.
-  CornerModel expected(const Foretold& foretold) const;
+  std::vector<PredictedCorner> predicted_by(int number) const;
+  /// Whether the corner beyond a predicted one stands in another light than its witness: a shadow's edge lies between.
+  bool light_changes_at(const PredictedCorner& predicted) const;
+  /// What a predicted corner looks like, if it is what its witness is.
+  CornerModel expected(const PredictedCorner& predicted) const;
   /// Whether a suspect may be a neighbour of this corner, wherever it is.
   bool suits(int number, const Suspect& suspect) const;
   /// The same of what circles show of it, whose contrast glare and blur change: by edges and colours alone.
@@ -57,7 +57,7 @@ class Lattice {
     std::array<double, 2> edges;           // rad
     double level, half_contrast, blur;
   };
-  static Node node_of(const Suspect& suspect);
+  static Node make_node(const Suspect& suspect);
   int& first_near(const Eigen::Vector2d& position);  // of the cell's corners
   static bool are_of_one_board(const Node& a, const Node& b);
   static bool edges_go_on(const Node& a, const Node& b);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/threads.h"
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 namespace {
@@ -19,11 +19,12 @@ namespace {
 // Gaussian of 2.06 px on the image, which wins over the noise of 8 grey levels at a contrast of 40, in a quarter of
 // the time.
 // Rows come and go, so that all stays in the nearest cache.
-template <class Value, int kRows>
+template <class Value, int row_count>
 class Ring {
  public:
-  explicit Ring(int width) : stride_(width + 2 * kLanes), values_(static_cast<std::size_t>(kRows) * stride_, 0) {}
-  Value* row(int y) { return values_.data() + static_cast<std::size_t>(y % kRows) * stride_; }
+  explicit Ring(int width)
+      : stride_(width + 2 * simd_lanes), values_(static_cast<std::size_t>(row_count) * stride_, 0) {}
+  Value* row(int y) { return values_.data() + static_cast<std::size_t>(y % row_count) * stride_; }
 
  private:
   int stride_;
@@ -33,11 +34,11 @@ using Sums = Ring<std::int16_t, 5>;
 using Smoothed = Ring<std::int16_t, 4>;
 using Saddles = Ring<float, 3>;
 
-constexpr float kNear = 1.5f, kFarthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
-constexpr int kTile = 128;                    // px
-constexpr std::size_t kMostOfTile = 400;      // a board of cells of 6 px has as many
-constexpr int kRowsOfBand = 128;              // of half the resolution
-constexpr float kUnit = 16;                   // of the smoothed plane, per grey level
+constexpr float near_px = 1.5f, farthest = 5;  // half-resolution px, from the peak to where the gradient vanishes
+constexpr int tile_size = 128;                 // px
+constexpr std::size_t most_of_tile = 400;      // a board of cells of 6 px has as many
+constexpr int rows_of_band = 128;              // of half the resolution
+constexpr float unit = 16;                     // of the smoothed plane, per grey level
 
 HANDSIGHT_LANES void add_pairs(const std::uint8_t* upper, const std::uint8_t* lower, int count, std::int16_t* sums) {
   for (int x = 0; x < count; ++x) {
@@ -76,8 +77,8 @@ HANDSIGHT_LANES void saddle_row(const std::int16_t* up, const std::int16_t* at, 
 
 // The largest of three neighbours each. Reads up to 8 more than `count`, and writes up to 7.
 HANDSIGHT_LANES void widen_row(const float* at, int count, float* wide) {
-  for (int x = 0; x < count; x += kLanes) {
-    Lanes left, s, right;
+  for (int x = 0; x < count; x += simd_lanes) {
+    Simd left, s, right;
     load(at + x - 1, left), load(at + x, s), load(at + x + 1, right);
     s = left > s ? left : s;
     s = right > s ? right : s;
@@ -89,22 +90,22 @@ HANDSIGHT_LANES void widen_row(const float* at, int count, float* wide) {
 // the left one. `up` and `down` are widened. Reads up to 8 more than `count`.
 HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* down, int count, float least,
                                 std::uint8_t* groups) {
-  constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
+  constexpr Whole lane_bits{1, 2, 4, 8, 16, 32, 64, 128};
   using FourWhole = std::int32_t __attribute__((vector_size(16)));
-  for (int x = 0; x < count; x += kLanes) {
-    Lanes s, other;
+  for (int x = 0; x < count; x += simd_lanes) {
+    Simd s, other;
     load(at + x, s);
     Whole is_peak = s > least;
     load(at + x - 1, other), is_peak &= s > other;
     load(at + x + 1, other), is_peak &= s >= other;
     load(up + x, other), is_peak &= s > other;
     load(down + x, other), is_peak &= s >= other;
-    const Whole bits = is_peak & kBit;
+    const Whole bits = is_peak & lane_bits;
     FourWhole four, high;
     std::memcpy(&four, &bits, sizeof four);
     std::memcpy(&high, reinterpret_cast<const char*>(&bits) + sizeof four, sizeof high);
     four |= high, four |= __builtin_shufflevector(four, four, 2, 3, 0, 1);
-    groups[x / kLanes] = static_cast<std::uint8_t>(four[0] | four[1]);
+    groups[x / simd_lanes] = static_cast<std::uint8_t>(four[0] | four[1]);
   }
 }
 
@@ -112,9 +113,9 @@ HANDSIGHT_LANES void find_peaks(const float* up, const float* at, const float* d
 // groups more.
 template <class Act>
 void each_peak(const std::uint8_t* groups, int count, const Act& act) {
-  for (int x = 0; x < count; x += 8 * kLanes) {
+  for (int x = 0; x < count; x += 8 * simd_lanes) {
     std::uint64_t bits;  // the first group's lowest
-    std::memcpy(&bits, groups + x / kLanes, sizeof bits);
+    std::memcpy(&bits, groups + x / simd_lanes, sizeof bits);
     if constexpr (std::endian::native == std::endian::big) bits = __builtin_bswap64(bits);
     for (; bits != 0; bits &= bits - 1)
       if (const int column = x + std::countr_zero(bits); column < count) act(column);
@@ -131,34 +132,34 @@ bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, Candidate& can
   const float half = 0.5f / saddle;
   float dx = half * (yy * gx - xy * gy), dy = half * (xx * gy - xy * gx);
   const float far = std::max(std::abs(dx), std::abs(dy));
-  if (!(far <= kFarthest)) return false;
-  candidate.stationary = far <= kNear;
+  if (!(far <= farthest)) return false;
+  candidate.stationary = far <= near_px;
   if (!candidate.stationary) dx = dy = 0;  // a shadow's edge moves the point where the gradient vanishes, not the peak
   candidate.position = {2 * (x + static_cast<double>(dx)) + 0.5, 2 * (y + static_cast<double>(dy)) + 0.5};
-  const float full = 0.25f / kUnit;  // half-resolution units to grey levels per px^2
+  const float full = 0.25f / unit;  // half-resolution units to grey levels per px^2
   candidate.saddle = saddle * full * full;
   return true;
 }
 
 // Row by row as they are, the strongest of each tile.
 void keep_strongest(int width, std::vector<Candidate>& candidates) {
-  if (candidates.size() <= kMostOfTile) return;
-  const int across = width / kTile + 1;
+  if (candidates.size() <= most_of_tile) return;
+  const int across = width / tile_size + 1;
   const auto tile = [&](const Candidate& c) {
-    return static_cast<std::size_t>(static_cast<int>(c.position.y()) / kTile * across +
-                                    static_cast<int>(c.position.x()) / kTile);
+    return static_cast<std::size_t>(static_cast<int>(c.position.y()) / tile_size * across +
+                                    static_cast<int>(c.position.x()) / tile_size);
   };
   const std::size_t tiles = tile(candidates.back()) + static_cast<std::size_t>(2 * across);
   std::vector<std::size_t> counts(tiles, 0);
   for (const Candidate& c : candidates) ++counts[tile(c)];
-  if (*std::max_element(counts.begin(), counts.end()) <= kMostOfTile) return;
+  if (*std::max_element(counts.begin(), counts.end()) <= most_of_tile) return;
   std::vector<std::vector<float>> depths(tiles);
   for (const Candidate& c : candidates) depths[tile(c)].push_back(c.saddle);
   std::vector<float> least(depths.size(), 0);
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (depths[i].size() <= kMostOfTile) continue;
-    std::nth_element(depths[i].begin(), depths[i].begin() + kMostOfTile, depths[i].end(), std::greater<>());
-    least[i] = depths[i][kMostOfTile];
+    if (depths[i].size() <= most_of_tile) continue;
+    std::nth_element(depths[i].begin(), depths[i].begin() + most_of_tile, depths[i].end(), std::greater<>());
+    least[i] = depths[i][most_of_tile];
   }
   std::erase_if(candidates, [&](const Candidate& c) { return c.saddle < least[tile(c)]; });
 }
@@ -183,7 +184,7 @@ void find_in_band(const Image& image, const Band& band, const Asked& asked, Imag
   Smoothed smoothed(width);
   Saddles saddles(width), widened(width);
   std::vector<std::uint16_t> column_sums(width);
-  std::vector<std::uint8_t> peaks(static_cast<std::size_t>(width) / kLanes + 1 + sizeof(std::uint64_t), 0);
+  std::vector<std::uint8_t> peaks(static_cast<std::size_t>(width) / simd_lanes + 1 + sizeof(std::uint64_t), 0);
   const auto find_in_row = [&](int y) {
     const float* const at = saddles.row(y) + 3;
     find_peaks(widened.row(y - 1) + 3, at, widened.row(y + 1) + 3, width - 6, asked.least, peaks.data());
@@ -223,9 +224,9 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
   // Ixy of a right-angled X-corner is 0.637 b / (2.06^2 + blur^2) at half contrast b, a quarter of that per
   // half-resolution px^2; 0.075 of the contrast is what one of 2.5 px blur has left at 53 deg, less 3 sigma of noise.
   // Noise of sigma 1 leaves 0.062 in Ixy.
-  const float least = static_cast<float>(std::pow(kUnit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
+  const float least = static_cast<float>(std::pow(unit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
   const bool is_large = is_worth_threads(image);
-  const int bands = is_large ? std::max(1, height / kRowsOfBand) : 1;
+  const int bands = is_large ? std::max(1, height / rows_of_band) : 1;
   std::vector<std::vector<Candidate>> of_band(static_cast<std::size_t>(bands));
   const auto edge = [&](int band) { return static_cast<int>(static_cast<std::int64_t>(height) * band / bands); };
   each_part(bands, is_large, [&](int band) {

@@ -12,15 +12,15 @@
 #include <array>
 #include <cmath>
 
-#include "vision/corners/corner_lanes.h"
 #include "vision/corners/corner_shape.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 
 struct Crossing {
-  static constexpr double kNothing = 5;  // q, where a 150th is left of what they share at the corner
-  float narrow, twist;                   // q = narrow (d^2 + e^2) - twist d e
-  float most, per_blur;                  // where both edges are; by how much q grows it as blur does
+  static constexpr double nothing_shared = 5;  // q, where a 150th is left of what they share at the corner
+  float narrow, twist;                         // q = narrow (d^2 + e^2) - twist d e
+  float most, per_blur;                        // where both edges are; by how much q grows it as blur does
   float turn, turn_by_both,
       turn_by_square;  // of the derivative by the first edge's direction; the second's is minus it
   double reach;        // px, from the corner: beyond it they share nothing
@@ -36,7 +36,7 @@ struct Crossing {
     set(most, M_2_PI * angle), set(per_blur, 2 / blur);
     set(turn, whole), set(turn_by_both, 0.5 * whole * angle / (c * variance)),
         set(turn_by_square, whole * angle * s / c);
-    reach = blur * std::sqrt(2 * kNothing * (1 - std::abs(s)) / (1 - std::abs(r)));
+    reach = blur * std::sqrt(2 * nothing_shared * (1 - std::abs(s)) / (1 - std::abs(r)));
   }
 };
 
@@ -62,7 +62,8 @@ HANDSIGHT_INLINE void turned(const Crossing& k, const Shared<Vector>& shared, Ve
 /// lens makes only its blur, the rest is its own, so that the correlation is blur / softness times the cosine. Edges
 /// that run along each other share most; there it is off by 0.04 at most.
 struct ShadowCrossing {
-  static constexpr float kNothing = 6, kLeft = 0.00247875f;  // q, and exp(-q), from where on they share nothing
+  static constexpr float nothing_shared = 6,
+                         left_shared = 0.00247875f;  // q, and exp(-q), from where on they share nothing
   float by_edge = 0, by_shadow = 0, twist = 0, most = 0;
   ShadowCrossing() = default;
   // `cosine`: of the angle between both normals; `blur`, `softness`: px; `factor`: what stands before what they share.
@@ -83,20 +84,20 @@ struct ShadowCrossing {
                               Vector& by_e) const {
     Vector bell, zero{};
     exp_minus(q, bell);
-    shared = q < kNothing ? most * (bell - kLeft) : zero;
-    bell = q < kNothing ? most * bell : zero;
+    shared = q < nothing_shared ? most * (bell - left_shared) : zero;
+    bell = q < nothing_shared ? most * bell : zero;
     by_d = bell * (twist * e - 2.f * by_edge * d), by_e = bell * (twist * d - 2.f * by_shadow * e);
   }
   template <class Vector>
   HANDSIGHT_INLINE void share(const Vector& d, const Vector& e, Vector& shared) const {
     Vector q, bell, zero{};
     exponent(d, e, q), exp_minus(q, bell);
-    shared = q < kNothing ? most * (bell - kLeft) : zero;
+    shared = q < nothing_shared ? most * (bell - left_shared) : zero;
   }
 };
 
 /// Of a model's two edges, each times what it changes the grey levels by.
-inline std::array<ShadowCrossing, 2> crossings_of(const CornerModel& model) {
+inline std::array<ShadowCrossing, 2> find_crossings(const CornerModel& model) {
   const auto of_edge = [&](int i) {
     return ShadowCrossing(std::sin(model.shadow.direction - model.edges[i]), model.blur, model.shadow.softness,
                           -0.5 * model.shadow.depth * model.half_contrast);

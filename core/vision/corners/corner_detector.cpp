@@ -18,16 +18,16 @@
 namespace handsight {
 namespace {
 
-constexpr int kLevels = 3;           // the whole image, a half, a quarter
-constexpr int kLeastSize = 32;       // px
-constexpr int kCoarsePlaces = 1000;  // where a coarser image's noise is measured
-constexpr double kSame = 2;          // px: nearer ones are the same
-constexpr double kSharp = 2.4;       // px, of blur: what is less is fitted in this image, what is more in a coarser one
-constexpr double kMostLastMove = 0.5;  // px
-constexpr double kMostSigma = 1.16;  // px, of what is fitted and is so uncertain after all that it is most likely none
-constexpr std::size_t kFewCorners = 4;     // tell nothing of an image
-constexpr std::size_t kNoiseCorners = 12;  // that tell how alike neighbouring pixels' noise is
-constexpr double kTelling = 0;             // log-odds, of a corner that tells something of others
+constexpr int level_count = 3;       // the whole image, a half, a quarter
+constexpr int least_size = 32;       // px
+constexpr int coarse_places = 1000;  // where a coarser image's noise is measured
+constexpr double same_px = 2;        // px: nearer ones are the same
+constexpr double sharp = 2.4;        // px, of blur: what is less is fitted in this image, what is more in a coarser one
+constexpr double most_last_move = 0.5;  // px
+constexpr double most_sigma = 1.16;  // px, of what is fitted and is so uncertain after all that it is most likely none
+constexpr std::size_t few_corners = 4;     // tell nothing of an image
+constexpr std::size_t noise_corners = 12;  // that tell how alike neighbouring pixels' noise is
+constexpr double telling_odds = 0;         // log-odds, of a corner that tells something of others
 
 // A corner, and the image that it was fitted in at last.
 struct Placed {
@@ -48,7 +48,7 @@ Placed refined(const std::vector<Level>& levels, const Found& found) {
   const int level = static_cast<int>(levels.size()) - 1;
   for (int finer = 0; finer < level; ++finer) {
     const CornerModel model = as_finer(found.fit.model, level - finer);
-    if (model.blur > kSharp || has_shadow(model)) continue;
+    if (model.blur > sharp || has_shadow(model)) continue;
     const auto again = known_look(levels[finer].sight, model);
     if (again) return {*again, finer};
   }
@@ -81,19 +81,19 @@ double take_last_step(OddSystem system, const Habits& habits, const Variances& v
   const double pool = system.is_smoothed ? 1 : pooled(variances, system.variance, system.weights);
   scale_variance(system, pool);
   const auto last = last_step(system, habits);
-  if (!last || last->move.norm() > kMostLastMove) {
+  if (!last || last->move.norm() > most_last_move) {
     corner.covariance *= std::max(1.0, pooled(variances, found.fit, 1));
     return 0;
   }
   if (last->is_needed) corner.position += last->move;
-  const double doubt = doubt_of(found.fit.model, found.asymmetry, variances.there);
-  corner.covariance = last->covariance * doubt;
-  return doubt / found.doubt * last->covariance.trace() / found.fit.covariance.trace() / pool;
+  const double model_uncertainty = model_uncertainty_of(found.fit.model, found.asymmetry, variances.there);
+  corner.covariance = last->covariance * model_uncertainty;
+  return model_uncertainty / found.model_uncertainty * last->covariance.trace() / found.fit.covariance.trace() / pool;
 }
 
 // Compression makes more noise at edges than elsewhere: what most corners show is no shadow's doing.
 Variances variances_of(double noise, const std::vector<OddSystem>& systems) {
-  if (systems.size() < kFewCorners) return {0, noise * noise};
+  if (systems.size() < few_corners) return {0, noise * noise};
   std::vector<double> variances(systems.size());
   std::transform(systems.begin(), systems.end(), variances.begin(), [](const OddSystem& s) { return s.variance; });
   const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
@@ -106,12 +106,13 @@ using OddSystems = std::vector<std::optional<OddSystem>>;
 // What system_of(found) tells of each; of a large image on several threads.
 template <class SystemOf>
 OddSystems odd_systems(const Image& image, const std::vector<Found*>& corners, const SystemOf& system_of) {
-  constexpr std::size_t kPart = 64;
+  constexpr std::size_t part_size = 64;
   OddSystems systems(corners.size());
-  const std::size_t parts = (corners.size() + kPart - 1) / kPart;
+  const std::size_t parts = (corners.size() + part_size - 1) / part_size;
   each_part(static_cast<int>(parts), is_worth_threads(image), [&](int part) {
-    const std::size_t begin = static_cast<std::size_t>(part) * kPart;
-    for (std::size_t i = begin; i < std::min(begin + kPart, corners.size()); ++i) systems[i] = system_of(*corners[i]);
+    const std::size_t begin = static_cast<std::size_t>(part) * part_size;
+    for (std::size_t i = begin; i < std::min(begin + part_size, corners.size()); ++i)
+      systems[i] = system_of(*corners[i]);
   });
   return systems;
 }
@@ -141,10 +142,10 @@ void take_smoothed_steps(const Level& level, const Habits& habits, const Varianc
 // Puts those first that are likelier corners than not, and counts them; all where they are few. What is none shows
 // bends and noise of its own, which no lens and no sensor made.
 std::size_t tellers_first(std::vector<Found*>& corners) {
-  const auto tells = [](const Found* found) { return found->suspect.log_odds > kTelling; };
+  const auto tells = [](const Found* found) { return found->suspect.log_odds > telling_odds; };
   const auto end = std::stable_partition(corners.begin(), corners.end(), tells);
   const auto count = static_cast<std::size_t>(end - corners.begin());
-  return count < kFewCorners ? corners.size() : count;
+  return count < few_corners ? corners.size() : count;
 }
 
 // Some corners tell what all that were fitted in one image have in common, and whether any needs the last step; where
@@ -160,10 +161,10 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
     return system.has_value();
   };
   const Image& image = level.sight.image;
-  const std::size_t every = telling / kNoiseCorners + 1;
+  const std::size_t every = telling / noise_corners + 1;
   const auto is_first = [&](std::size_t i) { return i < telling && i % every == 0; };
   for (std::size_t i = 0; i < telling; i += every) add(*here[i], odd_system(image, here[i]->fit));
-  const Habits of_some = habits_of(systems);
+  const Habits of_some = learn_habits(systems);
   const Variances variances = variances_of(level.sight.noise, systems);
   if (of_some.is_mosaic) return take_smoothed_steps(level, of_some, variances, here);
   const bool all = are_bent(of_some) || are_glared(of_some) ||
@@ -175,10 +176,10 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
     if (is_looked_at(i) && !is_first(i)) others.push_back(here[i]), telling_others += i < telling;
   const OddSystems of_others =
       odd_systems(image, others, [&](const Found& found) { return odd_system(image, found.fit, false); });
-  std::size_t told = systems.size();
+  std::size_t reported = systems.size();
   for (std::size_t i = 0; i < others.size(); ++i)
-    if (add(*others[i], of_others[i])) scale_variance(systems.back(), of_some.variance), told += i < telling_others;
-  const Habits habits = habits_of(std::span(systems).first(told));
+    if (add(*others[i], of_others[i])) scale_variance(systems.back(), of_some.variance), reported += i < telling_others;
+  const Habits habits = learn_habits(std::span(systems).first(reported));
   double change = 0;
   int changed = 0;
   for (std::size_t i = 0; i < systems.size(); ++i) {
@@ -192,7 +193,7 @@ void take_last_steps(const Level& level, int number, std::vector<Placed>& corner
 
 // Beside a shadow's edge a corner that is badly known is a corner still.
 bool is_known(const Found& found) {
-  return has_shadow(found.fit.model) || found.corner.covariance.trace() < 2 * kMostSigma * kMostSigma;
+  return has_shadow(found.fit.model) || found.corner.covariance.trace() < 2 * most_sigma * most_sigma;
 }
 
 // What an image that was halved `times` times shows, as the whole one would.
@@ -212,7 +213,7 @@ std::vector<Corner> strongest(const Image& image, std::vector<Corner> corners, i
   Lattice lattice(image.width, image.height);
   std::vector<Corner> kept;
   for (const Corner& corner : corners) {
-    if (lattice.has_near(corner.position, kSame)) continue;
+    if (lattice.has_near(corner.position, same_px)) continue;
     lattice.add({{}, corner.position, corner.edges});
     kept.push_back(corner);
     if (static_cast<int>(kept.size()) >= most) break;
@@ -224,24 +225,24 @@ std::vector<Corner> strongest(const Image& image, std::vector<Corner> corners, i
 
 std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options) {
   // Each half of the one before; the first is not used. They stay for the next image, which mostly is as large.
-  thread_local std::array<Image, kLevels> images;
+  thread_local std::array<Image, level_count> images;
   std::vector<Level> levels;
-  levels.reserve(kLevels);
+  levels.reserve(level_count);
   std::vector<Placed> placed;
   std::vector<Suspect> known;  // where they lie in the present image
-  for (int n = 0; n < kLevels; ++n) {
+  for (int n = 0; n < level_count; ++n) {
     const Image& here = n > 0 ? images[n] : image;
-    if (n > 0 && std::min(here.width, here.height) < kLeastSize) break;
-    const double noise = n > 0 ? image_noise(here, kCoarsePlaces) : image_noise(here);
+    if (n > 0 && std::min(here.width, here.height) < least_size) break;
+    const double noise = n > 0 ? image_noise(here, coarse_places) : image_noise(here);
     levels.push_back({{here, options, noise, n > 0}, {}, {}, {}, {}});
     Level& level = levels.back();
     if (n == 0) {
       find_corners(level, images[1]);
     } else {
-      std::vector<Foretold> missing = levels[n - 1].missing;
-      for (Foretold& foretold : missing)
-        foretold.position = in_halved(foretold.position, 1), foretold.spacing *= 0.5, foretold.blur *= 0.5;
-      find_blurred_corners(levels[n - 1], known, missing, level, n + 1 < kLevels ? &images[n + 1] : nullptr);
+      std::vector<PredictedCorner> missing = levels[n - 1].missing;
+      for (PredictedCorner& predicted : missing)
+        predicted.position = in_halved(predicted.position, 1), predicted.spacing *= 0.5, predicted.blur *= 0.5;
+      find_blurred_corners(levels[n - 1], known, missing, level, n + 1 < level_count ? &images[n + 1] : nullptr);
     }
     for (const Found& found : level.found) {
       known.push_back(found.suspect);

@@ -14,7 +14,7 @@ namespace handsight {
 
 /// All X-corners of the image, strongest first. Corners nearer to the border than the window are left out; of what is
 /// so blurred that it is found in the halved or quartered image those nearer than twice or four times that, but for
-/// what a board foretells.
+/// what a board predicts.
 std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& options = {});
 
 /// Gauss-Newton to the point of best symmetry from `start` (px), then the fit; nothing where it leads farther than

@@ -7,9 +7,9 @@
 
 namespace handsight {
 
-constexpr double kMostMove = 1.8;     // px, from the start
-constexpr double kMostMisfit = 0.21;  // half contrasts; sharpening in the camera leaves less
-constexpr double kMostBlur = 0.6;     // radii: a saddle that never becomes flat is no corner
+constexpr double most_move = 1.8;     // px, from the start
+constexpr double most_misfit = 0.21;  // half contrasts; sharpening in the camera leaves less
+constexpr double most_blur = 0.6;     // radii: a saddle that never becomes flat is no corner
 
 /// How far the model holds, px, `most` at most: ring by ring from `radius` on, as long as the residuals stay what they
 /// are inside, where they leave `noise` (grey levels).
@@ -17,7 +17,7 @@ double grown_radius(const Image& image, double radius, int most, double noise, c
                     CornerPatch& patch);
 
 /// Root of the mean product of neighbouring residuals: of white noise nothing remains, of a wrong shape most does.
-double misfit_of(const CornerPatch& patch);
+double compute_misfit(const CornerPatch& patch);
 
 /// Bounds beyond what X-corners of 8 px cells show at 60 deg and 2.5 px of blur, `half_contrast` by their circles. Over
 /// the first disc blur and contrast are hard to tell from each other, so there they are `loose`.

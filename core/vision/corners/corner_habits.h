@@ -10,14 +10,14 @@
 namespace handsight {
 
 struct Habits {
-  double variance = 1;                            // of the odd residuals over that of the fit's
-  double bend = 3e-4;                             // 1/px, sigma of the edges' bends
-  std::array<double, kNeighbours> correlation{};  // of the noise of neighbouring pixels
-  double added = 0.03;                            // grey levels per px, sigma of added light
-  bool is_mosaic = false;                         // colours were interpolated
-  std::array<float, kNeighbours> influence{};     // the mean of OddSystem::influence, for those that have none
+  double variance = 1;                                // of the odd residuals over that of the fit's
+  double bend = 3e-4;                                 // 1/px, sigma of the edges' bends
+  std::array<double, neighbour_count> correlation{};  // of the noise of neighbouring pixels
+  double added = 0.03;                                // grey levels per px, sigma of added light
+  bool is_mosaic = false;                             // colours were interpolated
+  std::array<float, neighbour_count> influence{};     // the mean of OddSystem::influence, for those that have none
 };
-Habits habits_of(std::span<const OddSystem> systems);
+Habits learn_habits(std::span<const OddSystem> systems);
 
 /// Whether the lens plainly bends edges.
 bool are_bent(const Habits& habits);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/threads.h"
-#include "vision/corners/corner_foretold.h"
+#include "vision/corners/corner_predicted.h"
 #include "vision/corners/corner_pyramid.h"
 #include "vision/corners/corner_shadow_rounds.h"
 
@@ -15,11 +15,11 @@ namespace handsight {
 namespace {
 
 // More saddles near that are none than are corners: few enough to look again, and to look elsewhere too.
-constexpr double kFew = 4, kFewToCentre = 1;
+constexpr double few_points = 4, few_to_centre = 1;
 
 // Log-odds that a corner without a neighbour on a board must have, where it is found in a coarser image only: what is
 // out of focus behind makes many that look like it.
-constexpr double kLeastAlone = -1;
+constexpr double least_alone = -1;
 
 // What was found, each as a corner and as a suspect.
 struct Finds {
@@ -40,7 +40,7 @@ struct Left {
 };
 
 // Of a large image parts are looked at on several threads, and put together in their order.
-constexpr int kPart = 512;
+constexpr int part_size = 512;
 bool is_large(const Sight& sight) { return is_worth_threads(sight.image); }
 
 // What look(i) finds for i below `count`, with its number.
@@ -50,15 +50,15 @@ struct Numbered {
 };
 // How many all parts hold together.
 template <class Parts, class SizeOf>
-std::size_t total_size(const Parts& parts, const SizeOf& size_of) {
+std::size_t total_size(const Parts& parts, const SizeOf& measure_size) {
   std::size_t size = 0;
-  for (const auto& part : parts) size += size_of(part);
+  for (const auto& part : parts) size += measure_size(part);
   return size;
 }
 
 template <class Look>
 std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Look& look) {
-  const std::size_t part = is_large(sight) ? kPart : std::max<std::size_t>(count, 1);
+  const std::size_t part = is_large(sight) ? part_size : std::max<std::size_t>(count, 1);
   std::vector<std::vector<Numbered>> parts((count + part - 1) / part);
   each_part(static_cast<int>(parts.size()), is_large(sight), [&](int p) {
     const std::size_t begin = static_cast<std::size_t>(p) * part;
@@ -75,16 +75,16 @@ std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Loo
 
 // Looks long at what the first look left, and at what it found but believes to be none: a shadow spoils a fit too.
 void look_again(const Sight& sight, const SaddleField& field, const std::vector<Left>& left, Finds& finds) {
-  const auto is_worth_it = [&](const Candidate& candidate) { return field.others(candidate) <= kFew; };
+  const auto is_worth_it = [&](const Candidate& candidate) { return field.others(candidate) <= few_points; };
   const auto beside_shadow = all_found(sight, finds.suspects.size(), [&](std::size_t i) -> std::optional<Found> {
     const Suspect& suspect = finds.suspects[i];
-    if (suspect.log_odds > kLeastLogOdds || !is_worth_it(suspect.candidate)) return std::nullopt;
+    if (suspect.log_odds > least_log_odds || !is_worth_it(suspect.candidate)) return std::nullopt;
     return shadow_look(sight, suspect.candidate);
   });
   const auto later = all_found(sight, left.size(), [&](std::size_t i) -> std::optional<Found> {
     const double others = field.others(*left[i].candidate);
-    if (others > kFew) return std::nullopt;
-    return long_look(sight, *left[i].candidate, {left[i].was_fitted, others <= kFewToCentre});
+    if (others > few_points) return std::nullopt;
+    return long_look(sight, *left[i].candidate, {left[i].was_fitted, others <= few_to_centre});
   });
   for (const Numbered& numbered : beside_shadow)
     if (numbered.found.suspect.own > finds.suspects[numbered.number].own)
@@ -107,7 +107,7 @@ struct FirstLooks {
 template <class IsAsked>
 FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
   const std::vector<Candidate>& candidates = level.candidates;
-  const std::size_t part = is_large(level.sight) ? kPart : std::max<std::size_t>(candidates.size(), 1);
+  const std::size_t part = is_large(level.sight) ? part_size : std::max<std::size_t>(candidates.size(), 1);
   std::vector<FirstLooks> parts((candidates.size() + part - 1) / part);
   each_part(static_cast<int>(parts.size()), is_large(level.sight), [&](int p) {
     FirstLooks& looks = parts[static_cast<std::size_t>(p)];
@@ -144,7 +144,7 @@ void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
   set_open(0);
   weigh(finds.suspects, field);
   for (std::size_t i = 0; i < finds.all.size(); ++i)
-    if (finds.suspects[i].log_odds > kLeastLogOdds) {
+    if (finds.suspects[i].log_odds > least_log_odds) {
       level.found.push_back(finds.all[i]);
       level.found.back().suspect.log_odds = finds.suspects[i].log_odds;
       add_if_seen(finds.all[i].fit, level.shadows);
@@ -156,7 +156,7 @@ void take_likely(FirstLooks& looks, SaddleField& field, Level& level) {
 void mark_alone(const Lattice& lattice, int first, Level& level) {
   for (std::size_t i = 0; i < level.found.size(); ++i) {
     Found& found = level.found[i];
-    if (found.suspect.log_odds > kLeastAlone) continue;
+    if (found.suspect.log_odds > least_alone) continue;
     const auto near = lattice.neighbours(first + static_cast<int>(i));
     found.is_alone = std::all_of(near.begin(), near.end(), [](int n) { return n < 0; });
   }
@@ -166,7 +166,7 @@ void mark_alone(const Lattice& lattice, int first, Level& level) {
 class FinerSaddles {
  public:
   FinerSaddles(int width, int height, const std::vector<Candidate>& finer)
-      : across_(width / kCell + 3), deepest_(static_cast<std::size_t>(across_) * (height / kCell + 3), 0) {
+      : across_(width / cell_size + 3), deepest_(static_cast<std::size_t>(across_) * (height / cell_size + 3), 0) {
     for (const Candidate& candidate : finer) {
       float& deepest = deepest_[number(in_halved(candidate.position, 1))];
       deepest = std::max(deepest, candidate.saddle);
@@ -178,15 +178,15 @@ class FinerSaddles {
     float deepest = 0;
     for (const int row : {-across_, 0, across_})
       for (const int column : {-1, 0, 1}) deepest = std::max(deepest, middle[row + column]);
-    return deepest > kSharper * candidate.saddle;
+    return deepest > sharper_share * candidate.saddle;
   }
 
  private:
-  static constexpr int kCell = 4;          // px
-  static constexpr float kSharper = 0.4f;  // of a corner that is blurred by 2 px in the finer image
+  static constexpr int cell_size = 4;           // px
+  static constexpr float sharper_share = 0.4f;  // of a corner that is blurred by 2 px in the finer image
   std::size_t number(const Eigen::Vector2d& position) const {
-    return static_cast<std::size_t>((static_cast<int>(position.y()) / kCell + 1) * across_ +
-                                    static_cast<int>(position.x()) / kCell + 1);
+    return static_cast<std::size_t>((static_cast<int>(position.y()) / cell_size + 1) * across_ +
+                                    static_cast<int>(position.x()) / cell_size + 1);
   }
   int across_;
   std::vector<float> deepest_;
@@ -202,13 +202,13 @@ void find_corners(Level& level, Image& half) {
   take_likely(looks, field, level);
   Lattice lattice(sight.image.width, sight.image.height);
   for (const Found& found : level.found) lattice.add(found.suspect);
-  take_foretold(lattice, field, 0, level);
+  take_predicted(lattice, field, 0, level);
   settle_shadows(lattice, field, 0, level);
   keep_for_coarser(lattice, field, level.missing);
 }
 
-void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known, const std::vector<Foretold>& missing,
-                          Level& level, Image* half) {
+void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
+                          const std::vector<PredictedCorner>& missing, Level& level, Image* half) {
   const Sight& sight = level.sight;
   level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, half);
   const FinerSaddles sharper(sight.image.width, sight.image.height, finer.candidates);
@@ -222,11 +222,11 @@ void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
   for (const Suspect& suspect : known) lattice.add(suspect);
   const int first = lattice.size();
   for (const Found& found : level.found) lattice.add(found.suspect);
-  for (const Foretold& foretold : missing)
-    if (field.has_near(foretold.position, reach_of(foretold)) &&
-        !lattice.has_near(foretold.position, reach_of(foretold)) && !take_if_there(lattice, field, foretold, level))
-      level.missing.push_back(foretold);
-  take_foretold(lattice, field, first, level);
+  for (const PredictedCorner& predicted : missing)
+    if (field.has_near(predicted.position, reach_of(predicted)) &&
+        !lattice.has_near(predicted.position, reach_of(predicted)) && !take_if_there(lattice, field, predicted, level))
+      level.missing.push_back(predicted);
+  take_predicted(lattice, field, first, level);
   settle_shadows(lattice, field, first, level);
   keep_for_coarser(lattice, field, level.missing);
   mark_alone(lattice, first, level);

@@ -16,8 +16,8 @@ struct Level {
   Sight sight;
   std::vector<Candidate> candidates;
   std::vector<Found> found;
-  std::vector<Foretold> missing;  // what boards foretold in vain
-  ShadowLines shadows;            // by those found beside their edges
+  std::vector<PredictedCorner> missing;  // what boards predicted in vain
+  ShadowLines shadows;                   // by those found beside their edges
 };
 
 }  // namespace handsight

@@ -8,24 +8,24 @@
 #include <numeric>
 #include <utility>
 
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 namespace {
 
-constexpr int kNear = 40;         // px: what lies so near tells of what a corner lies in
-constexpr float kSame = 2;        // px: nearer ones are the same
-constexpr float kAsDeep = 0.25f;  // of a saddle's depth, which is a product of two curvatures
-constexpr int kRounds = 4;
-constexpr CornerSigns kWeights{-7.25, 0.73, -1.95, -3.06, -1.01, 5};
-constexpr double kWeightOfOthers = -1.65, kWeightOfBoard = 4;
-constexpr double kParallel = 0.12;  // sine, between edges of one board: perspective turns them a little
-constexpr double kAlike = 1.67;     // times another's contrast
-constexpr double kFewOfABoard = 8, kMostOfABoard = 14;
-constexpr double kLeastExcess = 0.02;  // half contrasts
-constexpr double kLeastSine = 1e-3;
+constexpr int near_px = 40;       // px: what lies so near tells of what a corner lies in
+constexpr float same_px = 2;      // px: nearer ones are the same
+constexpr float as_deep = 0.25f;  // of a saddle's depth, which is a product of two curvatures
+constexpr int round_count = 4;
+constexpr CornerSigns weights{-7.25, 0.73, -1.95, -3.06, -1.01, 5};
+constexpr double weight_of_others = -1.65, weight_of_board = 4;
+constexpr double parallel_sine = 0.12;   // sine, between edges of one board: perspective turns them a little
+constexpr double alike_contrast = 1.67;  // times another's contrast
+constexpr double few_of_aboard = 8, most_of_aboard = 14;
+constexpr double least_excess = 0.02;  // half contrasts
+constexpr double least_sine = 1e-3;
 
-int cell(double coordinate) { return static_cast<int>(coordinate) / kNear; }
+int cell(double coordinate) { return static_cast<int>(coordinate) / near_px; }
 
 bool within(double u, double v, double distance) { return u * u + v * v < distance * distance; }
 bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance) {
@@ -74,9 +74,9 @@ Likeness likeness(const Suspect& s) {
 
 bool alike(const Likeness& a, const Likeness& b) {
   const auto parallel = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
-    return std::abs(p.x() * q.y() - p.y() * q.x()) < kParallel;
+    return std::abs(p.x() * q.y() - p.y() * q.x()) < parallel_sine;
   };
-  return a.contrast < kAlike * b.contrast && b.contrast < kAlike * a.contrast &&
+  return a.contrast < alike_contrast * b.contrast && b.contrast < alike_contrast * a.contrast &&
          ((parallel(a.first, b.first) && parallel(a.second, b.second)) ||
           (parallel(a.first, b.second) && parallel(a.second, b.first)));
 }
@@ -84,15 +84,15 @@ bool alike(const Likeness& a, const Likeness& b) {
 // What the saddles say of which the distance from (u, v) is that of others that are near.
 HANDSIGHT_LANES float said(const float* u, const float* v, const float* depth, const float* says, int count, float at_u,
                            float at_v, float least_depth) {
-  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
-  Lanes sum{}, zero{}, x, y, deep, word;
-  for (int n = 0; n < count; n += kLanes) {
+  constexpr Simd lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
+  Simd sum{}, zero{}, x, y, deep, word;
+  for (int n = 0; n < count; n += simd_lanes) {
     load(u + n, x), load(v + n, y), load(depth + n, deep), load(says + n, word);
     x -= at_u, y -= at_v;
-    const Lanes square = x * x + y * y;
-    word = square < kSame * kSame ? zero : word;
-    word = square < static_cast<float>(kNear * kNear) ? word : zero;
-    word = kNumber < static_cast<float>(count - n) ? word : zero;
+    const Simd square = x * x + y * y;
+    word = square < same_px * same_px ? zero : word;
+    word = square < static_cast<float>(near_px * near_px) ? word : zero;
+    word = lane_numbers < static_cast<float>(count - n) ? word : zero;
     sum += deep < least_depth ? zero : word;
   }
   return total(sum);
@@ -100,19 +100,19 @@ HANDSIGHT_LANES float said(const float* u, const float* v, const float* depth, c
 
 }  // namespace
 
-CornerSigns signs_of(const CornerFit& fit, double image_noise) {
+CornerSigns find_signs(const CornerFit& fit, double image_noise) {
   const double beyond = std::max(fit.noise * fit.noise - image_noise * image_noise, 0.0);
-  const double excess = std::max(std::sqrt(beyond) / std::abs(fit.model.half_contrast), kLeastExcess);
-  const double skew = std::log(std::max(std::abs(std::sin(fit.model.edges[0] - fit.model.edges[1])), kLeastSine));
+  const double excess = std::max(std::sqrt(beyond) / std::abs(fit.model.half_contrast), least_excess);
+  const double skew = std::log(std::max(std::abs(std::sin(fit.model.edges[0] - fit.model.edges[1])), least_sine));
   return {1, fit.radius, fit.model.blur, 0.5 * std::log(fit.covariance.trace()), std::log(excess), skew};
 }
 
 double corner_log_odds(const CornerSigns& signs) {
-  return std::inner_product(signs.begin(), signs.end(), kWeights.begin(), 0.0);
+  return std::inner_product(signs.begin(), signs.end(), weights.begin(), 0.0);
 }
 
 double log_odds_among(double own, double others, double board) {
-  return own + kWeightOfOthers * std::clamp(others, -2.0, 4.0) + kWeightOfBoard * board;
+  return own + weight_of_others * std::clamp(others, -2.0, 4.0) + weight_of_board * board;
 }
 
 SaddleField::SaddleField(int width, int height, const std::vector<Candidate>& candidates)
@@ -124,7 +124,7 @@ SaddleField::SaddleField(int width, int height, const std::vector<Candidate>& ca
     if (c.stationary) ++first_[cell_of(c) + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   // Whole groups are read, so there are some more.
-  const std::size_t count = static_cast<std::size_t>(first_.back()) + kLanes;
+  const std::size_t count = static_cast<std::size_t>(first_.back()) + simd_lanes;
   u_.resize(count), v_.resize(count), depth_.assign(count, -1), says_.assign(count, 1);
   std::vector<int> next(first_.begin(), first_.end() - 1);
   for (const Candidate& c : candidates) {
@@ -146,10 +146,10 @@ void SaddleField::each_row_round(const Eigen::Vector2d& position, double reach, 
 
 double SaddleField::others(const Candidate& candidate) const {
   double more = 0;
-  each_row_round(candidate.position, kNear, [&](int begin, int end) {
+  each_row_round(candidate.position, near_px, [&](int begin, int end) {
     more += said(&u_[begin], &v_[begin], &depth_[begin], &says_[begin], end - begin,
                  static_cast<float>(candidate.position.x()), static_cast<float>(candidate.position.y()),
-                 kAsDeep * candidate.saddle);
+                 as_deep * candidate.saddle);
   });
   return more;
 }
@@ -157,10 +157,10 @@ double SaddleField::others(const Candidate& candidate) const {
 SaddleField::Few SaddleField::at(const Eigen::Vector2d& position) const {
   Few few;
   const auto u = static_cast<float>(position.x()), v = static_cast<float>(position.y());
-  each_row_round(position, kSame, [&](int begin, int end) {
+  each_row_round(position, same_px, [&](int begin, int end) {
     for (int n = begin; n < end; ++n) {
       const float x = u_[n] - u, y = v_[n] - v;
-      if (x * x + y * y < kSame * kSame && few.count < few.numbers.size()) few.numbers[few.count++] = n;
+      if (x * x + y * y < same_px * same_px && few.count < few.numbers.size()) few.numbers[few.count++] = n;
     }
   });
   return few;
@@ -179,12 +179,12 @@ void SaddleField::set_probability(std::span<const int> numbers, double probabili
 }
 
 int SaddleField::counted(std::span<const int> numbers, const Candidate& candidate) const {
-  const float least = kAsDeep * candidate.saddle;
+  const float least = as_deep * candidate.saddle;
   int count = 0;
-  for (const int n : numbers) {  // without branches, which nobody could foretell
+  for (const int n : numbers) {  // without branches, which nobody could predict
     const double u = u_[n] - candidate.position.x(), v = v_[n] - candidate.position.y(), square = u * u + v * v;
-    count += static_cast<int>(depth_[n] >= least) & static_cast<int>(square < kNear * kNear) &
-             static_cast<int>(square >= kSame * kSame);
+    count += static_cast<int>(depth_[n] >= least) & static_cast<int>(square < near_px * near_px) &
+             static_cast<int>(square >= same_px * same_px);
   }
   return count;
 }
@@ -193,11 +193,11 @@ std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
   std::vector<Likeness> likenesses(suspects.size());
   std::transform(suspects.begin(), suspects.end(), likenesses.begin(), likeness);
   std::vector<double> signs(suspects.size());
-  each_near_pair(suspects, kNear, [&](int i, int j) {
-    if (alike(likenesses[i], likenesses[j]) && !within(likenesses[i].position, likenesses[j].position, kSame))
+  each_near_pair(suspects, near_px, [&](int i, int j) {
+    if (alike(likenesses[i], likenesses[j]) && !within(likenesses[i].position, likenesses[j].position, same_px))
       ++signs[i], ++signs[j];
   });
-  for (double& sign : signs) sign = std::clamp((sign - kFewOfABoard) / (kMostOfABoard - kFewOfABoard), 0.0, 1.0);
+  for (double& sign : signs) sign = std::clamp((sign - few_of_aboard) / (most_of_aboard - few_of_aboard), 0.0, 1.0);
   return signs;
 }
 
@@ -216,7 +216,7 @@ std::vector<Tie> ties_of(const std::vector<Suspect>& suspects, const std::vector
   std::transform(suspects.begin(), suspects.end(), candidates.begin(), [](const Suspect& s) { return s.candidate; });
   std::vector<Tie> ties;
   ties.reserve(8 * suspects.size());
-  each_near_pair(suspects, kNear + 2 * kSame, [&](int i, int j) {
+  each_near_pair(suspects, near_px + 2 * same_px, [&](int i, int j) {
     const int by_one = field.counted(own[j], candidates[i]), by_other = field.counted(own[i], candidates[j]);
     if (by_one + by_other > 0)
       ties.push_back({i, j, static_cast<std::int16_t>(by_one), static_cast<std::int16_t>(by_other)});
@@ -248,7 +248,7 @@ void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
   for (const auto& numbers : own) field.set_probability(numbers, 0);
   for (std::size_t i = 0; i < suspects.size(); ++i) if_none[i] = field.others(suspects[i].candidate);
   settle();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < round_count; ++round) {
     others = if_none;
     for (auto tie = ties.begin(); tie != ties.end();) {
       const int one = tie->one;

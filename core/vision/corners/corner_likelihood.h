@@ -18,7 +18,7 @@ namespace handsight {
 using CornerSigns = std::array<double, 6>;
 
 /// `image_noise`: grey levels, sigma of a pixel.
-CornerSigns signs_of(const CornerFit& fit, double image_noise);
+CornerSigns find_signs(const CornerFit& fit, double image_noise);
 
 /// Log-odds that what was fitted is a corner and not a piece of texture, were no other saddle near: the signs weighed
 /// by logistic regression on rendered markers, boards and texture (tests/trials/trial_corner_odds), but for the sine
@@ -82,6 +82,6 @@ double log_odds_among(double own, double others, double board = 0);
 void weigh(std::vector<Suspect>& suspects, SaddleField& field);
 
 /// What is reported has more.
-constexpr double kLeastLogOdds = -2.9;
+constexpr double least_log_odds = -2.9;
 
 }  // namespace handsight

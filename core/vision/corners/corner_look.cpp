@@ -11,19 +11,19 @@
 namespace handsight {
 namespace {
 
-constexpr double kMostSigma = 0.3;      // px: a corner that is not known better than this helps nobody
-constexpr double kMostApart = 0.6;      // px, between the points of best symmetry and best fit
-constexpr double kMostAsymmetry = 0.3;  // half contrasts, beyond what the noise explains
+constexpr double most_sigma = 0.3;      // px: a corner that is not known better than this helps nobody
+constexpr double most_apart = 0.6;      // px, between the points of best symmetry and best fit
+constexpr double most_asymmetry = 0.3;  // half contrasts, beyond what the noise explains
 
-constexpr double kMostBeyond = 0.1, kMostCutOff = 0.2;  // contrasts, beyond what pixels can tell
+constexpr double most_beyond = 0.1, most_cut_off = 0.2;  // contrasts, beyond what pixels can tell
 
-constexpr double kLikelyShade = 0.005;   // 1/px: light that changes faster may be a shadow's edge
-constexpr double kLeastOfShadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
-constexpr double kUsualShade = 0.0035,
-                 kDoubtfulShade = 0.0015;     // 1/px: light's own; what beyond it doubles the variance
-constexpr double kDoubtfulAsymmetry = 0.022;  // half contrasts, of opposite points; doubles the variance
-constexpr double kOddsOfShadow = 2;           // log-odds: with four unknowns more much looks like a corner
-constexpr double kMuchSurer = 0.75;           // times the variance in even light, that a fit with a shadow may have
+constexpr double likely_shade = 0.005;    // 1/px: light that changes faster may be a shadow's edge
+constexpr double least_of_shadow = 0.03;  // contrasts: opposite points differ by more where there is a shadow
+constexpr double usual_shade = 0.0035,
+                 doubtful_shade = 0.0015;     // 1/px: light's own; what beyond it doubles the variance
+constexpr double doubtful_asymmetry = 0.022;  // half contrasts, of opposite points; doubles the variance
+constexpr double odds_of_shadow = 2;          // log-odds: with four unknowns more much looks like a corner
+constexpr double much_surer = 0.75;           // times the variance in even light, that a fit with a shadow may have
 
 double in_half_turn(double angle) {
   const double turned = std::fmod(angle, M_PI);
@@ -45,9 +45,9 @@ bool symmetry_suits(double depth, const CrossStructure& cross) {
 
 // What noise does not explain of the circles: that they are no four sectors, and that opposite points differ. Measured:
 // of what a fit shows to be none two in five are seen here already, of 1000 corners one is taken for none.
-constexpr double kLeastMove = 0.5;                           // px: less does not change what a fit finds
-constexpr double kMostMisfit = 0.108, kMostOffCentre = 0.3;  // where circles may be read off the corner
-bool sectors_suit(const CrossStructure& cross, double noise, double most = kMostMisfit) {
+constexpr double least_move = 0.5;                            // px: less does not change what a fit finds
+constexpr double most_misfit = 0.108, most_off_centre = 0.3;  // where circles may be read off the corner
+bool sectors_suit(const CrossStructure& cross, double noise, double most = most_misfit) {
   const double relative = noise / std::abs(cross.half_contrast);
   const auto beyond = [&](double sign, double share) {  // `share` of the noise is in the sign
     return std::sqrt(std::max(sign * sign - share * share * relative * relative, 0.0));
@@ -64,8 +64,8 @@ bool sectors_suit(const CrossStructure& cross, double noise, double most = kMost
 bool has_possible_levels(const CornerFit& fit) {
   const double half = std::abs(fit.model.half_contrast), contrast = 2 * half;
   const double black = fit.model.level - half, white = fit.model.level + half;
-  if (fit.is_clipped) return black > -kMostCutOff * contrast;
-  return black > -kMostBeyond * contrast && white < 255 + kMostBeyond * contrast;
+  if (fit.is_clipped) return black > -most_cut_off * contrast;
+  return black > -most_beyond * contrast && white < 255 + most_beyond * contrast;
 }
 
 // Grey levels, in the light at the corner.
@@ -75,34 +75,34 @@ double contrast_of(const CornerModel& model) {
 }
 
 // px, sigma of the largest window, as wide as asked for at most, that does not leave the image.
-constexpr int kLeastWindow = 3;  // px
+constexpr int least_window = 3;  // px
 double sigma_with_room(const Sight& sight, const Eigen::Vector2d& position) {
   const int u = static_cast<int>(position.x()), v = static_cast<int>(position.y());
   const int room = std::min({u, v, sight.image.width - 2 - u, sight.image.height - 2 - v}) - 1;
-  return std::min(sight.options.sigma, std::max(room, kLeastWindow) / 3.0);
+  return std::min(sight.options.sigma, std::max(room, least_window) / 3.0);
 }
 
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
 std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double sigma) {
   if (contrast_of(fit.model) < sight.options.min_contrast) return std::nullopt;
-  if (fit.covariance.trace() > 2 * kMostSigma * kMostSigma || !has_possible_levels(fit)) return std::nullopt;
+  if (fit.covariance.trace() > 2 * most_sigma * most_sigma || !has_possible_levels(fit)) return std::nullopt;
   Found found;
-  const double own = corner_log_odds(signs_of(fit, sight.noise)) - (has_shadow(fit.model) ? kOddsOfShadow : 0);
-  if (log_odds_among(own, -2) < kLeastLogOdds) return std::nullopt;
+  const double own = corner_log_odds(find_signs(fit, sight.noise)) - (has_shadow(fit.model) ? odds_of_shadow : 0);
+  if (log_odds_among(own, -2) < least_log_odds) return std::nullopt;
   found.fit = fit;
   found.suspect = {{},  fit.model.position, fit.model.edges, fit.model.half_contrast, own,
                    own, fit.model.blur,     fit.model.level};
   // The strength is that of the symmetry, and what the model calls a corner must be a point of symmetry too.
-  const auto symmetric = symmetry_point(sight.image, fit.model.position, sigma, kMostApart, 0,
+  const auto symmetric = symmetry_point(sight.image, fit.model.position, sigma, most_apart, 0,
                                         has_shadow(fit.model) ? &fit.model : nullptr);
   if (!symmetric) return std::nullopt;
   const double asymmetry = std::sqrt(std::max(symmetric->noise * symmetric->noise - sight.noise * sight.noise, 0.0));
-  if (asymmetry > kMostAsymmetry * std::abs(fit.model.half_contrast)) return std::nullopt;
+  if (asymmetry > most_asymmetry * std::abs(fit.model.half_contrast)) return std::nullopt;
   Corner& corner = found.corner;
   corner.position = fit.model.position;
   found.asymmetry = symmetric->noise * symmetric->noise;
-  found.doubt = doubt_of(fit.model, found.asymmetry, sight.noise * sight.noise);
-  corner.covariance = fit.covariance * found.doubt;
+  found.model_uncertainty = model_uncertainty_of(fit.model, found.asymmetry, sight.noise * sight.noise);
+  corner.covariance = fit.covariance * found.model_uncertainty;
   corner.strength = symmetric->strength;
   corner.contrast = contrast_of(fit.model);
   corner.edges = {in_half_turn(fit.model.edges[0]), in_half_turn(fit.model.edges[1])};
@@ -117,11 +117,11 @@ std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& 
   const auto fit = fit_corner(sight.image, start, cross, sight.noise);
   if (!fit) return std::nullopt;
   auto plain = checked(sight, *fit);
-  if (!plain || fit->model.shade.norm() < kLikelyShade) return plain;
+  if (!plain || fit->model.shade.norm() < likely_shade) return plain;
   const auto beside = fit_beside_shadow(sight.image, start, cross, fit->model, Guess::fitted, sight.noise);
   const auto shaded = beside ? checked(sight, *beside) : std::nullopt;
   // Where the shadow explains little it only adds unknowns.
-  const bool better = shaded && shaded->corner.covariance.trace() < kMuchSurer * plain->corner.covariance.trace();
+  const bool better = shaded && shaded->corner.covariance.trace() < much_surer * plain->corner.covariance.trace();
   return better ? shaded : plain;
 }
 
@@ -135,7 +135,7 @@ std::optional<Found> corner_in_shadow(const Sight& sight, const Eigen::Vector2d&
 std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& start, bool was_fitted) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, 2.5, 2);
   if (!symmetric) return std::nullopt;
-  if (was_fitted && (symmetric->position - start).norm() < kLeastMove) return std::nullopt;
+  if (was_fitted && (symmetric->position - start).norm() < least_move) return std::nullopt;
   const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
   if (!cross || !sectors_suit(*cross, sight.noise)) return std::nullopt;
   return corner_in_light(sight, symmetric->position, *cross);
@@ -156,10 +156,10 @@ CrossStructure structure_of(const CornerModel& model) {
 
 }  // namespace
 
-double doubt_of(const CornerModel& model, double asymmetry, double variance) {
-  const double unit = kDoubtfulAsymmetry * model.half_contrast,
+double model_uncertainty_of(const CornerModel& model, double asymmetry, double variance) {
+  const double unit = doubtful_asymmetry * model.half_contrast,
                relative = std::max(asymmetry - variance, 0.0) / (unit * unit);
-  const double uneven = has_shadow(model) ? 0 : std::max(model.shade.norm() - kUsualShade, 0.0) / kDoubtfulShade;
+  const double uneven = has_shadow(model) ? 0 : std::max(model.shade.norm() - usual_shade, 0.0) / doubtful_shade;
   return 1 + relative + uneven;
 }
 
@@ -180,9 +180,9 @@ Look quick_look(const Sight& sight, const Candidate& candidate) {
 std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look) {
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
-  const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, kMostOffCentre);
+  const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, most_off_centre);
   auto found = may_be_centred ? centred_look(sight, candidate.position, look.was_fitted) : std::nullopt;
-  if (found || cross->asymmetry < kLeastOfShadow) return found;
+  if (found || cross->asymmetry < least_of_shadow) return found;
   return corner_in_shadow(sight, candidate.position, *cross);
 }
 
@@ -199,8 +199,8 @@ std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start,
   return cross ? corner_in_light(sight, symmetric->position, *cross) : std::nullopt;
 }
 
-std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
-                                   const SuitsBoard& suits) {
+std::optional<Found> predicted_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                    const SuitsBoard& suits) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 2);
   if (symmetric) {
     const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One candidate looked at: quickly, or long, or where a board foretells a corner.
+// One candidate looked at: quickly, or long, or where a board predicts a corner.
 #pragma once
 
 #include <functional>
@@ -24,14 +24,14 @@ struct Found {
   Corner corner;
   Suspect suspect;
   CornerFit fit;
-  bool is_alone = false;  // no neighbour on a board, and not likely enough a corner for that
-  double asymmetry = 0;   // grey levels^2, half the mean square difference of opposite points
-  double doubt = 1;       // by how much asymmetry that noise does not explain enlarges the covariance
+  bool is_alone = false;         // no neighbour on a board, and not likely enough a corner for that
+  double asymmetry = 0;          // grey levels^2, half the mean square difference of opposite points
+  double model_uncertainty = 1;  // by how much asymmetry that noise does not explain enlarges the covariance
 };
 
 /// By how much more a position may be wrong than what noise of this variance (grey levels^2, of a pixel) does to the
 /// fit.
-double doubt_of(const CornerModel& model, double asymmetry, double variance);
+double model_uncertainty_of(const CornerModel& model, double asymmetry, double variance);
 
 /// What the first look at a candidate found; and whether a second one might tell more.
 struct Look {
@@ -60,12 +60,12 @@ std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate)
 /// Where a corner must be within `reach` px, if at all: centred by its symmetry, then fitted, whatever cheap tests say.
 std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps = 3);
 
-/// Whether what the circles show at a place goes on the board that foretold it.
+/// Whether what the circles show at a place goes on the board that predicted it.
 using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector2d& position)>;
 
 /// The same where the board's colours and edges go on there, and beside a shadow where there is none in even light.
-std::optional<Found> foretold_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
-                                   const SuitsBoard& suits);
+std::optional<Found> predicted_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+                                    const SuitsBoard& suits);
 
 /// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles. In a
 /// coarser image, whose border is nearer, the window of its symmetry becomes as small as it must not to leave the

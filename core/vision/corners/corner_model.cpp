@@ -12,19 +12,19 @@
 namespace handsight {
 namespace {
 
-constexpr double kFirstRadius = 4;    // px: 50 pixels, enough for nine unknowns
-constexpr double kSmallRadius = 3;    // px: 25 pixels
-constexpr int kMostSmallRadius = 6;   // px
-constexpr int kSecondRadius = 7;      // px: the edges' directions must be known better before it grows on
-constexpr double kLoose = 1.5;        // what bounds are wider over the first disc
-constexpr double kLessLoose = 1.25;   // over the second
-constexpr double kMostShared = 0.15;  // half contrasts, of the first disc's residuals, by what neighbours share
-constexpr double kPrecision = 0.05;   // px: after so short a step the next would be a tenth of it
+constexpr double first_radius = 4;     // px: 50 pixels, enough for nine unknowns
+constexpr double small_radius = 3;     // px: 25 pixels
+constexpr int most_small_radius = 6;   // px
+constexpr int second_radius = 7;       // px: the edges' directions must be known better before it grows on
+constexpr double loose_factor = 1.5;   // what bounds are wider over the first disc
+constexpr double less_loose = 1.25;    // over the second
+constexpr double most_shared = 0.15;   // half contrasts, of the first disc's residuals, by what neighbours share
+constexpr double precision_px = 0.05;  // px: after so short a step the next would be a tenth of it
 
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
-double shade_prior(double noise) { return noise * noise / (kShadeSigma * kShadeSigma); }
+double shade_prior(double noise) { return noise * noise / (shade_sigma * shade_sigma); }
 
 Eigen::Matrix4d odd_hessian(const std::array<float, 10>& odd, double noise) {
   Eigen::Matrix4d hessian = from_triangle<4>(odd.data());
@@ -32,8 +32,8 @@ Eigen::Matrix4d odd_hessian(const std::array<float, 10>& odd, double noise) {
   return hessian;
 }
 
-double noise_of(const PatchSums& sum) {
-  return std::max(std::sqrt(sum.squares / std::max(sum.weights - 9.0, 1.0)), kLeastNoise);
+double find_noise(const PatchSums& sum) {
+  return std::max(std::sqrt(sum.squares / std::max(sum.weights - 9.0, 1.0)), least_noise);
 }
 
 struct Step {
@@ -78,7 +78,7 @@ struct Progress {
 // What the noise will be at least, after one more step, against the bound that it must meet at the end: a saddle that
 // is no corner need not be fitted to the end.
 bool promises_well(const CornerModel& model, double promise, double image_noise, double loose) {
-  const double misfit = kMostMisfit * model.half_contrast;
+  const double misfit = most_misfit * model.half_contrast;
   return promise * promise < loose * (misfit * misfit + 1.6 * image_noise * image_noise);
 }
 
@@ -87,20 +87,20 @@ bool promises_well(const CornerModel& model, double promise, double image_noise,
 struct Looseness {
   double look, first_promise, promise;
 };
-constexpr Looseness kFirstLook{2 * kLoose, 4, 2.5}, kSecondLook{kLoose, 2, 2}, kGrown{1, 2, 1.3};
+constexpr Looseness first_look{2 * loose_factor, 4, 2.5}, second_look{loose_factor, 2, 2}, grown{1, 2, 1.3};
 
 // Steps until a step is shorter than `precision` px; false where the fit fails.
 bool fit_disc(const Image& image, double radius, int iterations, double precision, const Looseness& loose, Progress& at,
               CornerModel& model) {
   const int reach = static_cast<int>(radius) + 1;
   for (int i = 0; i < iterations; ++i) {
-    const Eigen::Vector2i centre = pixel_of(model.position);
+    const Eigen::Vector2i centre = nearest_pixel(model.position);
     if (!is_inside(image, centre, reach)) return false;
     gather(image, centre, reach, at.patch);
     evaluate(model, radius, 0, at.patch.count, at.patch);
     at.sum = sums(at.patch);
     const double before = at.noise;
-    at.noise = noise_of(at.sum);
+    at.noise = find_noise(at.sum);
     // Edges and contrast of a corner that overexposure has torn apart swing to and fro unless held back.
     const double share = before > 0 && at.noise > before ? 0.5 : 1.0;
     const std::optional<Step> made = step(at.sum, at.noise, share, model);
@@ -145,36 +145,36 @@ CornerFit begun(const Eigen::Vector2d& start, const CrossStructure& cross, doubl
 
 std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                     double image_noise) {
-  CornerFit fit = begun(start, cross, kFirstRadius);
+  CornerFit fit = begun(start, cross, first_radius);
   CornerModel& model = fit.model;
   Progress at;
   at.image_noise = image_noise;
-  for (const Looseness& loose : {kFirstLook, kSecondLook}) {
-    if (at.length < kPrecision) {  // another step would change nothing that the next disc does not
+  for (const Looseness& loose : {first_look, second_look}) {
+    if (at.length < precision_px) {  // another step would change nothing that the next disc does not
       if (!promises_well(model, at.promise, image_noise, loose.promise)) return std::nullopt;
-    } else if (!fit_disc(image, fit.radius, 2, kPrecision, loose, at, model)) {
+    } else if (!fit_disc(image, fit.radius, 2, precision_px, loose, at, model)) {
       return std::nullopt;
     }
     if (!looks_right(model, cross.half_contrast, at.noise, image_noise, loose.look)) return std::nullopt;
   }
-  if ((model.position - start).norm() > kMostMove) return std::nullopt;
-  fit.misfit = misfit_of(at.patch);
-  if (fit.misfit > kMostShared * std::abs(model.half_contrast)) return std::nullopt;
-  fit.radius = grown_radius(image, kFirstRadius, kSecondRadius, at.noise, model, at.patch);
-  if (fit.radius > kFirstRadius) {
-    if (!fit_disc(image, fit.radius, 3, 0.2, kGrown, at, model)) return std::nullopt;
-    if ((model.position - start).norm() > kLessLoose * kMostMove ||
-        !looks_right(model, cross.half_contrast, at.promise, image_noise, kLessLoose))
+  if ((model.position - start).norm() > most_move) return std::nullopt;
+  fit.misfit = compute_misfit(at.patch);
+  if (fit.misfit > most_shared * std::abs(model.half_contrast)) return std::nullopt;
+  fit.radius = grown_radius(image, first_radius, second_radius, at.noise, model, at.patch);
+  if (fit.radius > first_radius) {
+    if (!fit_disc(image, fit.radius, 3, 0.2, grown, at, model)) return std::nullopt;
+    if ((model.position - start).norm() > less_loose * most_move ||
+        !looks_right(model, cross.half_contrast, at.promise, image_noise, less_loose))
       return std::nullopt;
-    fit.radius = grown_radius(image, fit.radius, kMostPatchRadius, at.noise, model, at.patch);
-  } else if (model.blur > kMostBlur * fit.radius + 0.3 || !promises_well(model, at.promise, image_noise, 1.05)) {
+    fit.radius = grown_radius(image, fit.radius, most_patch_radius, at.noise, model, at.patch);
+  } else if (model.blur > most_blur * fit.radius + 0.3 || !promises_well(model, at.promise, image_noise, 1.05)) {
     return std::nullopt;
   }
-  if (!fit_disc(image, fit.radius, 4, kPrecision, kGrown, at, model)) return std::nullopt;
-  at.noise = std::max(at.promise, kLeastNoise);  // after the last step
-  if ((model.position - start).norm() > kMostMove || !looks_right(model, cross.half_contrast, at.noise, image_noise, 1))
+  if (!fit_disc(image, fit.radius, 4, precision_px, grown, at, model)) return std::nullopt;
+  at.noise = std::max(at.promise, least_noise);  // after the last step
+  if ((model.position - start).norm() > most_move || !looks_right(model, cross.half_contrast, at.noise, image_noise, 1))
     return std::nullopt;
-  if (model.blur > kMostBlur * fit.radius) return std::nullopt;
+  if (model.blur > most_blur * fit.radius) return std::nullopt;
   fit.noise = at.noise;
   fit.is_clipped = at.patch.is_clipped;
   fit.covariance = position_covariance(at);
@@ -183,20 +183,20 @@ std::optional<CornerFit> fit_corner(const Image& image, const Eigen::Vector2d& s
 
 std::optional<CornerFit> fit_small_corner(const Image& image, const Eigen::Vector2d& start, const CrossStructure& cross,
                                           double image_noise) {
-  CornerFit fit = begun(start, cross, kSmallRadius);
+  CornerFit fit = begun(start, cross, small_radius);
   CornerModel& model = fit.model;
   Progress at;
   at.image_noise = image_noise;
   const auto fits = [&](int steps, const Looseness& loose) {
-    return fit_disc(image, fit.radius, steps, kPrecision, loose, at, model) &&
-           (model.position - start).norm() < kMostMove &&
-           looks_right(model, cross.half_contrast, at.promise, image_noise, std::min(loose.look, kLoose));
+    return fit_disc(image, fit.radius, steps, precision_px, loose, at, model) &&
+           (model.position - start).norm() < most_move &&
+           looks_right(model, cross.half_contrast, at.promise, image_noise, std::min(loose.look, loose_factor));
   };
-  if (!fits(3, kFirstLook)) return std::nullopt;
-  fit.radius = grown_radius(image, kSmallRadius, kMostSmallRadius, at.noise, model, at.patch);
-  if (!fits(4, kGrown) || model.blur > kMostBlur * fit.radius) return std::nullopt;
-  fit.misfit = misfit_of(at.patch);
-  fit.noise = std::max(at.promise, kLeastNoise);
+  if (!fits(3, first_look)) return std::nullopt;
+  fit.radius = grown_radius(image, small_radius, most_small_radius, at.noise, model, at.patch);
+  if (!fits(4, grown) || model.blur > most_blur * fit.radius) return std::nullopt;
+  fit.misfit = compute_misfit(at.patch);
+  fit.noise = std::max(at.promise, least_noise);
   fit.is_clipped = at.patch.is_clipped;
   at.noise = fit.noise;
   fit.covariance = position_covariance(at);

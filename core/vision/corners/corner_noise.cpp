@@ -10,13 +10,13 @@
 namespace handsight {
 
 double image_noise(const Image& image, int places) {
-  constexpr double kUpperQuartile = 1.1503;  // of |x| where x is normal with sigma 1
-  constexpr int kMostRest = 8 * 255;
-  constexpr double kMaskNorm = 6;  // root of the sum of the mask's squares
+  constexpr double upper_quartile = 1.1503;  // of |x| where x is normal with sigma 1
+  constexpr int most_rest = 8 * 255;
+  constexpr double mask_norm = 6;  // root of the sum of the mask's squares
   if (image.width < 3 || image.height < 3) return 0;
   const double pixels = static_cast<double>(image.width) * image.height;
   const int stride = std::max(1, static_cast<int>(std::sqrt(pixels / places)));
-  std::vector<int> counts(kMostRest + 1, 0);  // by how large the rest is there
+  std::vector<int> counts(most_rest + 1, 0);  // by how large the rest is there
   int all = 0;
   for (int v = 1; v + 1 < image.height; v += stride) {
     const std::uint8_t *up = image.row(v - 1), *at = image.row(v), *down = image.row(v + 1);
@@ -27,10 +27,10 @@ double image_noise(const Image& image, int places) {
   }
   int rest = -1;
   for (int below = 0; below <= all * 3 / 4; below += counts[rest]) ++rest;
-  return rest / (kUpperQuartile * kMaskNorm);
+  return rest / (upper_quartile * mask_norm);
 }
 
-double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach) {
+double measure_chequer(const Image& image, const Eigen::Vector2i& centre, int reach) {
   std::array<double, 2> squares{1, 1};
   const int left = std::max(centre.x() - reach, 1), right = std::min(centre.x() + reach, image.width - 2);
   const int top = std::max(centre.y() - reach, 1), bottom = std::min(centre.y() + reach, image.height - 2);

@@ -15,6 +15,6 @@ double image_noise(const Image& image, int places = 4000);
 
 /// Of a colour filter every other pixel is a measured green one: what is interpolated is the smoother. Log of how much
 /// rougher the pixels of which u + v is even are than the others, within `reach` px across and down.
-double chequer_of(const Image& image, const Eigen::Vector2i& centre, int reach);
+double measure_chequer(const Image& image, const Eigen::Vector2i& centre, int reach);
 
 }  // namespace handsight

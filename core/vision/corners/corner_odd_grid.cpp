@@ -6,36 +6,36 @@
 namespace handsight {
 namespace {
 
-int place(const Eigen::Vector2i& offset) { return (offset.y() + kGridMiddle) * kGridSide + offset.x() + kGridMiddle; }
+int place(const Eigen::Vector2i& offset) { return (offset.y() + grid_middle) * grid_side + offset.x() + grid_middle; }
 
 HANDSIGHT_LANES float product(const float* a, const float* b, int rows) {
-  Lanes sum{}, x, y;
-  for (int n = 0; n < rows * kGridSide; n += kLanes) load(a + n, x), load(b + n, y), sum += x * y;
+  Simd sum{}, x, y;
+  for (int n = 0; n < rows * grid_side; n += simd_lanes) load(a + n, x), load(b + n, y), sum += x * y;
   return total(sum);
 }
 
-HANDSIGHT_LANES void smooth_in_lanes(OddGrid& grid) {
+HANDSIGHT_LANES void smooth_simd(OddGrid& grid) {
   OddGrid across{};
-  constexpr int kEnd = kGridSide * (kGridSide - 1);
-  for (int n = 1; n < kGridSide * kGridSide; ++n) across[n] = 0.25f * (grid[n - 1] + 2 * grid[n] + grid[n + 1]);
-  for (int n = kGridSide; n < kEnd; ++n)
-    grid[n] = 0.25f * (across[n - kGridSide] + 2 * across[n] + across[n + kGridSide]);
+  constexpr int last_entry = grid_side * (grid_side - 1);
+  for (int n = 1; n < grid_side * grid_side; ++n) across[n] = 0.25f * (grid[n - 1] + 2 * grid[n] + grid[n + 1]);
+  for (int n = grid_side; n < last_entry; ++n)
+    grid[n] = 0.25f * (across[n - grid_side] + 2 * across[n] + across[n + grid_side]);
 }
 
 }  // namespace
 
 void spread(const CornerPatch::Row& row, int count, OddGrid& grid) {
-  static const std::array<int, kMostPatchPixels> places = [] {
-    std::array<int, kMostPatchPixels> all{};
-    for (int n = 0; n < pixels_in_disc(kMostPatchRadius + 1); ++n) all[n] = place(offset_of_pixel(n));
+  static const std::array<int, most_patch_pixels> places = [] {
+    std::array<int, most_patch_pixels> all{};
+    for (int n = 0; n < pixels_in_disc(most_patch_radius + 1); ++n) all[n] = place(offset_of_pixel(n));
     return all;
   }();
   for (int n = 0; n < count; ++n) grid[places[n]] = row[n];
 }
 
 float shifted_product(const OddGrid& grid, int reach, const std::array<int, 2>& step) {
-  const float* const first = &grid[static_cast<std::size_t>((kGridMiddle - reach) * kGridSide)];
-  return product(first, first + step[1] * kGridSide + step[0], 2 * reach + 1);
+  const float* const first = &grid[static_cast<std::size_t>((grid_middle - reach) * grid_side)];
+  return product(first, first + step[1] * grid_side + step[0], 2 * reach + 1);
 }
 
 Eigen::Vector2i twice_from(const Eigen::Vector2i& centre, const Eigen::Vector2d& position) {
@@ -59,11 +59,11 @@ OddGrid odd_part(const OddGrid& grid, int reach, const Eigen::Vector2i& twice, c
     const float* const at = &even[static_cast<std::size_t>(place({0, v}))];
     float* const to = &odd[static_cast<std::size_t>(place({0, v}))];
     for (int u = first(twice.x()); u <= last(twice.x()); ++u)
-      to[u] -= across * (at[u + 1] - at[u - 1]) + down * (at[u + kGridSide] - at[u - kGridSide]);
+      to[u] -= across * (at[u + 1] - at[u - 1]) + down * (at[u + grid_side] - at[u - grid_side]);
   }
   return odd;
 }
 
-void smooth(OddGrid& grid) { smooth_in_lanes(grid); }
+void smooth(OddGrid& grid) { smooth_simd(grid); }
 
 }  // namespace handsight

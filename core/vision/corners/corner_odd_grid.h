@@ -5,14 +5,14 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "vision/corners/corner_lanes.h"
 #include "vision/corners/corner_patch.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 
 /// With a margin so that neighbours need no care.
-constexpr int kGridMargin = 3, kGridSide = 32, kGridMiddle = kMostPatchRadius + 1 + kGridMargin;
-using OddGrid = std::array<float, kGridSide * kGridSide + kLanes>;
+constexpr int grid_margin = 3, grid_side = 32, grid_middle = most_patch_radius + 1 + grid_margin;
+using OddGrid = std::array<float, grid_side * grid_side + simd_lanes>;
 
 /// The row's first `count` numbers, where their pixels are.
 void spread(const CornerPatch::Row& row, int count, OddGrid& grid);

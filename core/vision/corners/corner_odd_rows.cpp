@@ -8,13 +8,13 @@
 namespace handsight {
 namespace {
 
-using Products = RowProducts<kOddRows>;
+using Products = RowProducts<odd_rows>;
 
-HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
-  all_products<Lanes, kOddRows>(rows, count, products);
+HANDSIGHT_LANES void products_simd(const float* const* rows, int count, Products& products) {
+  all_products<Simd, odd_rows>(rows, count, products);
 }
 HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
-  all_products<WideLanes, kOddRows>(rows, count, products);
+  all_products<WideSimd, odd_rows>(rows, count, products);
 }
 
 // Derivatives by added light and bends, from those by level and by the edges' directions; but a bend does not change
@@ -28,14 +28,14 @@ HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patc
   const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
   const Crossing crossing(c1 * c2 + s1 * s2, s1 * c2 - c1 * s2, model.blur);
   const auto half = static_cast<float>(model.half_contrast);
-  for (int n = 0; n < patch.padded; n += kLanes) {
-    Lanes u, v, level, turn, together;
-    Shared<Lanes> shared;
+  for (int n = 0; n < patch.padded; n += simd_lanes) {
+    Simd u, v, level, turn, together;
+    Shared<Simd> shared;
     load(all_u + n, u), load(all_v + n, v), load(&patch.even[3][n], level);
-    const Lanes x = u - pu, y = v - pv;
+    const Simd x = u - pu, y = v - pv;
     store(level * x, &more[0][n]);
     store(level * y, &more[1][n]);
-    share<Lanes>(crossing, c1 * y - s1 * x, c2 * y - s2 * x, shared);
+    share<Simd>(crossing, c1 * y - s1 * x, c2 * y - s2 * x, shared);
     turned(crossing, shared, together);
     together *= half * level;
     load(&patch.even[0][n], turn);
@@ -48,7 +48,7 @@ HANDSIGHT_LANES void fill_more(const CornerModel& model, const CornerPatch& patc
 }  // namespace
 
 bool fill_rows(const Image& image, const CornerFit& fit, OddRows& all) {
-  all.reach = static_cast<int>(fit.radius) + 1, all.centre = pixel_of(fit.model.position);
+  all.reach = static_cast<int>(fit.radius) + 1, all.centre = nearest_pixel(fit.model.position);
   if (!is_inside(image, all.centre, all.reach)) return false;
   gather(image, all.centre, all.reach, all.patch);
   evaluate(fit.model, fit.radius, 0, all.patch.count, all.patch);
@@ -60,10 +60,10 @@ bool fill_rows(const Image& image, const CornerFit& fit, OddRows& all) {
 
 void set_equations(const float* const* rows, int count, OddSystem& system) {
   Products products;
-  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows, count, products);
-  for (int i = 0; i < kOddUnknowns; ++i) {
+  (has_wide_simd() ? products_in_wide : products_simd)(rows, count, products);
+  for (int i = 0; i < odd_unknown_count; ++i) {
     for (int j = 0; j <= i; ++j) system.hessian(i, j) = system.hessian(j, i) = products[i][j];
-    system.side(i) = products[kOddUnknowns][i];
+    system.side(i) = products[odd_unknown_count][i];
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace handsight {
 
-constexpr int kOddRows = kOddUnknowns + 1;
+constexpr int odd_rows = odd_unknown_count + 1;
 
 /// The odd unknowns' rows in their order, then residuals, as often as a tile reads them.
 struct OddRows {
@@ -17,7 +17,7 @@ struct OddRows {
   alignas(64) std::array<CornerPatch::Row, 4> more;  // by added light and bends
   int reach = 0;
   Eigen::Vector2i centre{0, 0};
-  std::array<const float*, kOddRows + kTileOfRows - 1> rows;
+  std::array<const float*, odd_rows + tile_of_rows - 1> rows;
 };
 
 /// False where the fit's disc leaves the image.

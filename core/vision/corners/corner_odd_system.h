@@ -17,11 +17,11 @@ std::optional<OddSystem> odd_system(const Image& image, const CornerFit& fit, bo
 /// As if the noise's variance were this many times as large.
 void scale_variance(OddSystem& system, double factor);
 
-// What is known of every image beforehand; where a corner tells its own, added light may be kWideAdded.
-constexpr double kAddedSigma = 0.03;             // grey levels per px: glare over most of an image
-constexpr double kWideAdded = 10 * kAddedSigma;  // grey levels per px
-constexpr double kBendSigma = 3e-4;              // 1/px: a radius of 3000 px
-constexpr double kMostBend = 0.01;               // 1/px
+// What is known of every image beforehand; where a corner tells its own, added light may be wide_added.
+constexpr double added_sigma = 0.03;             // grey levels per px: glare over most of an image
+constexpr double wide_added = 10 * added_sigma;  // grey levels per px
+constexpr double bend_sigma = 3e-4;              // 1/px: a radius of 3000 px
+constexpr double most_bend = 0.01;               // 1/px
 
 /// To be added to the hessian's diagonal where that is of noise with this variance (grey levels^2), for the sigmas of
 /// added light and bends given.

@@ -8,29 +8,29 @@
 #include <vector>
 
 #include "vision/corners/corner_crossing.h"
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 namespace {
 
-constexpr double kSharp = 0.7;  // px, of blur: below it the pixel's own shape matters
+constexpr double sharp = 0.7;  // px, of blur: below it the pixel's own shape matters
 // Grey levels beyond which a pixel may be cut off; JPEG spreads the limit a little.
-constexpr int kWhite = 249, kBlack = 2;
+constexpr int white_level = 249, black_level = 2;
 
 // Offsets from the central pixel, nearest first: the first count[r] of them are the disc of r px without its four
 // outermost pixels. Those have no weight in a fit with a rim half a pixel inside, wherever in its pixel the corner is,
 // and 77 pixels fit five groups where 81 do not.
 struct Disc {
   std::vector<std::array<int, 2>> offsets;
-  std::array<int, kMostPatchRadius + 3> count{};
+  std::array<int, most_patch_radius + 3> count{};
   CornerPatch::Row u, v;  // the offsets again; 1000 px where there are no more
-  std::array<int, kMostPatchPixels> u_whole{}, v_whole{};
+  std::array<int, most_patch_pixels> u_whole{}, v_whole{};
 };
 
 const Disc& disc() {
   static const Disc made = [] {
     Disc d;
-    constexpr int most = kMostPatchRadius + 2;
+    constexpr int most = most_patch_radius + 2;
     for (int v = -most; v <= most; ++v)
       for (int u = -most; u <= most; ++u)
         if (u * u + v * v <= most * most) d.offsets.push_back({u, v});
@@ -55,7 +55,7 @@ const Disc& disc() {
 // From the central pixel to all others, in an image of this width; most patches follow others of the same image.
 const int* offsets_in(int width) {
   thread_local int last = 0;
-  thread_local std::array<int, kMostPatchPixels> offsets;
+  thread_local std::array<int, most_patch_pixels> offsets;
   if (width != last) {
     const Disc& d = disc();
     for (std::size_t n = 0; n < d.offsets.size(); ++n) offsets[n] = d.v_whole[n] * width + d.u_whole[n];
@@ -130,7 +130,7 @@ struct Constants {
     set(level, model.level), set(half, model.half_contrast);
     set(hu, model.shade.x()), set(hv, model.shade.y());
     const double reach = std::ceil(crossing.reach + M_SQRT1_2);  // the corner is half a pixel off the central one
-    crossing_end = in_groups(disc.count[static_cast<int>(std::min(reach, kMostPatchRadius + 2.0))]);
+    crossing_end = in_groups(disc.count[static_cast<int>(std::min(reach, most_patch_radius + 2.0))]);
     set(taper, 0.5 / radius), set(rim, (radius + 0.5) * (radius + 0.5) * 0.5 / radius);
   }
 };
@@ -141,7 +141,7 @@ HANDSIGHT_INLINE void evaluate_part(const EdgeShape& shape, const Constants& c, 
   const float *const all_u = c.disc.u.data(), *const all_v = c.disc.v.data();
   const Vector zero{}, one = zero + 1.f;
   [[maybe_unused]] const Crossing& k = c.crossing;
-  for (int n = begin; n < end; n += kLanesOf<Vector>) {
+  for (int n = begin; n < end; n += lanes_of_simd<Vector>) {
     Vector u, v, value;
     load(all_u + n, u), load(all_v + n, v), load(&patch.value[n], value);
     const Vector x = u - c.pu, y = v - c.pv;
@@ -202,7 +202,7 @@ struct ShadowConstants {
   bool shares;
   ShadowConstants(const CornerModel& model, const Eigen::Vector2d& corner, Sharing sharing)
       : disc(handsight::disc()), shape(model.blur), shares(sharing == Sharing::all) {
-    if (shares) crossings = crossings_of(model);
+    if (shares) crossings = find_crossings(model);
     const ShadowEdge& shadow = model.shadow;
     const auto set = [](float& to, double value) { to = static_cast<float>(value); };
     set(nu, std::cos(shadow.direction)), set(nv, std::sin(shadow.direction));
@@ -224,7 +224,7 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
     Vector value;
     load(&row[n], value), store(light * value + more, &row[n]);
   };
-  for (int n = begin; n < end; n += kLanesOf<Vector>) {
+  for (int n = begin; n < end; n += lanes_of_simd<Vector>) {
     Vector u, v, weight, value, residual, erf, bell;
     load(all_u + n, u), load(all_v + n, v);
     load(&patch.weight[n], weight), load(&patch.value[n], value), load(&patch.residual[n], residual);
@@ -236,7 +236,7 @@ HANDSIGHT_INLINE void shade_with(const ShadowConstants& c, int begin, int end, C
     const Vector d1 = c.cosine[0] * y - c.sine[0] * x, d2 = c.cosine[1] * y - c.sine[1] * x;
     Vector both{}, by_first{}, by_second{}, by_beyond{}, q1{}, q2{};
     if (c.shares) c.crossings[0].exponent(d1, beyond, q1), c.crossings[1].exponent(d2, beyond, q2);
-    if (c.shares && any_below<Vector>(q1, q2, ShadowCrossing::kNothing)) {
+    if (c.shares && any_below<Vector>(q1, q2, ShadowCrossing::nothing_shared)) {
       Edge<Vector> one, other;
       Vector share1, share2, by1, by2, by_shadow1, by_shadow2;
       c.shape(d1, d2, one, other);
@@ -270,7 +270,7 @@ HANDSIGHT_LANES bool as_values(const std::uint8_t* pixels, int count, float* val
   int clipped = 0;
   for (int n = 0; n < count; ++n) {
     values[n] = pixels[n];
-    clipped += (pixels[n] > kWhite) | (pixels[n] < kBlack);
+    clipped += (pixels[n] > white_level) | (pixels[n] < black_level);
   }
   return clipped > 0;
 }
@@ -278,12 +278,12 @@ HANDSIGHT_LANES bool as_values(const std::uint8_t* pixels, int count, float* val
 // What the sensor cuts off says no more than that there is at least as much, or as little: where the model agrees the
 // pixel has no weight.
 HANDSIGHT_LANES void leave_out_clipped(bool has_shadow, int begin, int end, CornerPatch& patch) {
-  for (int n = begin; n < end; n += kLanes) {
-    Lanes value, beyond, row, zero{};
+  for (int n = begin; n < end; n += simd_lanes) {
+    Simd value, beyond, row, zero{};
     load(&patch.value[n], value), load(&patch.residual[n], beyond);
-    const Whole left_out = ((value > static_cast<float>(kWhite)) & (beyond < 0.f)) |
-                           ((value < static_cast<float>(kBlack)) & (beyond > 0.f));
-    std::uint64_t any[kLanes / 2];
+    const Whole left_out = ((value > static_cast<float>(white_level)) & (beyond < 0.f)) |
+                           ((value < static_cast<float>(black_level)) & (beyond > 0.f));
+    std::uint64_t any[simd_lanes / 2];
     std::memcpy(any, &left_out, sizeof any);
     if (!(any[0] | any[1] | any[2] | any[3])) continue;
     const auto keep = [&](CornerPatch::Row& all) {
@@ -300,34 +300,32 @@ HANDSIGHT_LANES void leave_out_clipped(bool has_shadow, int begin, int end, Corn
 }
 
 // Each loop twice, in lanes and in wide lanes; the processor decides.
-HANDSIGHT_LANES void smooth_in_lanes(const SmoothEdge& shape, const Constants& c, int begin, int end,
-                                     CornerPatch& patch) {
-  evaluate_with<Lanes, true>(shape, c, begin, end, patch);
+HANDSIGHT_LANES void smooth_simd(const SmoothEdge& shape, const Constants& c, int begin, int end, CornerPatch& patch) {
+  evaluate_with<Simd, true>(shape, c, begin, end, patch);
 }
 HANDSIGHT_WIDE void smooth_in_wide(const SmoothEdge& shape, const Constants& c, int begin, int end,
                                    CornerPatch& patch) {
-  evaluate_with<WideLanes, true>(shape, c, begin, end, patch);
+  evaluate_with<WideSimd, true>(shape, c, begin, end, patch);
 }
-HANDSIGHT_LANES void residuals_in_lanes(const SmoothEdge& shape, const Constants& c, int begin, int end,
-                                        CornerPatch& patch) {
-  evaluate_with<Lanes, false>(shape, c, begin, end, patch);
+HANDSIGHT_LANES void residuals_simd(const SmoothEdge& shape, const Constants& c, int begin, int end,
+                                    CornerPatch& patch) {
+  evaluate_with<Simd, false>(shape, c, begin, end, patch);
 }
 HANDSIGHT_WIDE void residuals_in_wide(const SmoothEdge& shape, const Constants& c, int begin, int end,
                                       CornerPatch& patch) {
-  evaluate_with<WideLanes, false>(shape, c, begin, end, patch);
+  evaluate_with<WideSimd, false>(shape, c, begin, end, patch);
 }
-HANDSIGHT_LANES void sharp_in_lanes(const SharpEdge& shape, const Constants& c, int begin, int end,
-                                    CornerPatch& patch) {
-  evaluate_with<Lanes, true>(shape, c, begin, end, patch);
+HANDSIGHT_LANES void sharp_simd(const SharpEdge& shape, const Constants& c, int begin, int end, CornerPatch& patch) {
+  evaluate_with<Simd, true>(shape, c, begin, end, patch);
 }
 HANDSIGHT_WIDE void sharp_in_wide(const SharpEdge& shape, const Constants& c, int begin, int end, CornerPatch& patch) {
-  evaluate_with<WideLanes, true>(shape, c, begin, end, patch);
+  evaluate_with<WideSimd, true>(shape, c, begin, end, patch);
 }
-HANDSIGHT_LANES void shade_in_lanes(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
-  shade_with<Lanes>(c, begin, end, patch);
+HANDSIGHT_LANES void shade_simd(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
+  shade_with<Simd>(c, begin, end, patch);
 }
 HANDSIGHT_WIDE void shade_in_wide(const ShadowConstants& c, int begin, int end, CornerPatch& patch) {
-  shade_with<WideLanes>(c, begin, end, patch);
+  shade_with<WideSimd>(c, begin, end, patch);
 }
 
 }  // namespace
@@ -349,7 +347,7 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
   patch.centre = centre, patch.gathered = radius;
   const std::uint8_t* const middle = image.row(centre.y()) + centre.x();
   const int* const offsets = offsets_in(image.width);
-  std::array<std::uint8_t, kMostPatchPixels> pixels;
+  std::array<std::uint8_t, most_patch_pixels> pixels;
 #pragma GCC unroll 8
   for (int n = there; n < patch.count; ++n) pixels[n] = middle[offsets[n]];
   const bool is_clipped = as_values(&pixels[there], patch.count - there, &patch.value[there]);
@@ -360,22 +358,22 @@ void gather(const Image& image, const Eigen::Vector2i& centre, int radius, Corne
 void evaluate(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch, Sharing sharing) {
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
-  if (model.blur < kSharp)
-    (has_wide_lanes() ? sharp_in_wide : sharp_in_lanes)(SharpEdge(model.blur), constants, begin, end, patch);
+  if (model.blur < sharp)
+    (has_wide_simd() ? sharp_in_wide : sharp_simd)(SharpEdge(model.blur), constants, begin, end, patch);
   else
-    (has_wide_lanes() ? smooth_in_wide : smooth_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
+    (has_wide_simd() ? smooth_in_wide : smooth_simd)(SmoothEdge(model.blur), constants, begin, end, patch);
   if (has_shadow(model)) {
     const ShadowConstants shadow(model, model.position - patch.centre.cast<double>(), sharing);
-    (has_wide_lanes() ? shade_in_wide : shade_in_lanes)(shadow, begin, end, patch);
+    (has_wide_simd() ? shade_in_wide : shade_simd)(shadow, begin, end, patch);
   }
   if (patch.is_clipped) leave_out_clipped(has_shadow(model), begin, end, patch);
 }
 
 void evaluate_residuals(const CornerModel& model, double radius, int begin, int end, CornerPatch& patch) {
-  if (has_shadow(model) || model.blur < kSharp || patch.is_clipped) return evaluate(model, radius, begin, end, patch);
+  if (has_shadow(model) || model.blur < sharp || patch.is_clipped) return evaluate(model, radius, begin, end, patch);
   end = in_groups(end);
   const Constants constants(model, patch.centre, radius);
-  (has_wide_lanes() ? residuals_in_wide : residuals_in_lanes)(SmoothEdge(model.blur), constants, begin, end, patch);
+  (has_wide_simd() ? residuals_in_wide : residuals_simd)(SmoothEdge(model.blur), constants, begin, end, patch);
 }
 
 }  // namespace handsight

@@ -11,17 +11,17 @@
 namespace handsight {
 
 // What is known of every corner beforehand, with a shadow's edge beside it or not.
-constexpr double kShadeSigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
-constexpr double kLeastNoise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
+constexpr double shade_sigma = 0.003;  // 1/px: light that changes by 30 % over 100 px is no surprise
+constexpr double least_noise = 0.3;    // grey levels: rounding to whole ones alone makes 0.29
 
-constexpr int kMostPatchRadius = 10;   // px
-constexpr int kMostPatchPixels = 464;  // in a disc of kMostPatchRadius + 2, in whole groups
+constexpr int most_patch_radius = 10;   // px
+constexpr int most_patch_pixels = 464;  // in a disc of most_patch_radius + 2, in whole groups
 
 /// A disc of pixels, nearest first, with residuals and derivatives, all times the weight. Odd parameters (position,
 /// shade) and even ones (edges, blur, level, half contrast) have derivatives of opposite parity, so over a disc round
 /// the corner their products vanish and the normal equations fall into two blocks.
 struct CornerPatch {
-  using Row = std::array<float, kMostPatchPixels>;
+  using Row = std::array<float, most_patch_pixels>;
   Eigen::Vector2i centre{0, 0};  // px, the central pixel
   int gathered = -1;             // px, radius of the disc whose pixels are there
   int count = 0;                 // pixels that take part
@@ -33,11 +33,11 @@ struct CornerPatch {
   alignas(64) std::array<Row, 4> shadow;  // by direction, distance, depth, softness, where the model has a shadow
 };
 
-/// Pixels in the disc of `radius` px, 1 to kMostPatchRadius + 2; its four outermost ones do not belong to it.
+/// Pixels in the disc of `radius` px, 1 to most_patch_radius + 2; its four outermost ones do not belong to it.
 int pixels_in_disc(int radius);
 
 /// The pixel that a position (px) lies in; whether the disc of `radius` px round one is inside of the image.
-inline Eigen::Vector2i pixel_of(const Eigen::Vector2d& position) {
+inline Eigen::Vector2i nearest_pixel(const Eigen::Vector2d& position) {
   return (position.array() + 0.5).floor().cast<int>();
 }
 inline bool is_inside(const Image& image, const Eigen::Vector2i& centre, int radius) {

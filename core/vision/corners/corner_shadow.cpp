@@ -6,26 +6,26 @@
 #include <array>
 #include <cmath>
 
-#include "vision/corners/corner_lanes.h"
 #include "vision/corners/corner_products.h"
+#include "vision/corners/corner_simd.h"
 #include "vision/corners/corner_solve.h"
 
 namespace handsight {
 namespace {
 
-constexpr int kUnknowns = 13;           // position, shade; edges, blur, level, half contrast; the shadow's four
-constexpr double kSoftnessSigma = 0.5;  // px: the edges of near and far things' shadows
+constexpr int unknown_count = 13;       // position, shade; edges, blur, level, half contrast; the shadow's four
+constexpr double softness_sigma = 0.5;  // px: the edges of near and far things' shadows
 
-using Hessian = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-using Vector = Eigen::Matrix<double, kUnknowns, 1>;
+using Hessian = Eigen::Matrix<double, unknown_count, unknown_count>;
+using Vector = Eigen::Matrix<double, unknown_count, 1>;
 
-using Products = RowProducts<kUnknowns + 1>;
+using Products = RowProducts<unknown_count + 1>;
 
-HANDSIGHT_LANES void products_in_lanes(const float* const* rows, int count, Products& products) {
-  all_products<Lanes, kUnknowns + 1>(rows, count, products);
+HANDSIGHT_LANES void products_simd(const float* const* rows, int count, Products& products) {
+  all_products<Simd, unknown_count + 1>(rows, count, products);
 }
 HANDSIGHT_WIDE void products_in_wide(const float* const* rows, int count, Products& products) {
-  all_products<WideLanes, kUnknowns + 1>(rows, count, products);
+  all_products<WideSimd, unknown_count + 1>(rows, count, products);
 }
 
 struct Normal {
@@ -36,9 +36,9 @@ struct Normal {
 
 // What is known beforehand of shade and softness stands on the diagonal and, at `model`, on the side.
 void add_prior(const CornerModel& model, double noise, Normal& normal) {
-  const double shade = noise * noise / (kShadeSigma * kShadeSigma);
-  const double soft = noise * noise / (kSoftnessSigma * kSoftnessSigma);
-  const double expected = std::hypot(model.blur, kPenumbra);
+  const double shade = noise * noise / (shade_sigma * shade_sigma);
+  const double soft = noise * noise / (softness_sigma * softness_sigma);
+  const double expected = std::hypot(model.blur, penumbra_px);
   normal.hessian(2, 2) += shade, normal.hessian(3, 3) += shade;
   normal.hessian(6, 6) += noise * noise;  // a sharp image says little of its blur
   normal.hessian(12, 12) += soft;
@@ -48,28 +48,28 @@ void add_prior(const CornerModel& model, double noise, Normal& normal) {
 
 Normal normal_equations(const CornerPatch& patch) {
   // The residual stands last; what fills the last tile is not read.
-  std::array<const float*, kUnknowns + kTileOfRows> rows;
+  std::array<const float*, unknown_count + tile_of_rows> rows;
   std::size_t n = 0;
   for (const auto& row : patch.odd) rows[n++] = row.data();
   for (const auto& row : patch.even) rows[n++] = row.data();
   for (const auto& row : patch.shadow) rows[n++] = row.data();
-  std::fill(rows.begin() + kUnknowns, rows.end(), patch.residual.data());
+  std::fill(rows.begin() + unknown_count, rows.end(), patch.residual.data());
   Products products;
-  (has_wide_lanes() ? products_in_wide : products_in_lanes)(rows.data(), patch.padded, products);
+  (has_wide_simd() ? products_in_wide : products_simd)(rows.data(), patch.padded, products);
   Normal normal;
-  for (int i = 0; i < kUnknowns; ++i) {
+  for (int i = 0; i < unknown_count; ++i) {
     for (int j = 0; j <= i; ++j) normal.hessian(i, j) = normal.hessian(j, i) = products[i][j];
-    normal.side(i) = products[kUnknowns][i];
+    normal.side(i) = products[unknown_count][i];
   }
-  normal.squares = products[kUnknowns][kUnknowns];
+  normal.squares = products[unknown_count][unknown_count];
   normal.weights = squared_weights(patch);
   return normal;
 }
 
 double prior_cost(const CornerModel& model, double noise) {
-  const double soft = model.shadow.softness - std::hypot(model.blur, kPenumbra);
+  const double soft = model.shadow.softness - std::hypot(model.blur, penumbra_px);
   return noise * noise *
-         (model.shade.squaredNorm() / (kShadeSigma * kShadeSigma) + soft * soft / (kSoftnessSigma * kSoftnessSigma));
+         (model.shade.squaredNorm() / (shade_sigma * shade_sigma) + soft * soft / (softness_sigma * softness_sigma));
 }
 
 CornerModel moved(const CornerModel& from, const Vector& step) {
@@ -86,22 +86,22 @@ CornerModel moved(const CornerModel& from, const Vector& step) {
   // The line stays where it is as the corner moves.
   shadow.distance +=
       held(10, 1.5) - std::cos(from.shadow.direction) * move.x() - std::sin(from.shadow.direction) * move.y();
-  shadow.depth = std::clamp(shadow.depth + held(11, 0.3), kMostLitBeyond, kMostDepth);
+  shadow.depth = std::clamp(shadow.depth + held(11, 0.3), most_lit_beyond, most_depth);
   shadow.softness = std::clamp(shadow.softness + held(12, 0.5), 0.4, 4.0);
   return to;
 }
 
 bool evaluate_at(const Image& image, const CornerModel& model, double radius, Sharing sharing, CornerPatch& patch) {
   const int reach = static_cast<int>(radius) + 1;
-  const Eigen::Vector2i centre = pixel_of(model.position);
+  const Eigen::Vector2i centre = nearest_pixel(model.position);
   if (!is_inside(image, centre, reach)) return false;
   gather(image, centre, reach, patch);
   evaluate(model, radius, 0, patch.count, patch, sharing);
   return true;
 }
 
-double noise_of(const Normal& normal) {
-  return std::max(std::sqrt(normal.squares / std::max(normal.weights - kUnknowns, 1.0)), kLeastNoise);
+double find_noise(const Normal& normal) {
+  return std::max(std::sqrt(normal.squares / std::max(normal.weights - unknown_count, 1.0)), least_noise);
 }
 
 }  // namespace
@@ -114,17 +114,17 @@ std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& 
   double damping = 1e-3;
   bool is_at_the_fit = true;  // the patch
   const auto too_much = [&](const Normal& normal, double most, const CornerModel& model) {
-    const double noise = noise_of(normal), allowed = most * half_contrast_in_light(model);
+    const double noise = find_noise(normal), allowed = most * half_contrast_in_light(model);
     return noise * noise > allowed * allowed + image_noise * image_noise;
   };
   if (too_much(at, patience.most_at_first, start)) return std::nullopt;
   for (int i = 0; i < patience.steps; ++i) {
-    const double noise = noise_of(at);
+    const double noise = find_noise(at);
     Normal damped = at;
     add_prior(fit.model, noise, damped);
     damped.hessian.diagonal() *= 1 + damping;
     Vector step = damped.side;
-    if (!solve<kUnknowns>(damped.hessian, step)) return std::nullopt;
+    if (!solve<unknown_count>(damped.hessian, step)) return std::nullopt;
     const CornerModel next = moved(fit.model, step);
     if ((next.position - start.position).norm() > 3 || !evaluate_at(image, next, radius, patience.sharing, patch))
       return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<ShadowFit> fit_with_shadow(const Image& image, const CornerModel& 
   is_at_the_fit &= fit.model.shadow.distance >= 0;
   fit.model = told_from_corner(fit.model);
   if (!is_at_the_fit && !evaluate_at(image, fit.model, radius, patience.sharing, patch)) return std::nullopt;
-  fit.noise = noise_of(at);
+  fit.noise = find_noise(at);
   return fit;
 }
 

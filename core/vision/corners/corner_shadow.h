@@ -11,8 +11,8 @@
 
 namespace handsight {
 
-constexpr double kPenumbra = 0.6;                        // px, of a usual shadow's edge before the lens
-constexpr double kMostDepth = 0.9, kMostLitBeyond = -4;  // of shadows
+constexpr double penumbra_px = 0.6;                       // px, of a usual shadow's edge before the lens
+constexpr double most_depth = 0.9, most_lit_beyond = -4;  // of shadows
 
 /// The straight line that best splits the pixels of the patch into two of different light, by what `evaluate` left of a
 /// model without a shadow; pixels at the model's own edges count little. Nothing where the two lights tell less than

@@ -7,11 +7,11 @@
 namespace handsight {
 namespace {
 
-constexpr double kReach = 64, kReachOfSeveral = 192;  // px, to who saw an edge
-constexpr double kSameLine = 1.5, kDrift = 0.03;      // px, and px a px of the way: between what two saw of one edge
-constexpr double kSameDirection = 0.1;                // sine
-constexpr double kUsualReach = 32;                    // px: what is nearer tells more
-constexpr double kArm = 4;                            // px, over which each tells the edge's direction
+constexpr double reach_px = 64, reach_of_several = 192;  // px, to who saw an edge
+constexpr double same_line = 1.5, drift_share = 0.03;    // px, and px a px of the way: between what two saw of one edge
+constexpr double same_direction = 0.1;                   // sine
+constexpr double usual_reach = 32;                       // px: what is nearer tells more
+constexpr double arm_length = 4;                         // px, over which each tells the edge's direction
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -29,8 +29,8 @@ void ShadowLines::add(const CornerModel& beside) {
 
 bool ShadowLines::agree(const Seen& a, const Seen& b) {
   const Eigen::Vector2d way = b.foot - a.foot;
-  const double far = way.norm(), most = kSameLine + kDrift * far;
-  return far < kReachOfSeveral && std::abs(cross(a.normal, b.normal)) < kSameDirection &&
+  const double far = way.norm(), most = same_line + drift_share * far;
+  return far < reach_of_several && std::abs(cross(a.normal, b.normal)) < same_direction &&
          std::abs(a.normal.dot(way)) < most && std::abs(b.normal.dot(way)) < most;
 }
 
@@ -40,7 +40,7 @@ ShadowEdge ShadowLines::edge_at(const Eigen::Vector2d& position, const Seen& one
   const auto each = [&](const auto& act) {
     for (const Seen& seen : seen_) {
       if (&seen != &one && !agree(one, seen)) continue;
-      act(seen, 1 / (1 + (seen.foot - position).squaredNorm() / (kUsualReach * kUsualReach)));
+      act(seen, 1 / (1 + (seen.foot - position).squaredNorm() / (usual_reach * usual_reach)));
     }
   };
   each([&](const Seen& seen, double weight) { middle += weight * seen.foot, weights += weight; });
@@ -49,7 +49,7 @@ ShadowEdge ShadowLines::edge_at(const Eigen::Vector2d& position, const Seen& one
   double uu = 0, uv = 0, vv = 0;
   each([&](const Seen& seen, double weight) {
     const Eigen::Vector2d along(-seen.normal.y(), seen.normal.x()), off = seen.foot - middle;
-    const double arm = kArm * kArm;
+    const double arm = arm_length * arm_length;
     uu += weight * (off.x() * off.x() + arm * along.x() * along.x());
     uv += weight * (off.x() * off.y() + arm * along.x() * along.y());
     vv += weight * (off.y() * off.y() + arm * along.y() * along.y());
@@ -65,11 +65,11 @@ ShadowEdge ShadowLines::edge_at(const Eigen::Vector2d& position, const Seen& one
 
 std::vector<NearShadow> ShadowLines::near(const Eigen::Vector2d& position, double farthest, int since) const {
   const Seen *shared = nullptr, *nearest = nullptr;
-  double to_shared = kReachOfSeveral * kReachOfSeveral, to_nearest = kReach * kReach;
+  double to_shared = reach_of_several * reach_of_several, to_nearest = reach_px * reach_px;
   bool is_new = false;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const Seen& seen = seen_[i];
-    const double far = (seen.from - position).squaredNorm(), reach = seen.agree > 0 ? kReachOfSeveral : kReach;
+    const double far = (seen.from - position).squaredNorm(), reach = seen.agree > 0 ? reach_of_several : reach_px;
     is_new |= static_cast<int>(i) >= since && far < reach * reach;
     if (far < to_nearest) to_nearest = far, nearest = &seen;
     if (seen.agree > 0 && far < to_shared) to_shared = far, shared = &seen;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an X-corner in an image is told by: the numbers of its formula, and what a fit of them gives.
+// What an X-corner in an image is described by: the numbers of its formula, and what a fit of them gives.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 namespace handsight {
 
 /// The straight edge of a shadow: light(x) = 1 - depth (1 + erf((n . x - distance) / (sqrt2 softness))) / 2, with
-/// n = (cos direction, sin direction). The light at the corner is what the others are told by, so that the depth is
-/// negative where the corner lies in the shadow.
+/// n = (cos direction, sin direction). The light at the corner is what the others are described by, so that the depth
+/// is negative where the corner lies in the shadow.
 struct ShadowEdge {
   double direction = 0;   // rad, from the corner to the edge
   double distance = 0;    // px, of the edge from the corner

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 

@@ -7,28 +7,28 @@
 #include <cstdint>
 #include <numeric>
 
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 namespace {
 
-constexpr int kHalf = CrossStructure::kDirections;  // on half a circle
-constexpr std::array<float, 2> kRadii{2.5f, 4.f};   // px: outside of the blur, inside of the cell
+constexpr int half_size = CrossStructure::direction_count;  // on half a circle
+constexpr std::array<float, 2> radii{2.5f, 4.f};            // px: outside of the blur, inside of the cell
 
-constexpr std::size_t kPoints = 2 * kHalf * kRadii.size();
-static_assert(2 * kHalf % kLanes == 0);
+constexpr std::size_t points_in_all = 2 * half_size * radii.size();
+static_assert(2 * half_size % simd_lanes == 0);
 
 struct Circles {
-  std::array<float, kPoints> u, v;  // px, circle by circle
+  std::array<float, points_in_all> u, v;  // px, circle by circle
 };
 
 const Circles& circles() {
   static const Circles made = [] {
     Circles c;
     std::size_t n = 0;
-    for (const float radius : kRadii)
-      for (int i = 0; i < 2 * kHalf; ++i, ++n) {
-        const double angle = M_PI * i / kHalf;
+    for (const float radius : radii)
+      for (int i = 0; i < 2 * half_size; ++i, ++n) {
+        const double angle = M_PI * i / half_size;
         c.u[n] = static_cast<float>(radius * std::cos(angle)), c.v[n] = static_cast<float>(radius * std::sin(angle));
       }
     return c;
@@ -40,48 +40,48 @@ const Circles& circles() {
 HANDSIGHT_LANES void sample_circles(const Image& image, const Circles& at, float u, float v, float* values) {
   const std::int32_t width = image.width;
   const std::uint8_t* const pixels = image.pixels.data();
-  for (std::size_t n = 0; n < kPoints; n += kLanes) {
-    Lanes x, y;
+  for (std::size_t n = 0; n < points_in_all; n += simd_lanes) {
+    Simd x, y;
     load(&at.u[n], x), load(&at.v[n], y);
     x += u, y += v;
     const Whole column = __builtin_convertvector(x, Whole), row = __builtin_convertvector(y, Whole);
     const Whole place = row * width + column;
     Whole upper, lower;  // two neighbours each, the left one in the low byte
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < simd_lanes; ++i) {
       const std::uint8_t *const a = pixels + place[i], *const b = a + width;
       upper[i] = a[0] | a[1] << 8, lower[i] = b[0] | b[1] << 8;
     }
-    const Lanes fu = x - __builtin_convertvector(column, Lanes), fv = y - __builtin_convertvector(row, Lanes);
-    const Lanes left = __builtin_convertvector(upper & 255, Lanes), right = __builtin_convertvector(upper >> 8, Lanes);
-    const Lanes below = __builtin_convertvector(lower & 255, Lanes), last = __builtin_convertvector(lower >> 8, Lanes);
-    const Lanes above = left + fu * (right - left), under = below + fu * (last - below);
+    const Simd fu = x - __builtin_convertvector(column, Simd), fv = y - __builtin_convertvector(row, Simd);
+    const Simd left = __builtin_convertvector(upper & 255, Simd), right = __builtin_convertvector(upper >> 8, Simd);
+    const Simd below = __builtin_convertvector(lower & 255, Simd), last = __builtin_convertvector(lower >> 8, Simd);
+    const Simd above = left + fu * (right - left), under = below + fu * (last - below);
     store(above + fv * (under - above), values + n);
   }
 }
 
 // The mean over the circles, of even[i] = I at angle i and opposite, and the squared difference of these two.
 struct Profile {
-  std::array<float, kHalf> even;
-  std::array<std::array<float, kHalf>, kRadii.size()> single;  // sum of both, circle by circle
+  std::array<float, half_size> even;
+  std::array<std::array<float, half_size>, radii.size()> single;  // sum of both, circle by circle
   float odd_square;
 };
 
 HANDSIGHT_LANES void fold_circles(const float* values, Profile& profile) {
-  constexpr float kShare = 0.5f / kRadii.size();
-  std::array<float, kHalf + 2> raw;  // and a neighbour at each side
-  Lanes squares{}, near, opposite, before, after;
-  for (int i = 0; i < kHalf; i += kLanes) {
-    Lanes even{}, odd{};
-    for (std::size_t k = 0; k < kRadii.size(); ++k) {
-      load(values + 2 * kHalf * k + i, near), load(values + 2 * kHalf * k + kHalf + i, opposite);
+  constexpr float share = 0.5f / radii.size();
+  std::array<float, half_size + 2> raw;  // and a neighbour at each side
+  Simd squares{}, near, opposite, before, after;
+  for (int i = 0; i < half_size; i += simd_lanes) {
+    Simd even{}, odd{};
+    for (std::size_t k = 0; k < radii.size(); ++k) {
+      load(values + 2 * half_size * k + i, near), load(values + 2 * half_size * k + half_size + i, opposite);
       store(near + opposite, &profile.single[k][i]);
-      even += kShare * (near + opposite), odd += kShare * (near - opposite);
+      even += share * (near + opposite), odd += share * (near - opposite);
     }
     store(even, &raw[i + 1]), squares += odd * odd;
   }
-  profile.odd_square = total(squares) / kHalf;
-  raw[0] = raw[kHalf], raw[kHalf + 1] = raw[1];
-  for (int i = 0; i < kHalf; i += kLanes) {  // noise must not make crossings of its own
+  profile.odd_square = total(squares) / half_size;
+  raw[0] = raw[half_size], raw[half_size + 1] = raw[1];
+  for (int i = 0; i < half_size; i += simd_lanes) {  // noise must not make crossings of its own
     load(&raw[i], before), load(&raw[i + 1], near), load(&raw[i + 2], after);
     store(0.25f * (before + 2 * near + after), &profile.even[i]);
   }
@@ -89,7 +89,7 @@ HANDSIGHT_LANES void fold_circles(const float* values, Profile& profile) {
 
 Profile profile_round(const Image& image, float u, float v) {
   Profile profile;
-  std::array<float, kPoints> values;
+  std::array<float, points_in_all> values;
   sample_circles(image, circles(), u, v, values.data());
   fold_circles(values.data(), profile);
   return profile;
@@ -98,8 +98,8 @@ Profile profile_round(const Image& image, float u, float v) {
 // Contrast on the inner circle over that on the outer one (1 of sharp sectors, 0.39 of a bare saddle), with the sectors
 // as both together tell them.
 HANDSIGHT_LANES float flatness(const Profile& profile, float middle) {
-  Lanes sums[4]{}, even, inner, outer;
-  for (int i = 0; i < kHalf; i += kLanes) {
+  Simd sums[4]{}, even, inner, outer;
+  for (int i = 0; i < half_size; i += simd_lanes) {
     load(&profile.even[i], even), load(&profile.single.front()[i], inner), load(&profile.single.back()[i], outer);
     inner -= 2 * middle, outer -= 2 * middle;
     const Whole is_black = even < middle;
@@ -130,9 +130,9 @@ HANDSIGHT_INLINE void keep_lowest(Four* one, Four* other) {
 }
 
 // Of eight lanes that hold a lower and a higher value each the three lowest.
-HANDSIGHT_INLINE float sum_of_lowest(const Lanes& lower, const Lanes& higher) {
+HANDSIGHT_INLINE float sum_of_lowest(const Simd& lower, const Simd& higher) {
   Four one[3], other[3];
-  const auto halves = [](const Lanes& from, Four& first, Four& second) {
+  const auto halves = [](const Simd& from, Four& first, Four& second) {
     std::memcpy(&first, &from, sizeof first);
     std::memcpy(&second, reinterpret_cast<const char*>(&from) + sizeof first, sizeof second);
   };
@@ -148,26 +148,26 @@ HANDSIGHT_INLINE float sum_of_lowest(const Lanes& lower, const Lanes& higher) {
 }
 
 HANDSIGHT_LANES Extremes extremes(const float* values) {
-  constexpr float kThird = 3;
-  Lanes lower, higher;
-  load(values, lower), load(values + kLanes, higher);
+  constexpr float third_size = 3;
+  Simd lower, higher;
+  load(values, lower), load(values + simd_lanes, higher);
   order(lower, higher);
-  return {sum_of_lowest(lower, higher) / kThird, -sum_of_lowest(-higher, -lower) / kThird};
+  return {sum_of_lowest(lower, higher) / third_size, -sum_of_lowest(-higher, -lower) / third_size};
 }
 
 // A bit for each value that is less than `middle`, the first one's lowest.
 HANDSIGHT_LANES std::uint32_t bits_below(const float* values, float middle) {
-  constexpr Whole kBit{1, 2, 4, 8, 16, 32, 64, 128};
-  Lanes first, second;
-  load(values, first), load(values + kLanes, second);
-  const Whole bits = ((first < middle) & kBit) | (((second < middle) & kBit) << kLanes);
-  std::uint64_t parts[kLanes / 2];
+  constexpr Whole lane_bits{1, 2, 4, 8, 16, 32, 64, 128};
+  Simd first, second;
+  load(values, first), load(values + simd_lanes, second);
+  const Whole bits = ((first < middle) & lane_bits) | (((second < middle) & lane_bits) << simd_lanes);
+  std::uint64_t parts[simd_lanes / 2];
   std::memcpy(parts, &bits, sizeof parts);
   const std::uint64_t both = (parts[0] | parts[1]) | (parts[2] | parts[3]);
   return static_cast<std::uint32_t>(both | both >> 32);
 }
 
-constexpr std::array<float, 3> kBlurs{0.9f, 1.5f, 2.3f};
+constexpr std::array<float, 3> blurs{0.9f, 1.5f, 2.3f};
 
 // The least that the pattern of two blurred edges that cross in the middle leaves of the profile `even`, whose mean is
 // 0, or what is no more than `enough`: the sum of squares in half contrasts.
@@ -176,23 +176,23 @@ HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double
   const auto first = static_cast<float>(edges[0]), second = static_cast<float>(edges[1]);
   const float s1 = std::sin(first), c1 = std::cos(first), s2 = std::sin(second), c2 = std::cos(second);
   float least = 1e9f;
-  for (const float blur : kBlurs) {
+  for (const float blur : blurs) {
     const float scale = static_cast<float>(M_SQRT1_2) / blur;
-    Lanes sums[4]{}, x, y, a, b, bell, e;  // of the pattern, its square, its product with the profile; of its square
-    for (int i = 0; i < kHalf; i += kLanes) {
-      Lanes pattern{};
-      for (std::size_t k = 0; k < kRadii.size(); ++k) {
-        load(&at.u[2 * kHalf * k + i], x), load(&at.v[2 * kHalf * k + i], y);
+    Simd sums[4]{}, x, y, a, b, bell, e;  // of the pattern, its square, its product with the profile; of its square
+    for (int i = 0; i < half_size; i += simd_lanes) {
+      Simd pattern{};
+      for (std::size_t k = 0; k < radii.size(); ++k) {
+        load(&at.u[2 * half_size * k + i], x), load(&at.v[2 * half_size * k + i], y);
         erf_and_bell(scale * (c1 * y - s1 * x), a, bell);
         erf_and_bell(scale * (c2 * y - s2 * x), b, bell);
-        pattern += (1.f / kRadii.size()) * a * b;
+        pattern += (1.f / radii.size()) * a * b;
       }
       load(even + i, e);
       sums[0] += pattern, sums[1] += pattern * pattern, sums[2] += pattern * e, sums[3] += e * e;
     }
     float sum[4];
     totals(sums, sum);
-    const float variance = sum[1] - sum[0] * sum[0] / kHalf, both = sum[2];
+    const float variance = sum[1] - sum[0] * sum[0] / half_size, both = sum[2];
     least = std::min(least, (sum[3] - both * both / variance) * variance * variance / (both * both));
     if (least <= enough) break;
   }
@@ -203,10 +203,10 @@ HANDSIGHT_LANES float left_by_sectors(const Circles& at, const std::array<double
 
 std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& pixel, double min_contrast,
                                      double noise) {
-  constexpr std::array<std::array<int, 2>, 4> kQuarter{{{3, 0}, {3, 1}, {2, 2}, {1, 3}}};
+  constexpr std::array<std::array<int, 2>, 4> quarter{{{3, 0}, {3, 1}, {2, 2}, {1, 3}}};
   const std::uint8_t* const at = image.row(pixel.y()) + pixel.x();
   int opposite = 0, across = 0;
-  for (const auto& [u, v] : kQuarter) {
+  for (const auto& [u, v] : quarter) {
     const int offset = v * image.width + u, turned = u * image.width - v;  // by a quarter turn
     const int one = at[offset], other = at[-offset], next = at[turned], last = at[-turned];
     opposite += std::abs(one - other) + std::abs(next - last);
@@ -224,7 +224,7 @@ std::optional<Lighting> may_be_cross(const Image& image, const Eigen::Vector2i& 
 
 std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::Vector2d& centre, double min_contrast,
                                               Lighting light) {
-  const float reach = kRadii.back() + 1, u = static_cast<float>(centre.x()), v = static_cast<float>(centre.y());
+  const float reach = radii.back() + 1, u = static_cast<float>(centre.x()), v = static_cast<float>(centre.y());
   if (!(u >= reach && v >= reach && u < image.width - reach - 1 && v < image.height - reach - 1)) return std::nullopt;
   const Profile profile = profile_round(image, u, v);
   const auto [black, white] = extremes(profile.even.data());
@@ -236,13 +236,13 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   // Shade over half of the patch makes opposite sectors differ, but less than black from white.
   if (cross.asymmetry > (light == Lighting::even ? 0.32 : 0.5)) return std::nullopt;
   const std::uint32_t below = bits_below(profile.even.data(), middle);
-  std::uint32_t changes = below ^ (below >> 1 | (below & 1) << (kHalf - 1));  // from one direction to the next
+  std::uint32_t changes = below ^ (below >> 1 | (below & 1) << (half_size - 1));  // from one direction to the next
   if (std::popcount(changes) != 2) return std::nullopt;
   for (double& edge : cross.edges) {
     const int i = std::countr_zero(changes);
     changes &= changes - 1;
-    const float here = profile.even[i] - middle, next = profile.even[(i + 1) % kHalf] - middle;
-    const double angle = M_PI / kHalf * (i + here / (here - next));
+    const float here = profile.even[i] - middle, next = profile.even[(i + 1) % half_size] - middle;
+    const double angle = M_PI / half_size * (i + here / (here - next));
     edge = angle < M_PI ? angle : angle - M_PI;
   }
   // Measured on right angles: 0.77 at 0.9 px of blur, 0.55 at 2 px; and the circles then miss a part of the contrast.
@@ -250,7 +250,7 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
   cross.blur = std::clamp(2.0 - 5.0 * (flatness(profile, middle) - 0.55), 0.9, 2.5);
   if (cross.edges[0] > cross.edges[1]) std::swap(cross.edges[0], cross.edges[1]);
   const double between = 0.5 * (cross.edges[0] + cross.edges[1]);
-  const int index = static_cast<int>(std::lround(between * kHalf / M_PI)) % kHalf;
+  const int index = static_cast<int>(std::lround(between * half_size / M_PI)) % half_size;
   cross.level = middle;
   cross.half_contrast = (profile.even[index] > middle ? -0.5 : 0.5) * contrast * (1 + 0.25 * cross.blur * cross.blur);
   cross.profile = profile.even;
@@ -260,11 +260,11 @@ std::optional<CrossStructure> cross_structure(const Image& image, const Eigen::V
 }
 
 double sector_misfit(const CrossStructure& cross, double enough) {
-  std::array<float, kHalf> even = cross.profile;
-  const float mean = std::accumulate(even.begin(), even.end(), 0.f) / kHalf;
+  std::array<float, half_size> even = cross.profile;
+  const float mean = std::accumulate(even.begin(), even.end(), 0.f) / half_size;
   for (float& value : even) value -= mean;
-  const auto most = static_cast<float>((kHalf - 3) * enough * enough);
-  return std::sqrt(std::max(left_by_sectors(circles(), cross.edges, even.data(), most), 0.f) / (kHalf - 3));
+  const auto most = static_cast<float>((half_size - 3) * enough * enough);
+  return std::sqrt(std::max(left_by_sectors(circles(), cross.edges, even.data(), most), 0.f) / (half_size - 3));
 }
 
 }  // namespace handsight

@@ -14,13 +14,13 @@ namespace handsight {
 /// I = level + half_contrast sgn(d1) sgn(d2), where d_i is the signed distance to edge i through the centre,
 /// d = -sin(edge) (u - u0) + cos(edge) (v - v0).
 struct CrossStructure {
-  std::array<double, 2> edges{};           // rad, each in [0, pi), the first one smaller
-  double level = 0;                        // grey levels
-  double half_contrast = 0;                // grey levels, negative where the sector between the edges' angles is white
-  double asymmetry = 0;                    // root of the mean square half difference of opposite points, in contrasts
-  double blur = 1;                         // px, sigma, a guess from how much the contrast grows from 2.5 to 4 px
-  static constexpr int kDirections = 16;   // on half a circle
-  std::array<float, kDirections> profile;  // grey levels, mean of opposite points of the circles
+  std::array<double, 2> edges{};  // rad, each in [0, pi), the first one smaller
+  double level = 0;               // grey levels
+  double half_contrast = 0;       // grey levels, negative where the sector between the edges' angles is white
+  double asymmetry = 0;           // root of the mean square half difference of opposite points, in contrasts
+  double blur = 1;                // px, sigma, a guess from how much the contrast grows from 2.5 to 4 px
+  static constexpr int direction_count = 16;   // on half a circle
+  std::array<float, direction_count> profile;  // grey levels, mean of opposite points of the circles
 };
 
 /// What the light may be where there is a corner: a shadow's edge near it makes opposite sectors differ.

@@ -9,42 +9,44 @@
 
 #include "base/error.h"
 #include "vision/corners/corner_crossing.h"
-#include "vision/corners/corner_lanes.h"
+#include "vision/corners/corner_simd.h"
 
 namespace handsight {
 namespace {
 
-constexpr int kMostRadius = 15;
+constexpr int most_radius = 15;
 
 int window_radius(double sigma) { return static_cast<int>(std::ceil(3 * sigma)); }
 
 // Row by row with room at both sides, so that rows can be read in whole groups, forwards and backwards.
-template <int kStride, int kRows>
+template <int row_stride, int row_count>
 struct Rows {
-  static constexpr int kBefore = 16, kRow = kBefore + kStride + kLanes;
-  std::array<float, kRows * kRow> values;
-  HANDSIGHT_INLINE float* row(int y) { return &values[static_cast<std::size_t>(y * kRow + kBefore)]; }
-  HANDSIGHT_INLINE const float* row(int y) const { return &values[static_cast<std::size_t>(y * kRow + kBefore)]; }
+  static constexpr int before_row = 16, row_length = before_row + row_stride + simd_lanes;
+  std::array<float, row_count * row_length> values;
+  HANDSIGHT_INLINE float* row(int y) { return &values[static_cast<std::size_t>(y * row_length + before_row)]; }
+  HANDSIGHT_INLINE const float* row(int y) const {
+    return &values[static_cast<std::size_t>(y * row_length + before_row)];
+  }
 };
 
-// The window round a point and its rim of one pixel. `kStride` holds a row: 16 up to a radius of 6, else 48.
-template <int kStride>
+// The window round a point and its rim of one pixel. `row_stride` holds a row: 16 up to a radius of 6, else 48.
+template <int row_stride>
 struct Window {
-  static constexpr int kWidth = kStride, kMostSide = kStride == 16 ? 15 : 2 * kMostRadius + 3,
-                       kHalf = kMostSide / 2 + 1;
+  static constexpr int width_px = row_stride, most_side = row_stride == 16 ? 15 : 2 * most_radius + 3,
+                       half_size = most_side / 2 + 1;
   int radius = 0;
-  Rows<kStride, kMostSide> value, light;
-  Rows<kStride, kHalf + 1> sum;                           // with the opposite point, from the row above the middle on
-  std::array<float, kStride * kHalf> difference, weight;  // to the opposite point, from the middle row on
+  Rows<row_stride, most_side> value, light;
+  Rows<row_stride, half_size + 1> sum;  // with the opposite point, from the row above the middle on
+  std::array<float, row_stride * half_size> difference, weight;  // to the opposite point, from the middle row on
   HANDSIGHT_INLINE int rim() const { return radius + 1; }
   HANDSIGHT_INLINE int side() const { return 2 * rim() + 1; }
-  HANDSIGHT_INLINE int stride() const { return kStride == 16 ? 16 : in_groups(side()); }
+  HANDSIGHT_INLINE int stride() const { return row_stride == 16 ? 16 : in_groups(side()); }
 };
 
 using SmallWindow = Window<16>;
 using LargeWindow = Window<48>;
 
-template <int kStride>
+template <int row_stride>
 HANDSIGHT_INLINE void mix_across(const std::uint8_t* pixels, float share, int stride, float* mixed) {
   for (int x = 0; x < stride; ++x) {
     const float left = pixels[x], right = pixels[x + 1];
@@ -53,21 +55,21 @@ HANDSIGHT_INLINE void mix_across(const std::uint8_t* pixels, float share, int st
 }
 
 // Bilinear values round `centre`; false where they are not inside of the image.
-template <int kStride>
-HANDSIGHT_INLINE bool sample(const Image& image, const Eigen::Vector2d& centre, Window<kStride>& window) {
+template <int row_stride>
+HANDSIGHT_INLINE bool sample(const Image& image, const Eigen::Vector2d& centre, Window<row_stride>& window) {
   const int u = static_cast<int>(std::floor(centre.x())), v = static_cast<int>(std::floor(centre.y()));
   const int rim = window.rim(), side = window.side(), stride = window.stride();
   if (u < rim || v < rim || u + rim + 1 >= image.width || v + rim + 1 >= image.height) return false;
   const auto fu = static_cast<float>(centre.x() - u), fv = static_cast<float>(centre.y() - v);
-  std::array<std::uint8_t, kStride + kLanes> last{};  // whole groups of the image's last row may reach beyond it
-  std::array<float, 2 * kStride> mixed;
-  mix_across<kStride>(image.row(v - rim) + u - rim, fu, stride, mixed.data());
+  std::array<std::uint8_t, row_stride + simd_lanes> last{};  // whole groups of the image's last row may reach beyond it
+  std::array<float, 2 * row_stride> mixed;
+  mix_across<row_stride>(image.row(v - rim) + u - rim, fu, stride, mixed.data());
   for (int y = 0; y < side; ++y) {
     const std::uint8_t* pixels = image.row(v - rim + y + 1) + u - rim;
     if (v - rim + y + 2 == image.height) std::copy_n(pixels, side + 1, last.begin()), pixels = last.data();
-    const float* const above = &mixed[static_cast<std::size_t>(y % 2 * kStride)];
-    float* const below = &mixed[static_cast<std::size_t>((y + 1) % 2 * kStride)];
-    mix_across<kStride>(pixels, fu, stride, below);
+    const float* const above = &mixed[static_cast<std::size_t>(y % 2 * row_stride)];
+    float* const below = &mixed[static_cast<std::size_t>((y + 1) % 2 * row_stride)];
+    mix_across<row_stride>(pixels, fu, stride, below);
     float* const to = window.value.row(y);
     for (int x = 0; x < stride; ++x) to[x] = above[x] + fv * (below[x] - above[x]);
   }
@@ -75,32 +77,33 @@ HANDSIGHT_INLINE bool sample(const Image& image, const Eigen::Vector2d& centre, 
 }
 
 // The image as it would be without the shadow, and the light that it is divided by.
-template <int kStride>
-HANDSIGHT_INLINE void bring_to_light(const CornerModel& lit, const Eigen::Vector2d& centre, Window<kStride>& window) {
+template <int row_stride>
+HANDSIGHT_INLINE void bring_to_light(const CornerModel& lit, const Eigen::Vector2d& centre,
+                                     Window<row_stride>& window) {
   const ShadowEdge& shadow = lit.shadow;
   const Eigen::Vector2d off = centre - lit.position, normal(std::cos(shadow.direction), std::sin(shadow.direction));
   const auto across = static_cast<float>(normal.x()), down = static_cast<float>(normal.y());
   const auto middle = static_cast<float>(normal.dot(off) - shadow.distance);
   const auto half_depth = static_cast<float>(0.5 * shadow.depth);
   const auto scale = static_cast<float>(M_SQRT1_2 / shadow.softness), sharp = static_cast<float>(M_SQRT1_2 / lit.blur);
-  const std::array<ShadowCrossing, 2> crossings = crossings_of(lit);
+  const std::array<ShadowCrossing, 2> crossings = find_crossings(lit);
   std::array<float, 2> sine, cosine, from_edge;
   for (int i = 0; i < 2; ++i) {
     sine[i] = static_cast<float>(std::sin(lit.edges[i])), cosine[i] = static_cast<float>(std::cos(lit.edges[i]));
     from_edge[i] = static_cast<float>(std::cos(lit.edges[i]) * off.y() - std::sin(lit.edges[i]) * off.x());
   }
-  constexpr Lanes kNumber{0, 1, 2, 3, 4, 5, 6, 7};
+  constexpr Simd lane_numbers{0, 1, 2, 3, 4, 5, 6, 7};
   for (int y = 0; y < window.side(); ++y)
-    for (int x = 0; x < window.stride(); x += kLanes) {
-      Lanes erf, bell, value, first, second, bell1, bell2;
-      const Lanes u = kNumber + static_cast<float>(x - window.rim());
+    for (int x = 0; x < window.stride(); x += simd_lanes) {
+      Simd erf, bell, value, first, second, bell1, bell2;
+      const Simd u = lane_numbers + static_cast<float>(x - window.rim());
       const auto v = static_cast<float>(y - window.rim());
-      const Lanes beyond = middle + across * u + down * v;
+      const Simd beyond = middle + across * u + down * v;
       erf_and_bell(scale * beyond, erf, bell);
-      const Lanes d = from_edge[0] + cosine[0] * v - sine[0] * u, e = from_edge[1] + cosine[1] * v - sine[1] * u;
-      erfs_and_bells<Lanes>(sharp * d, sharp * e, first, bell1, second, bell2);
+      const Simd d = from_edge[0] + cosine[0] * v - sine[0] * u, e = from_edge[1] + cosine[1] * v - sine[1] * u;
+      erfs_and_bells<Simd>(sharp * d, sharp * e, first, bell1, second, bell2);
       crossings[0].share(d, beyond, bell1), crossings[1].share(e, beyond, bell2);
-      const Lanes light = 1.f - half_depth * (1.f + erf);
+      const Simd light = 1.f - half_depth * (1.f + erf);
       load(window.value.row(y) + x, value);
       store(light, window.light.row(y) + x);
       store((value - bell1 * second - bell2 * first) / light, window.value.row(y) + x);
@@ -108,12 +111,12 @@ HANDSIGHT_INLINE void bring_to_light(const CornerModel& lit, const Eigen::Vector
 }
 
 // Values brought to full light carry the more noise: the weight of a pair is its G over the pair's variance.
-template <int kStride>
-HANDSIGHT_INLINE void weigh_by_light(Window<kStride>& window) {
+template <int row_stride>
+HANDSIGHT_INLINE void weigh_by_light(Window<row_stride>& window) {
   const int rim = window.rim(), side = window.side();
   for (int y = 0; y <= window.radius; ++y) {
     const float *const here = window.light.row(rim + y), *const opposite = window.light.row(rim - y) + side - 1;
-    float* const weight = &window.weight[static_cast<std::size_t>(y * kStride)];
+    float* const weight = &window.weight[static_cast<std::size_t>(y * row_stride)];
     for (int x = 1; x + 1 < side; ++x) {
       const float a = here[x] * here[x], b = opposite[-x] * opposite[-x];
       weight[x] *= 2 * a * b / (a + b);
@@ -122,65 +125,65 @@ HANDSIGHT_INLINE void weigh_by_light(Window<kStride>& window) {
 }
 
 // The normalised Gaussian; each pair of opposite points once.
-template <int kStride>
+template <int row_stride>
 struct Weights {
   double sigma = 0;
-  std::array<float, kStride * Window<kStride>::kHalf> weight;
+  std::array<float, row_stride * Window<row_stride>::half_size> weight;
   float sum = 0;
 };
 
-template <int kStride>
-Weights<kStride> gaussian_weights(double sigma) {
-  Weights<kStride> made;
+template <int row_stride>
+Weights<row_stride> gaussian_weights(double sigma) {
+  Weights<row_stride> made;
   made.sigma = sigma, made.weight.fill(0);
   const int radius = window_radius(sigma);
-  std::array<float, kMostRadius + 1> line;  // of one direction, so that the product is normalised
+  std::array<float, most_radius + 1> line;  // of one direction, so that the product is normalised
   for (int i = 0; i <= radius; ++i)
     line[i] = static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma)) / (std::sqrt(2 * M_PI) * sigma));
   for (int y = 0; y <= radius; ++y)
     for (int x = y == 0 ? 1 : -radius; x <= radius; ++x)
-      made.sum += made.weight[y * kStride + radius + 1 + x] = line[std::abs(x)] * line[y];
+      made.sum += made.weight[y * row_stride + radius + 1 + x] = line[std::abs(x)] * line[y];
   return made;
 }
 
 // Of one image all windows have the same.
-template <int kStride>
-const Weights<kStride>& weights_of(double sigma) {
-  thread_local Weights<kStride> last;
-  if (last.sigma != sigma) last = gaussian_weights<kStride>(sigma);
+template <int row_stride>
+const Weights<row_stride>& weights_of(double sigma) {
+  thread_local Weights<row_stride> last;
+  if (last.sigma != sigma) last = gaussian_weights<row_stride>(sigma);
   return last;
 }
 
 // What is read beside rows weighs nothing, but must be a number.
-template <int kStride>
-void clear_margins(Window<kStride>& window) {
+template <int row_stride>
+void clear_margins(Window<row_stride>& window) {
   const int before = window.stride() - window.side();
   for (int y = 0; y < window.side(); ++y) std::fill_n(window.value.row(y) - before, before, 0.f);
   for (int y = 0; y < window.rim() + 2; ++y) window.sum.row(y)[-1] = window.sum.row(y)[window.stride()] = 0;
 }
 
-constexpr int kSums = 9;
+constexpr int sum_count = 9;
 
 // The gradients' difference is that of the sums: (I(x+y) - I(x-y))' by x is the gradient of I(x+y) + I(x-y) by y.
-template <int kStride>
-HANDSIGHT_INLINE void add_up(Window<kStride>& window, float* sums) {
+template <int row_stride>
+HANDSIGHT_INLINE void add_up(Window<row_stride>& window, float* sums) {
   const int rim = window.rim(), side = window.side(), stride = window.stride();
   for (int y = -1; y <= rim; ++y) {
     const float *const here = window.value.row(rim + y), *const opposite = window.value.row(rim - y) + side - 1;
     float* const to = window.sum.row(y + 1);
     for (int x = 0; x < stride; ++x) to[x] = here[x] + opposite[-x];
     if (y < 0 || y > window.radius) continue;
-    float* const apart = &window.difference[static_cast<std::size_t>(y * kStride)];
+    float* const apart = &window.difference[static_cast<std::size_t>(y * row_stride)];
     for (int x = 0; x < stride; ++x) apart[x] = here[x] - opposite[-x];
   }
-  Lanes sum[kSums]{}, g, difference, before, after;
+  Simd sum[sum_count]{}, g, difference, before, after;
   for (int y = 0; y <= window.radius; ++y)
-    for (int x = 0; x < stride; x += kLanes) {
-      load(&window.weight[y * kStride + x], g), load(&window.difference[y * kStride + x], difference);
+    for (int x = 0; x < stride; x += simd_lanes) {
+      load(&window.weight[y * row_stride + x], g), load(&window.difference[y * row_stride + x], difference);
       load(window.sum.row(y + 1) + x - 1, before), load(window.sum.row(y + 1) + x + 1, after);
-      const Lanes ju = 0.5f * (after - before);
+      const Simd ju = 0.5f * (after - before);
       load(window.sum.row(y) + x, before), load(window.sum.row(y + 2) + x, after);
-      const Lanes jv = 0.5f * (after - before), gu = g * ju, gv = g * jv;
+      const Simd jv = 0.5f * (after - before), gu = g * ju, gv = g * jv;
       sum[0] += gu * ju, sum[1] += gu * jv, sum[2] += gv * jv;
       sum[3] += gu * gu, sum[4] += gu * gv, sum[5] += gv * gv;
       sum[6] += gu * difference, sum[7] += gv * difference;
@@ -191,9 +194,9 @@ HANDSIGHT_INLINE void add_up(Window<kStride>& window, float* sums) {
 }
 
 // Samples and adds up; `lit`, if any, weighs at the first of the steps.
-template <int kStride>
+template <int row_stride>
 HANDSIGHT_INLINE bool look_at(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit, bool is_first,
-                              Window<kStride>& window, float* sums) {
+                              Window<row_stride>& window, float* sums) {
   if (!sample(image, centre, window)) return false;
   if (lit) bring_to_light(*lit, centre, window);
   if (lit && is_first) weigh_by_light(window);
@@ -201,12 +204,12 @@ HANDSIGHT_INLINE bool look_at(const Image& image, const Eigen::Vector2d& centre,
   return true;
 }
 
-HANDSIGHT_LANES bool look_in_lanes(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit,
-                                   bool is_first, SmallWindow& window, float* sums) {
+HANDSIGHT_LANES bool look_simd(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit, bool is_first,
+                               SmallWindow& window, float* sums) {
   return look_at(image, centre, lit, is_first, window, sums);
 }
-HANDSIGHT_LANES bool look_in_lanes(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit,
-                                   bool is_first, LargeWindow& window, float* sums) {
+HANDSIGHT_LANES bool look_simd(const Image& image, const Eigen::Vector2d& centre, const CornerModel* lit, bool is_first,
+                               LargeWindow& window, float* sums) {
   return look_at(image, centre, lit, is_first, window, sums);
 }
 
@@ -220,12 +223,12 @@ std::optional<SymmetryPoint> point_in(AnyWindow& window, const Image& image, con
                                       double reach, int iterations, const CornerModel* lit) {
   window.radius = window_radius(sigma);
   clear_margins(window);
-  const auto& [same, weight, weights] = weights_of<AnyWindow::kWidth>(sigma);
+  const auto& [same, weight, weights] = weights_of<AnyWindow::width_px>(sigma);
   window.weight = weight;
   Eigen::Vector2d at = start;
   for (int i = 0;; ++i) {
-    std::array<float, kSums> sum;
-    if (!look_in_lanes(image, at, lit, i == 0, window, sum.data())) return std::nullopt;
+    std::array<float, sum_count> sum;
+    if (!look_simd(image, at, lit, i == 0, window, sum.data())) return std::nullopt;
     Eigen::Matrix2d hessian, spread;
     hessian << sum[0], sum[1], sum[1], sum[2];
     spread << sum[3], sum[4], sum[4], sum[5];

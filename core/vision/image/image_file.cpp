@@ -125,12 +125,12 @@ Image read(const std::filesystem::path& file, const Camera* camera, const std::s
   if (is_cut_off(bytes))
     throw InputError(message("{}: the image is cut off after {} bytes; copy it again from where it came.",
                              shown_path(file), bytes.size()));
-  const std::optional<ImageSize> told = image_size(bytes);
-  if (told && camera) require_size(*told, *camera, name);
-  if (told && static_cast<double>(told->width) * static_cast<double>(told->height) > bounds::most_pixels)
+  const std::optional<ImageSize> reported = image_size(bytes);
+  if (reported && camera) require_size(*reported, *camera, name);
+  if (reported && static_cast<double>(reported->width) * static_cast<double>(reported->height) > bounds::most_pixels)
     throw InputError(message("{}: the image says that it has {} x {} pixels; at most {:g} million are read.",
-                             shown_path(file), told->width, told->height, 1e-6 * bounds::most_pixels));
-  const cv::Mat decoded = told ? image_codec().decode(bytes) : cv::Mat();
+                             shown_path(file), reported->width, reported->height, 1e-6 * bounds::most_pixels));
+  const cv::Mat decoded = reported ? image_codec().decode(bytes) : cv::Mat();
   if (decoded.empty())
     throw InputError(message("{}: is no image that can be read ({} bytes); PNG, JPEG, PGM, BMP, TIFF and WebP can.",
                              shown_path(file), bytes.size()));

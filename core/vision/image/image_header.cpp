@@ -19,7 +19,7 @@ std::optional<std::int64_t> number_at(std::string_view bytes, std::size_t place,
   return number;
 }
 
-std::optional<ImageSize> size_of(std::optional<std::int64_t> width, std::optional<std::int64_t> height) {
+std::optional<ImageSize> measure_size(std::optional<std::int64_t> width, std::optional<std::int64_t> height) {
   if (!width || !height || *width <= 0 || *height <= 0) return std::nullopt;
   return ImageSize{*width, *height};
 }
@@ -30,7 +30,7 @@ std::optional<ImageSize> jpeg_size(std::string_view bytes) {
     if (static_cast<unsigned char>(bytes[place]) != 0xff) return std::nullopt;
     const auto marker = static_cast<unsigned char>(bytes[place + 1]);
     const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (is_frame) return size_of(number_at(bytes, place + 7, 2, true), number_at(bytes, place + 5, 2, true));
+    if (is_frame) return measure_size(number_at(bytes, place + 7, 2, true), number_at(bytes, place + 5, 2, true));
     if (marker == 0xff) {
       ++place;  // a filling byte
     } else if (marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
@@ -53,15 +53,16 @@ std::optional<ImageSize> portable_size(std::string_view bytes) {
     for (int digits = 0; digits < 10 && place < bytes.size() && bytes[place] >= '0' && bytes[place] <= '9'; ++digits)
       number = 10 * number + (bytes[place++] - '0');
   }
-  return size_of(numbers[0], numbers[1]);
+  return measure_size(numbers[0], numbers[1]);
 }
 
 std::optional<ImageSize> bitmap_size(std::string_view bytes) {
   const auto header = number_at(bytes, 14, 4, false);
-  if (header == 12) return size_of(number_at(bytes, 18, 2, false), number_at(bytes, 20, 2, false));
+  if (header == 12) return measure_size(number_at(bytes, 18, 2, false), number_at(bytes, 20, 2, false));
   const auto width = number_at(bytes, 18, 4, false), height = number_at(bytes, 22, 4, false);
   if (!width || !height) return std::nullopt;
-  return size_of(width, std::abs(static_cast<std::int64_t>(static_cast<std::int32_t>(*height))));  // negative: top down
+  return measure_size(width,
+                      std::abs(static_cast<std::int64_t>(static_cast<std::int32_t>(*height))));  // negative: top down
 }
 
 /// Tags 256 and 257 of the first directory.
@@ -78,7 +79,7 @@ std::optional<ImageSize> tiff_size(std::string_view bytes, bool big_endian) {
     if (tag == 256) width = value;
     if (tag == 257) height = value;
   }
-  return size_of(width, height);
+  return measure_size(width, height);
 }
 
 /// Its first chunk: with a canvas (VP8X), lossless (VP8L), or a key frame of VP8.
@@ -87,14 +88,14 @@ std::optional<ImageSize> webp_size(std::string_view bytes) {
   const auto number = [&](std::size_t place, std::size_t count) { return number_at(bytes, place, count, false); };
   if (chunk == "VP8X") {
     const auto width = number(24, 3), height = number(27, 3);
-    return width && height ? size_of(*width + 1, *height + 1) : std::nullopt;
+    return width && height ? measure_size(*width + 1, *height + 1) : std::nullopt;
   }
   if (chunk == "VP8L") {
     const auto both = number(21, 4);
-    return both ? size_of((*both & 0x3fff) + 1, (*both >> 14 & 0x3fff) + 1) : std::nullopt;
+    return both ? measure_size((*both & 0x3fff) + 1, (*both >> 14 & 0x3fff) + 1) : std::nullopt;
   }
   const auto width = number(26, 2), height = number(28, 2);
-  return chunk == "VP8 " && width && height ? size_of(*width & 0x3fff, *height & 0x3fff) : std::nullopt;
+  return chunk == "VP8 " && width && height ? measure_size(*width & 0x3fff, *height & 0x3fff) : std::nullopt;
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ std::optional<ImageSize> webp_size(std::string_view bytes) {
 std::optional<ImageSize> image_size(std::string_view bytes) {
   using namespace std::string_view_literals;
   if (bytes.starts_with("\x89PNG\r\n\x1a\n"sv))
-    return size_of(number_at(bytes, 16, 4, true), number_at(bytes, 20, 4, true));
+    return measure_size(number_at(bytes, 16, 4, true), number_at(bytes, 20, 4, true));
   if (bytes.starts_with("\xff\xd8"sv)) return jpeg_size(bytes);
   if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') return portable_size(bytes);
   if (bytes.starts_with("BM"sv)) return bitmap_size(bytes);

@@ -91,7 +91,7 @@ void know_sigmas(const std::vector<CornerPair>& pairs, const KnownMarkers& known
   candidate.turn_sigma = candidate.sigma / beside;
 }
 
-BodyCandidate candidate_of(const std::vector<CornerPair>& pairs, const KnownMarkers& known, const BodyHypothesis& h) {
+BodyCandidate make_candidate(const std::vector<CornerPair>& pairs, const KnownMarkers& known, const BodyHypothesis& h) {
   BodyCandidate candidate{.markers = {}, .sensor_from_body = h.sensor_from_body, .misfit = h.misfit};
   for (const MarkerNode& n : h.nodes) {
     const CornerPair& pair = pairs[static_cast<std::size_t>(n.pair)];
@@ -124,7 +124,7 @@ std::vector<BodyCandidate> body_candidates(const StereoRig& rig, const std::vect
   std::vector<BodyCandidate> found;
   for (const Triple& triple : triples) {
     const auto h = body_hypothesis(pairs, known, triple, count > 3 ? nodes.all : triple, std::nullopt, options);
-    if (h && h->nodes.size() >= 3) found.push_back(candidate_of(pairs, known, *h));
+    if (h && h->nodes.size() >= 3) found.push_back(make_candidate(pairs, known, *h));
   }
   std::stable_sort(found.begin(), found.end(), [](const BodyCandidate& a, const BodyCandidate& b) {
     return a.markers.size() != b.markers.size() ? a.markers.size() > b.markers.size() : a.misfit < b.misfit;

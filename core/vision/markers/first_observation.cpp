@@ -59,7 +59,7 @@ class Chooser {
     }
     std::vector<std::pair<double, int>> next;  // the likeliest first: a good choice early gives up most others
     for (std::size_t k = 0; k < candidates_[marker].size(); ++k)
-      if (const auto added = cost_of(candidates_[marker][k])) next.emplace_back(*added, static_cast<int>(k));
+      if (const auto added = compute_cost(candidates_[marker][k])) next.emplace_back(*added, static_cast<int>(k));
     std::stable_sort(next.begin(), next.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [added, k] : next) {
       taken_.push_back(k);
@@ -69,7 +69,7 @@ class Chooser {
   }
 
   /// Nothing where the pair cannot stand beside those that are taken.
-  std::optional<double> cost_of(const CornerPair& pair) const {
+  std::optional<double> compute_cost(const CornerPair& pair) const {
     double added = pair_score(pair, options_.pairs);
     for (std::size_t m = 0; m < taken_.size(); ++m) {
       const CornerPair& other = candidates_[m][static_cast<std::size_t>(taken_[m])];

@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t most_points = 6;  // all their orders are tried
 
 /// Chi-squared of the sides for these numbers.
-double misfit_of(const std::vector<NumberedPoint>& points, const std::vector<int>& numbers, const KnownMarkers& known) {
+double compute_misfit(const std::vector<NumberedPoint>& points, const std::vector<int>& numbers,
+                      const KnownMarkers& known) {
   double sum = 0;
   for (std::size_t a = 0; a < points.size(); ++a)
     for (std::size_t b = a + 1; b < points.size(); ++b) {
@@ -41,7 +42,7 @@ std::pair<Order, Order> best_orders(const std::vector<NumberedPoint>& points, co
     // Orders that differ only behind the points are one.
     if (!std::is_sorted(all.begin() + static_cast<std::ptrdiff_t>(count), all.end())) continue;
     const std::vector<int> numbers(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
-    const double misfit = misfit_of(points, numbers, known);
+    const double misfit = compute_misfit(points, numbers, known);
     if (misfit < best.first.misfit) {
       best.second = best.first;
       best.first = {numbers, misfit};
@@ -67,7 +68,7 @@ std::optional<std::vector<int>> numbers_by_sides(const std::vector<NumberedPoint
   constexpr double limit = 16;  // a side four sigma off, alone
   const double sides = 0.5 * static_cast<double>(points.size() * (points.size() - 1));
   const auto [first, second] = best_orders(points, known);
-  const bool may_stay = misfit_of(points, given, known) <= limit;
+  const bool may_stay = compute_misfit(points, given, known) <= limit;
   if (may_stay || first.numbers == given) return std::nullopt;
   if (first.misfit > limit + sides || second.misfit < first.misfit + limit) return std::nullopt;
   return first.numbers;

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
 
     // What is missing in it?
     const handsight::Improvement found = handsight::improve(session, described);
-    for (const handsight::ModelEffect& effect : handsight::model_of(found).effects)
+    for (const handsight::ModelEffect& effect : handsight::make_model(found).effects)
       std::printf("  found: %s %s\n", effect.id.c_str(), effect.place.c_str());
     std::printf("  held out %.3f px\n", found.last.report.held_out.rms_pixel.value_or(0));
 

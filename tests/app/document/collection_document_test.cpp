@@ -32,8 +32,8 @@ class CollectionDocument : public testing::Test {
     return document.model() != nullptr && document.model()->fit != nullptr;
   }
   static void exclude(Document& document, std::int64_t id) {
-    const ObservationState after{document.find(id)->sightings, Decision::excluded, "by the user"};
-    document.perform(document.edit_of("excluded", {{id, after}}));
+    const EditableState after{document.find(id)->sightings, Decision::excluded, "by the user"};
+    document.perform(document.make_edit("excluded", {{id, after}}));
   }
   Collection apart() {
     Collection c = *document.collection();
@@ -147,7 +147,7 @@ TEST_F(CollectionDocument, WhatAnotherProgramWroteIsNotWrittenOver) {
 }
 
 TEST_F(CollectionDocument, MarkersOfBoardsComeBackFromTheJournal) {
-  ObservationState after{{seen_at(80, {1, 2}, Vector2{3, 4})}, Decision::none, ""};
+  EditableState after{{seen_at(80, {1, 2}, Vector2{3, 4})}, Decision::none, ""};
   Edit edit{.sentence = "labelled", .observations = {{5, {}, after}}};
   const Edit back = parse_edit(edit_text(edit));
   EXPECT_EQ(back.observations.front().after.sightings.front().marker, 80);

@@ -25,18 +25,18 @@ class TwoWriters : public testing::Test {
     QObject::connect(&document, &Document::noticed, [this](const QString& sentence) { notices << sentence; });
     QObject::connect(&document, &Document::collided, [this] { ++asked; });
   }
-  static ObservationState decided(const Observation& o, Decision decision, const std::string& reason) {
+  static EditableState decided(const Observation& o, Decision decision, const std::string& reason) {
     return {o.sightings, decision, reason};
   }
-  static ObservationState moved(const Observation& o, double pixels) {
-    ObservationState state = state_of(o);
+  static EditableState moved(const Observation& o, double pixels) {
+    EditableState state = read_state(o);
     for (Sighting& s : state.sightings)
       for (CameraPoint& p : s.in_cameras) p.pixel.x() += pixels;
     return state;
   }
-  void perform(std::size_t index, const ObservationState& after) {
+  void perform(std::size_t index, const EditableState& after) {
     const std::int64_t id = document.session().observations[index].id;
-    ASSERT_TRUE(document.perform(document.edit_of(QString("changed observation %1").arg(id), {{id, after}})));
+    ASSERT_TRUE(document.perform(document.make_edit(QString("changed observation %1").arg(id), {{id, after}})));
   }
   void exclude(std::size_t index, const std::string& reason) {
     perform(index, decided(document.session().observations[index], Decision::excluded, reason));

@@ -46,9 +46,9 @@ class DocumentTest : public testing::Test {
     ASSERT_TRUE(condition());
   }
   Edit change(std::int64_t id, Decision decision, std::int64_t joins = 0) {
-    ObservationState after = state_of(*document.find(id));
+    EditableState after = read_state(*document.find(id));
     after.decision = decision;
-    Edit edit = document.edit_of(QString("set observation %1").arg(id), {{id, after}});
+    Edit edit = document.make_edit(QString("set observation %1").arg(id), {{id, after}});
     edit.joins = joins;
     return edit;
   }
@@ -141,7 +141,7 @@ TEST_F(DocumentTest, AFitThatIsRefusedLeavesASentence) {
   document.open(session);
   Edit all{.sentence = "excluded all"};
   for (const Observation& o : document.session().observations)
-    all.observations.push_back({o.id, state_of(o), {o.sightings, Decision::excluded, ""}});
+    all.observations.push_back({o.id, read_state(o), {o.sightings, Decision::excluded, ""}});
   document.perform(all);
   const auto version = make_version(document.session(), {}, document.revision(), "");
   EXPECT_EQ(version->fit, nullptr);
@@ -223,7 +223,7 @@ TEST_F(DocumentTest, SavingWorksWithTheStateFoldersDiskFull) {
 }
 
 TEST(Edits, ReadBackBitForBit) {
-  ObservationState a, b;
+  EditableState a, b;
   a.sightings.push_back(seen_at(2, Vector2(1.0 / 3, 2e-300), std::nullopt, MarkedBy::hand));
   Sighting& both = b.sightings.emplace_back();
   both.point = Vector3(0.1, 0.2, 0.3);

@@ -51,7 +51,7 @@ TEST_F(EffectsTest, AreFittedAndHeld) {
   EXPECT_EQ(version->fit->effects[0].term.values, with_springs().held[0].values) << "held where it was put";
   EXPECT_NEAR(version->fit->effects[1].term.values[0], 1.5e-4, 0.5e-4);
   EXPECT_GT(version->fit->effects[1].sigmas[0], 0);
-  const ModelSettings now = with_values_of(*version->fit, document.settings());
+  const ModelSettings now = with_fitted_values(*version->fit, document.settings());
   EXPECT_EQ(now.estimated[0].values, version->fit->effects[1].term.values);
   EXPECT_EQ(now.held[0].values, with_springs().held[0].values);
 }
@@ -107,12 +107,12 @@ TEST_F(EffectsTest, CurvesComeBackFromTheJournal) {
   ModelSettings wanted = with_springs();
   wanted.estimated.push_back(term_of(*own, -1, own));
   wanted.estimated.back().values = {1.0 / 3.0 * 1e-3, -2e-4};
-  EXPECT_EQ(name_of({wanted.estimated.back()}, document.session()),
+  EXPECT_EQ(display_name({wanted.estimated.back()}, document.session()),
             "the hand shifts along y with sin(3.3 q) of right_arm_4");
   perform(wanted);
   const auto before = fitted();
   ASSERT_TRUE(before->fit) << before->refusal.toStdString();
-  EXPECT_EQ(curves_of(*before->fit).size(), 1U);
+  EXPECT_EQ(list_curves(*before->fit).size(), 1U);
   document.close();
   document.open(session);
   ASSERT_EQ(document.settings(), wanted);
@@ -151,7 +151,7 @@ TEST_F(EffectsTest, AVersionMadeOfADiagnosisIsTheOneThatWouldBeFitted) {
   settings.held.clear();
   perform(settings);
   const Diagnosis d = diagnose(document.session(), {.estimated = settings.estimated, .refitted = 0});
-  const auto of_diagnosis = version_of(document.session(), d, settings, 0, "");
+  const auto of_diagnosis = build_version(document.session(), d, settings, 0, "");
   const auto made = fitted();
   EXPECT_NEAR(*of_diagnosis->report->held_out.rms_pixel, *made->report->held_out.rms_pixel, 1e-7);
   EXPECT_EQ(of_diagnosis->wrong_points.size(), made->wrong_points.size());

@@ -53,19 +53,19 @@ TEST(JobsTest, OnlyTheNewestOfAKindCounts) {
 
 TEST(JobsTest, ProgressNeverRunsBack) {
   Jobs jobs;
-  std::atomic<int> told{0};
+  std::atomic<int> reported{0};
   std::atomic<bool> may_end{false};
   jobs.start<int>(
       "long", "Long work",
       [&](JobControl& control) {
         control.report(0.97);
         control.report(0.60);
-        told = 1;
+        reported = 1;
         while (!may_end && !control.is_cancelled()) QThread::msleep(1);
         return 0;
       },
       [](int) {});
-  while (told == 0) QCoreApplication::processEvents();
+  while (reported == 0) QCoreApplication::processEvents();
   EXPECT_EQ(jobs.state().share, 0.97);
   may_end = true;
   run_until_idle(jobs);

@@ -26,14 +26,14 @@ class JournalTest : public testing::Test {
   }
   std::filesystem::path journal_file() const {
     return state_folder() / "journals" /
-           (digest_of(std::filesystem::weakly_canonical(session / "session.xml").string()) + ".journal");
+           (compute_digest(std::filesystem::weakly_canonical(session / "session.xml").string()) + ".journal");
   }
   static Edit exclude(const Document& document, std::size_t index, const char* reason) {
     const Observation& o = document.session().observations[index];
-    ObservationState after = state_of(o);
+    EditableState after = read_state(o);
     after.decision = Decision::excluded;
     after.reason = reason;
-    return document.edit_of(QString("excluded observation %1").arg(o.id), {{o.id, after}});
+    return document.make_edit(QString("excluded observation %1").arg(o.id), {{o.id, after}});
   }
   TemporaryFolder folder;
   std::filesystem::path session;
@@ -138,7 +138,7 @@ TEST_F(JournalTest, WhatCannotBeSetAsideIsNotCutOff) {
   const std::string journal = read_file(journal_file());
   replace_file(session / "session.xml", read_file(session / "session.xml") + "<!-- another program -->\n");
   // Where the copy would go there is a folder that cannot be replaced by a file.
-  const auto aside = journal_file().string() + "." + digest_of(journal).substr(0, 8) + ".aside";
+  const auto aside = journal_file().string() + "." + compute_digest(journal).substr(0, 8) + ".aside";
   std::filesystem::create_directories(aside + "/full");
   Document document;
   try {
@@ -201,14 +201,14 @@ TEST_F(JournalTest, UnfinishedLabelsAreRememberedAndUndone) {
   EXPECT_EQ(read_file(session / "session.xml"), before) << "the session holds whole labels only";
   Document document;
   document.open(session);
-  ASSERT_NE(document.draft_of(1), nullptr);
-  EXPECT_EQ(*document.draft_of(1), two);
+  ASSERT_NE(document.find_draft(1), nullptr);
+  EXPECT_EQ(*document.find_draft(1), two);
   const std::int64_t revision = document.revision();
   document.undo();
-  EXPECT_EQ(*document.draft_of(1), one);
+  EXPECT_EQ(*document.find_draft(1), one);
   EXPECT_EQ(document.revision(), revision) << "no model depends on them";
   document.undo();
-  EXPECT_EQ(document.draft_of(1), nullptr);
+  EXPECT_EQ(document.find_draft(1), nullptr);
 }
 
 TEST_F(JournalTest, TwoWindowsCannotHaveTheSameSession) {

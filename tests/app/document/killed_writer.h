@@ -12,10 +12,10 @@ namespace handsight::test {
 inline app::Edit numbered_action(const app::Document& document, int n) {
   const auto& observations = document.session().observations;
   const Observation& o = observations[static_cast<std::size_t>(n) % observations.size()];
-  ObservationState after = state_of(o);
+  EditableState after = read_state(o);
   after.decision = Decision::excluded;
   after.reason = "action " + std::to_string(n);
-  return document.edit_of("action " + QString::number(n), {{o.id, after}});
+  return document.make_edit("action " + QString::number(n), {{o.id, after}});
 }
 
 /// --write-until-killed SESSION: acts, saves now and then; after each action that has returned prints its number.

@@ -29,7 +29,7 @@ class LabellerTest : public testing::Test {
 TEST_F(LabellerTest, ThreeClicksGiveTheLabelsOfTheCommandLine) {
   place_three();
   ASSERT_TRUE(labeller.will_do()) << labeller.refusal().toStdString();
-  const FirstLabels cli = label_first(stereo_of(*session.rig), corners.left, corners.right,
+  const FirstLabels cli = label_first(make_stereo(*session.rig), corners.left, corners.right,
                                       {Vector2(421, 338), Vector2(408, 411), Vector2(473, 378)});
   const auto sightings = labeller.sightings();
   ASSERT_EQ(sightings.size(), 3U);

@@ -57,12 +57,12 @@ TEST_F(RobotReadingOfASession, IsRememberedUndoneAndForgotten) {
   {
     Document document;
     document.open(session);
-    ASSERT_NE(document.reading_of("joint_elasticity"), nullptr);
-    EXPECT_EQ(*document.reading_of("joint_elasticity"), reading(1.3e-3)) << "bit for bit";
+    ASSERT_NE(document.find_reading("joint_elasticity"), nullptr);
+    EXPECT_EQ(*document.find_reading("joint_elasticity"), reading(1.3e-3)) << "bit for bit";
     document.redo();
-    EXPECT_EQ(document.reading_of("joint_elasticity")->value, 1.1e-3);
+    EXPECT_EQ(document.find_reading("joint_elasticity")->value, 1.1e-3);
     document.perform(document.edit_of_reading("joint_elasticity", std::nullopt));
-    EXPECT_EQ(document.reading_of("joint_elasticity"), nullptr);
+    EXPECT_EQ(document.find_reading("joint_elasticity"), nullptr);
     document.undo_all();
     EXPECT_TRUE(document.readings().empty());
     EXPECT_TRUE(document.is_saved());

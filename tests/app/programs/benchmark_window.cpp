@@ -118,12 +118,12 @@ TEST(Window, MemoryWithALongSession) {
   tell("opened");
   until([&] { return desk.document().model() != nullptr; });
   tell("first fit");
-  auto& diagnosing = desk.window.bench().diagnosing;
+  auto& diagnosing = desk.window.workbench().diagnosing;
   until([&] { return diagnosing.diagnosis() != nullptr; });
   tell("named");
   const auto is_quiet = [&] {
-    auto& bench = desk.window.bench();
-    return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending();
+    auto& workbench = desk.window.workbench();
+    return !workbench.jobs.is_busy() && !workbench.background.is_busy() && !workbench.refit.is_pending();
   };
   until(is_quiet);
   tell("every card");
@@ -134,7 +134,7 @@ TEST(Window, MemoryWithALongSession) {
   }
   tell("Calibrate, Inspect, Explain shown");
   for (int i = 0; i < 6; ++i) {
-    desk.window.bench().exclude({desk.document().session().observations[static_cast<std::size_t>(i)].id}, "");
+    desk.window.workbench().exclude({desk.document().session().observations[static_cast<std::size_t>(i)].id}, "");
     until(is_quiet);
     tell("one excluded, fitted and diagnosed again");
   }
@@ -202,7 +202,8 @@ TEST(Window, AnswersWhileAFitRuns) {
   int rounds = 0;
   QElapsedTimer whole;
   whole.start();
-  while ((desk.window.bench().jobs.is_busy() || desk.window.bench().refit.is_pending()) && whole.elapsed() < 20000) {
+  while ((desk.window.workbench().jobs.is_busy() || desk.window.workbench().refit.is_pending()) &&
+         whole.elapsed() < 20000) {
     QElapsedTimer timer;
     timer.start();
     QCoreApplication::processEvents();
@@ -236,7 +237,7 @@ TEST(Explain, OpeningItWithAHundred) {
   QElapsedTimer timer;
   timer.start();
   desk.window.show_workspace(app::Place::explain);
-  auto& diagnosing = desk.window.bench().diagnosing;
+  auto& diagnosing = desk.window.workbench().diagnosing;
   desk.wait([&] { return diagnosing.residuals() != nullptr; });
   paint_everything();
   say("verdict and patterns of 100 visible", static_cast<double>(timer.elapsed()), "ms", 500);

@@ -9,7 +9,6 @@
 #include <QTabWidget>
 
 #include "app/programs/pictures/photographer.h"
-#include "bench/observation_views.h"
 #include "explain/missing_pane.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
@@ -18,6 +17,7 @@
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/scene/robot_view.h"
 #include "window/language.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::test {
 
@@ -176,7 +176,7 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   desk.window.grab().save(folder_of_pictures + "/explain_adding" + suffix + ".png");
   ASSERT_TRUE(explain.is_settled());
   photo.take_now("explain_added");
-  ASSERT_TRUE(desk.wait([&] { return !desk.document().model()->prediction.doubt.others.empty(); }, 30000));
+  ASSERT_TRUE(desk.wait([&] { return !desk.document().model()->prediction.model_uncertainty.others.empty(); }, 30000));
   desk.click(explain.cards()->why_not_button());
   photo.take_now("explain_how_sure");
   desk.press_button("table_back");
@@ -236,7 +236,7 @@ TEST_F(Explained, Tour) {
 TEST_F(Explained, PosesThatWouldTell) {
   open("hidden_3");
   explain.workspace()->findChild<app::MissingPane*>()->show_poses({});
-  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().explaining.is_busy(); }));
+  ASSERT_TRUE(desk.wait([this] { return !desk.window.workbench().explaining.is_busy(); }));
   photo.take_now("explain_poses");
 }
 

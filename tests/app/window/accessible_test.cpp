@@ -52,7 +52,7 @@ TEST(Accessible, TheStripSaysWhatIsSelected) {
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "hidden_3").string())));
   ASSERT_TRUE(desk.settle());
-  desk.window.bench().selection.select_observation(17);
+  desk.window.workbench().selection.select_observation(17);
   EXPECT_TRUE(desk.find<widgets::ObservationStrip>("strip")->accessibleDescription().startsWith("obs 17"))
       << desk.find<widgets::ObservationStrip>("strip")->accessibleDescription().toStdString();
 }

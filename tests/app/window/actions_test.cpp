@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One registry: what the menu, the keys, Ctrl+K and the tool tips offer is the same.
-#include "bench/actions.h"
+#include "workbench/actions.h"
 
 #include <gtest/gtest.h>
 

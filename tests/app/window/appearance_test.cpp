@@ -8,9 +8,9 @@
 #include <QMenu>
 
 #include "app/window/pages.h"
-#include "bench/preferences.h"
 #include "temporary_folder.h"
 #include "widgets/base/apply_theme.h"
+#include "workbench/preferences.h"
 
 namespace handsight::test {
 namespace {

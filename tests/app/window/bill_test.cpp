@@ -5,7 +5,7 @@
 #include <QListView>
 
 #include "app/window/explain_fixture.h"
-#include "app/window/told.h"
+#include "app/window/reported_story.h"
 #include "widgets/base/number_text.h"
 #include "widgets/explain/bill_list.h"
 #include "widgets/explain/pattern_page.h"
@@ -16,7 +16,7 @@ namespace {
 
 class Bill : public Explain {
  protected:
-  Told told{desk};
+  Told reported{desk};
   widgets::BillList* bill() { return desk.find<widgets::BillList>("bill"); }
   const widgets::PatternPage* page() { return desk.find<widgets::PatternPage>("pattern_page"); }
   bool is_proof() { return !page()->plots().empty() && page()->plots()[0].id.startsWith("proof"); }
@@ -29,7 +29,7 @@ class Bill : public Explain {
     desk.press_button("until_it_stops");
     const auto* button = desk.find<QAbstractButton>("until_it_stops");
     return desk.wait([&] { return button->text() != "Stop"; }, 120000) && explain.is_settled() &&
-           desk.wait([&] { return desk.window.bench().diagnosing.certainty() != nullptr; });
+           desk.wait([&] { return desk.window.workbench().diagnosing.inclusion_probabilities() != nullptr; });
   }
 };
 
@@ -51,7 +51,7 @@ TEST_F(Bill, ComesAfterAddUntilItStopsAndSaysWhatTheCommandSays) {
         << row.worth.toStdString();
     EXPECT_EQ(row.is_stand_in, cli[i]["too_large"].get<bool>() || cli[i]["pushes_back"].get<bool>());
     EXPECT_TRUE(row.sure.startsWith("sure to ")) << row.sure.toStdString();
-    EXPECT_FALSE(row.told.isEmpty());
+    EXPECT_FALSE(row.reported.isEmpty());
   }
   EXPECT_TRUE(bill()->entries()[0].cause.startsWith("Joint elasticity of ")) << "what, and where";
   desk.key(Qt::Key_Z, Qt::ControlModifier);
@@ -83,7 +83,7 @@ TEST_F(Bill, LeadsTheReport) {
 
 TEST_F(Bill, TheProofOfWhatLeadsIsShownFromTheStart) {
   open("hidden_3");
-  ASSERT_NE(told.story().lead(), nullptr);
+  ASSERT_NE(reported.story().lead(), nullptr);
   ASSERT_TRUE(desk.wait([&] { return is_proof(); })) << "without any pointer on a card";
   EXPECT_EQ(desk.find<QLabel>("failing_title")->text(), "Where it fails: the proof");
   EXPECT_TRUE(desk.find<QLabel>("proof_sentence")->text().contains(" gives way by "));
@@ -92,7 +92,7 @@ TEST_F(Bill, TheProofOfWhatLeadsIsShownFromTheStart) {
   desk.press_button("tab_patterns");
   ASSERT_FALSE(is_proof());
   ASSERT_EQ(page()->plots().size(), 9U);
-  const QString lead = app::effect_of(told.story().lead()->id, {});
+  const QString lead = app::term_effect(reported.story().lead()->id, {});
   QTest::qWait(500);  // what shows there comes plot by plot
   for (const auto& plot : page()->plots())
     EXPECT_TRUE(plot.shows.isEmpty() || plot.shows == lead)
@@ -107,7 +107,7 @@ TEST_F(Bill, WhereNoNameLeadsThePatternsNameNone) {
   if (is_proof()) desk.press_button("tab_patterns");
   for (const auto& plot : page()->plots())
     for (const Effect& effect : catalogue())
-      EXPECT_FALSE(plot.shows.contains(app::effect_of(effect.id, {}))) << plot.shows.toStdString();
+      EXPECT_FALSE(plot.shows.contains(app::term_effect(effect.id, {}))) << plot.shows.toStdString();
 }
 
 /// Fault 6: what was sorted by what the last model left is no order of what the first one fails at.

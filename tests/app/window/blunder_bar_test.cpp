@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mistake of a whole kind in the open session is told with what is left before and after, and put right beside it.
+// A mistake of a whole kind in the open session is reported with what is left before and after, and put right beside
+// it.
 #include "window/blunder_bar.h"
 
 #include <gtest/gtest.h>

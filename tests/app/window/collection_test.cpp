@@ -122,10 +122,10 @@ TEST_F(CollectionPage, EachHandStandsInCalibrateAndInTheModel) {
   EXPECT_NE(hands->item(0, 0)->text(), hands->item(0, 1)->text());
   EXPECT_FALSE(desk.find<QAbstractButton>("play")->isEnabled());
   EXPECT_TRUE(desk.find<QLabel>("play_progress")->text().contains("by itself"));
-  desk.window.bench().selection.select_observation(70);
-  const Rigid left = desk.window.bench().row(70)->root_from_tcp;
-  desk.window.bench().selection.select_observation(3);
-  const Rigid right = desk.window.bench().row(3)->root_from_tcp;
+  desk.window.workbench().selection.select_observation(70);
+  const Rigid left = desk.window.workbench().row(70)->root_from_tcp;
+  desk.window.workbench().selection.select_observation(3);
+  const Rigid right = desk.window.workbench().row(3)->root_from_tcp;
   EXPECT_GT((left.translation - right.translation).norm(), 0.05) << "another hand";
 }
 
@@ -223,7 +223,7 @@ TEST_F(CollectionPage, WhatAnotherProgramWroteIntoOneOfItsSessionsIsSeenAndNotWr
   save_session(left);
   auto* bar = desk.find<QWidget>("foreign");
   ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }, 10000));
-  desk.window.bench().exclude({2});
+  desk.window.workbench().exclude({2});
   desk.press_button("foreign_together");
   EXPECT_FALSE(desk.document().is_saved());
   EXPECT_EQ(read_session(folder.path / "left").observations[4].decision, Decision::excluded);
@@ -251,7 +251,7 @@ TEST_F(CollectionPage, EverySessionShowsItsOwnImages) {
   ASSERT_EQ(desk.document().session().rig->count(), 4);
   go(3);
   const auto shown = [&](std::int64_t id) {
-    desk.window.bench().selection.select_observation(id);
+    desk.window.workbench().selection.select_observation(id);
     desk.settle();
     return qGray(desk.find<widgets::ImageView>("inspect_left")->image().pixel(5, 5));
   };

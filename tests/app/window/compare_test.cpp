@@ -59,7 +59,7 @@ class Compare : public testing::Test {
     ASSERT_TRUE(is_settled());
   }
   bool is_settled() {
-    return desk.wait([this] { return !desk.window.bench().explaining.is_busy(); }, 120000);
+    return desk.wait([this] { return !desk.window.workbench().explaining.is_busy(); }, 120000);
   }
   QString said() { return desk.find<QLabel>("compare_said")->text(); }
   void show_tab(int tab) {
@@ -194,11 +194,11 @@ TEST_F(Compare, FromTheBoxThatFindsEverythingAndBackWithEscape) {
 TEST_F(Compare, StoppedItSaysSoAndCanBeTriedAgain) {
   const auto before = simulate("march", true, {});
   open(simulate("april", false, {}));
-  desk.window.bench().explaining.hold(true);
+  desk.window.workbench().explaining.hold(true);
   desk.window.compare_with(QString::fromStdString(before.string()));
   ASSERT_TRUE(desk.wait([this] { return desk.find<QWidget>("cancel")->isVisible(); }));
   desk.press_button("cancel");
-  desk.window.bench().explaining.hold(false);
+  desk.window.workbench().explaining.hold(false);
   ASSERT_TRUE(is_settled());
   EXPECT_TRUE(said().contains("Stopped")) << said().toStdString();
   EXPECT_EQ(page()->shown(), nullptr);
@@ -207,7 +207,7 @@ TEST_F(Compare, StoppedItSaysSoAndCanBeTriedAgain) {
   ASSERT_NE(page()->shown(), nullptr);
   // What is changed in the open session afterwards is said.
   EXPECT_FALSE(desk.find<QLabel>("compare_names")->text().contains("changed since"));
-  desk.window.bench().exclude({desk.document().session().observations[3].id});
+  desk.window.workbench().exclude({desk.document().session().observations[3].id});
   ASSERT_TRUE(desk.settle());
   EXPECT_TRUE(desk.find<QLabel>("compare_names")->text().contains("changed since"));
   desk.document().close();

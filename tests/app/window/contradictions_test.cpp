@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/explain_fixture.h"
-#include "app/window/told.h"
+#include "app/window/reported_story.h"
 #include "inspect/inspect_workspace.h"
 #include "widgets/explain/staircase.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 class Contradictions : public Explain {
  protected:
-  Told told{desk};
+  Told reported{desk};
   void open_path(const std::filesystem::path& path) {
     desk.window.resize(1440, 900);
     session = path;
@@ -39,16 +39,16 @@ class Contradictions : public Explain {
 TEST_F(Contradictions, TheSentenceNamesTheFirstCardAndSoDoesTheCommand) {
   if (!std::filesystem::exists(real("justin_right_even"))) GTEST_SKIP() << "the real robot is not here";
   open_copy(real("justin_right_even"));
-  told.expect_one_story("the real Justin");
-  ASSERT_FALSE(told.story().causes.empty());
+  reported.expect_one_story("the real Justin");
+  ASSERT_FALSE(reported.story().causes.empty());
   const auto cli = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
-  EXPECT_EQ(cli["story"]["causes"][0]["id"].get<std::string>(), told.story().causes[0].id);
-  EXPECT_EQ(cli["story"]["state"].get<std::string>(), story_state_text(told.story().state));
-  const std::string title = find_effect(told.story().causes[0].id)->title;
+  EXPECT_EQ(cli["story"]["causes"][0]["id"].get<std::string>(), reported.story().causes[0].id);
+  EXPECT_EQ(cli["story"]["state"].get<std::string>(), story_state_text(reported.story().state));
+  const std::string title = find_effect(reported.story().causes[0].id)->title;
   EXPECT_NE(cli["story"]["text"].get<std::string>().find(title), std::string::npos) << cli["story"]["text"];
-  if (told.story().lead()) EXPECT_EQ(explain.first().id.toStdString(), told.story().lead()->id);
-  EXPECT_NEAR(1e3 * cli["story"]["error"].get<double>(), *told.header().now, 1e-6) << "one figure: the rms";
-  EXPECT_NEAR(1e3 * cli["story"]["noise"].get<double>(), *told.header().noise, 1e-6);
+  if (reported.story().lead()) EXPECT_EQ(explain.first().id.toStdString(), reported.story().lead()->id);
+  EXPECT_NEAR(1e3 * cli["story"]["error"].get<double>(), *reported.header().now, 1e-6) << "one figure: the rms";
+  EXPECT_NEAR(1e3 * cli["story"]["noise"].get<double>(), *reported.header().noise, 1e-6);
 }
 
 /// 2: while causes are added, and at the end, nothing is said to agree that is more than 1.5 times the noise.
@@ -62,56 +62,56 @@ TEST_F(Contradictions, OnTheWayDownNothingAgreesThatDoesNot) {
   int looks = 0;
   ASSERT_TRUE(desk.wait(
       [&] {
-        const double ratio = told.story().error.ratio().value_or(0);
+        const double ratio = reported.story().error.ratio().value_or(0);
         if (ratio > most_that_agrees && ++looks > 0) {
           EXPECT_FALSE(Told::says_that_it_agrees(explain.verdict().sentence))
               << explain.verdict().sentence.toStdString();
-          EXPECT_NE(told.rail("rail_explain").line, "nothing is missing");
+          EXPECT_NE(reported.rail("rail_explain").line, "nothing is missing");
         }
         return button->text() != "Stop";
       },
       400000));
   ASSERT_TRUE(explain.is_settled());
   EXPECT_GT(looks, 0);
-  told.expect_one_story("at the end");
-  const double ratio = told.story().error.ratio().value_or(0);
+  reported.expect_one_story("at the end");
+  const double ratio = reported.story().error.ratio().value_or(0);
   if (ratio > most_that_agrees) EXPECT_FALSE(said.join('\n').contains("nothing is missing any more"));
-  for (const StandIn& one : told.story().stands_in)
-    EXPECT_TRUE(explain.verdict().sentence.contains(app::effect_of(one.id, one.where)))
+  for (const StandIn& one : reported.story().stands_in)
+    EXPECT_TRUE(explain.verdict().sentence.contains(app::term_effect(one.id, one.where)))
         << "what stands in is said in the sentence: " << explain.verdict().sentence.toStdString();
 }
 
 /// 3: one unit in one breath, and the ratio is that of the numbers beside it.
 TEST_F(Contradictions, InMillimetresEverythingIsInMillimetres) {
   open("hidden_6");
-  desk.window.bench().units.choose(widgets::SizeUnit::millimetre);
+  desk.window.workbench().units.choose(widgets::SizeUnit::millimetre);
   QTest::qWait(60);
-  const auto& n = told.header();
+  const auto& n = reported.header();
   ASSERT_TRUE(n.now && n.noise);
   EXPECT_EQ(n.unit, "mm");
   EXPECT_NEAR(n.ratio.value_or(*n.now / *n.noise), *n.now / *n.noise, 1e-9) << "the ratio follows the unit";
   const FitReport& r = *desk.document().model()->report;
   EXPECT_NEAR(*n.now, 1e3 * *r.held_out.hand_m, 1e-9) << "of the hand, all markers together";
   EXPECT_NEAR(*n.noise, 1e3 * *r.noise_of_hand_m, 1e-9);
-  if (*n.now / *n.noise < 0.7 * *told.story().error.ratio()) EXPECT_EQ(n.noise_note, "mostly of the depth");
+  if (*n.now / *n.noise < 0.7 * *reported.story().error.ratio()) EXPECT_EQ(n.noise_note, "mostly of the depth");
   EXPECT_EQ(explain.first().error.unit, "mm");
   EXPECT_EQ(widgets::with_unit_text(explain.first().error.now, "mm"), widgets::with_unit_text(n.now, "mm"));
   ASSERT_TRUE(explain.first().error.left);
   EXPECT_LT(*explain.first().error.left, *n.now);
   explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return desk.window.bench().predicted_error().has_value(); }));
-  EXPECT_FALSE(told.header().predicted) << "what is not known in this unit is left out";
+  ASSERT_TRUE(desk.wait([&] { return desk.window.workbench().predicted_error().has_value(); }));
+  EXPECT_FALSE(reported.header().predicted) << "what is not known in this unit is left out";
   EXPECT_FALSE(explain.verdict().predicted.value && explain.verdict().predicted.unit != widgets::SizeUnit::millimetre);
-  desk.window.bench().units.choose(widgets::SizeUnit::pixel);  // it is remembered
+  desk.window.workbench().units.choose(widgets::SizeUnit::pixel);  // it is remembered
 }
 
 /// 4: the same observations, the same fault.
 TEST_F(Contradictions, InspectBlamesWhatExplainBlames) {
   ASSERT_TRUE(open_simulated({"--effect", "mount_drift:rz=0.006", "--observations", "60", "--images", "none"}));
-  ASSERT_FALSE(told.story().causes.empty());
-  const auto& whole = explain.verdict().blame;
+  ASSERT_FALSE(reported.story().causes.empty());
+  const auto& whole = explain.verdict().attribution;
   ASSERT_TRUE(whole);
-  ASSERT_GT(whole->cameras, whole->robot) << "what is missing moves the cameras: " << told.story().causes[0].id;
+  ASSERT_GT(whole->cameras, whole->robot) << "what is missing moves the cameras: " << reported.story().causes[0].id;
   desk.key(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(desk.settle());
   InspectPage inspect{desk};
@@ -119,15 +119,15 @@ TEST_F(Contradictions, InspectBlamesWhatExplainBlames) {
   int cameras = 0, all = 0;
   for (int row = 0; row < 8; ++row) {
     inspect.click_row(row);
-    const InspectionRow* shown = desk.window.bench().selected_row();
+    const InspectionRow* shown = desk.window.workbench().selected_row();
     ASSERT_NE(shown, nullptr);
-    if (shown->blame.letter != 'R') continue;
-    const auto& bar = desk.find<widgets::BlameBar>("blame")->blame();
+    if (shown->attribution.letter != 'R') continue;
+    const auto& bar = desk.find<widgets::AttributionBar>("blame")->attribution();
     ASSERT_TRUE(bar);
     ++all;
     cameras += bar->cameras > bar->robot ? 1 : 0;
-    EXPECT_FALSE(desk.find<widgets::BlameBar>("blame")->sentence().startsWith("The robot:"))
-        << desk.find<widgets::BlameBar>("blame")->sentence().toStdString();
+    EXPECT_FALSE(desk.find<widgets::AttributionBar>("blame")->sentence().startsWith("The robot:"))
+        << desk.find<widgets::AttributionBar>("blame")->sentence().toStdString();
   }
   EXPECT_GT(all, 0);
   EXPECT_EQ(cameras, all);
@@ -135,10 +135,10 @@ TEST_F(Contradictions, InspectBlamesWhatExplainBlames) {
 
 TEST_F(Contradictions, NothingIsOddIsNotSaidWhereAllAreBeyondTheThreshold) {
   open("hidden_3");
-  EXPECT_GT(told.story().beyond, 40);
-  EXPECT_TRUE(told.rail("rail_inspect").line.contains(QString("%1 of 80").arg(told.story().beyond)))
-      << told.rail("rail_inspect").line.toStdString();
-  EXPECT_EQ(told.rail("rail_inspect").state, app::WorkState::care);
+  EXPECT_GT(reported.story().beyond, 40);
+  EXPECT_TRUE(reported.rail("rail_inspect").line.contains(QString("%1 of 80").arg(reported.story().beyond)))
+      << reported.rail("rail_inspect").line.toStdString();
+  EXPECT_EQ(reported.rail("rail_inspect").state, app::WorkState::care);
 }
 
 /// 5: what speaks for a cause is what its own points follow; "the proof" stands over the proof alone.
@@ -211,7 +211,7 @@ TEST_F(Contradictions, TheTruthStandsInTheSessionsMenu) {
 
 /// 9: Space plays, whatever had the focus when the session came.
 TEST_F(Contradictions, SpacePlaysAfterAButtonOfTheHeaderHadTheFocus) {
-  session = copy_of("thesis_simulation");
+  session = make_copy("thesis_simulation");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
   desk.find<QWidget>("session_menu")->setFocus(Qt::TabFocusReason);

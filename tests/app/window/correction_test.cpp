@@ -55,7 +55,7 @@ TEST_F(Correcting, OwnPoseSaysWhatToCommandSoThatTheHandArrives) {
   auto* sentence = desk.find<QLabel>("own_pose_correction");
   ASSERT_TRUE(sentence->isVisible());
   const Session& s = desk.document().session();
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   const PredictionModel& model = desk.document().model()->prediction;
   const TcpPrediction as_commanded = predict_tcp(chain, asked(), model);
   const TcpPrediction corrected = predict_tcp(chain, commands(), model);

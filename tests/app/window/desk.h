@@ -112,13 +112,13 @@ class Desk {
   /// Until nothing runs in the background and the fit belongs to what is shown.
   bool settle() {
     return wait([this] {
-      auto& bench = window.bench();
-      return !bench.jobs.is_busy() && !bench.background.is_busy() && !bench.refit.is_pending() &&
-             !bench.images.is_busy();
+      auto& workbench = window.workbench();
+      return !workbench.jobs.is_busy() && !workbench.background.is_busy() && !workbench.refit.is_pending() &&
+             !workbench.images.is_busy();
     });
   }
 
-  app::Document& document() { return window.bench().document; }
+  app::Document& document() { return window.workbench().document; }
   app::MainWindow window;
 };
 

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "app/window/measure_page.h"
-#include "bench/preferences.h"
 #include "experiment/drivers.h"
 #include "experiment/moving_robot.h"
 #include "experiment/paths/collision_world.h"
 #include "experiment/written_session.h"
 #include "temporary_folder.h"
 #include "window/rail_button.h"
+#include "workbench/preferences.h"
 
 namespace handsight::test {
 namespace {

@@ -70,13 +70,13 @@ TEST_F(Explain, StoppedInTheMiddleOfAFitTheStateBeforeIsBack) {
   const auto model = desk.document().model();
   const std::string journal_before = session_digest();
   QSignalSpy ends(&explain.workspace()->adding(), &app::Adding::ended);
-  desk.window.bench().explaining.hold(true);
+  desk.window.workbench().explaining.hold(true);
   explain.press_add();
   ASSERT_TRUE(explain.workspace()->adding().is_running());
   auto* cancel = desk.find<QAbstractButton>("cancel");
   ASSERT_TRUE(desk.wait([&] { return cancel->isVisible(); }));
   desk.click(cancel);
-  desk.window.bench().explaining.hold(false);
+  desk.window.workbench().explaining.hold(false);
   ASSERT_TRUE(explain.is_settled());
   EXPECT_EQ(desk.document().undo_stack().index(), 0);
   EXPECT_EQ(desk.document().model(), model);
@@ -120,7 +120,7 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
   desk.press_button("until_it_stops");
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != "Stop"; }, 120000));
   ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(effects_of(run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json()),
+  EXPECT_EQ(list_effects(run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json()),
             effects_in_the_model());
   EXPECT_EQ(effects_in_the_model(),
             (std::set<std::string>{"camera_mount ", "joint_offset axis_2", "joint_offset axis_3"}));
@@ -219,7 +219,7 @@ TEST_F(Explain, OfALongSessionAllIsFittedAndAPartIsShown) {
   ASSERT_EQ(shown.observations.size(), 3000U);
   EXPECT_EQ(shown.observations.front().index, 0);
   EXPECT_EQ(shown.observations.back().index, 4199);
-  desk.window.bench().selection.select_observation(4199);
+  desk.window.workbench().selection.select_observation(4199);
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());
   const auto model = desk.document().model();

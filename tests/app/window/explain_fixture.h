@@ -13,10 +13,10 @@ namespace handsight::test {
 
 class Explain : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const std::string& name) { return copy_of_sample(folder.path, name); }
+  std::filesystem::path make_copy(const std::string& name) { return copy_of_sample(folder.path, name); }
   void open(const std::string& name) {
     desk.window.resize(1440, 900);
-    session = copy_of(name);
+    session = make_copy(name);
     ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
     ASSERT_TRUE(desk.settle());
     ASSERT_TRUE(explain.open()) << name;
@@ -35,17 +35,17 @@ class Explain : public testing::Test {
   std::set<std::string> effects_in_the_model() {
     std::set<std::string> list;
     for (const FittedEffect& f : desk.document().model()->fit->effects)
-      list.insert(f.term.id + " " + place_name(effect_of(f.term), f.term.joint, desk.document().session().robot));
+      list.insert(f.term.id + " " + place_name(term_effect(f.term), f.term.joint, desk.document().session().robot));
     return list;
   }
-  static std::set<std::string> effects_of(const nlohmann::json& fit) {
+  static std::set<std::string> list_effects(const nlohmann::json& fit) {
     std::set<std::string> list;
     for (const auto& effect : fit["effects"])
       for (const auto& p : effect["parameters"])
         list.insert(effect["id"].get<std::string>() + " " + (p["of"].is_string() ? p["of"].get<std::string>() : ""));
     return list;
   }
-  std::string session_digest() { return app::digest_of(read_file(session / "session.xml")); }
+  std::string session_digest() { return app::compute_digest(read_file(session / "session.xml")); }
   TemporaryFolder folder;
   std::filesystem::path session;
   Desk desk;

@@ -32,8 +32,8 @@ TEST_F(Explain, TheCardThatIsLookedAtShowsItsProofAndAfterTheAdditionItIsLevel) 
     EXPECT_FALSE(proof.candidate.empty());
     for (std::size_t p = 1; p < proof.candidate.size(); ++p) EXPECT_LE(proof.candidate[p - 1].x, proof.candidate[p].x);
   }
-  const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
-  const auto& best = told["candidates"][0]["proof"][0];
+  const auto reported = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json();
+  const auto& best = reported["candidates"][0]["proof"][0];
   const QString of = QString::fromStdString(best["of"].get<std::string>());
   EXPECT_TRUE(words->text().startsWith(of + " gives way by ")) << words->text().toStdString();
   EXPECT_TRUE(words->text().contains(widgets::with_sigma_text(1e6 * best["numbers"][0]["value"].get<double>(),

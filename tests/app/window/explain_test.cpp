@@ -25,7 +25,7 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
   explain.take_the_first_until_it_says_stop();
   EXPECT_FALSE(explain.can_add_first());
   const auto improved = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
-  EXPECT_EQ(effects_in_the_model(), effects_of(improved));
+  EXPECT_EQ(effects_in_the_model(), list_effects(improved));
   if (desk.document().model()->fit->effects.empty()) {
     EXPECT_EQ(desk.document().undo_stack().index(), 0) << "nothing is added where nothing is missing";
   } else {
@@ -51,9 +51,9 @@ TEST_F(Explain, WhatIsInTheModelIsNotSaidToBeUnseen) {
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());
   ASSERT_EQ(effects_in_the_model().count("joint_elasticity axis_2"), 1U);
-  const QString told = explain.verdict().sentence;
-  EXPECT_TRUE(told.contains("These poses could not show: ")) << told.toStdString();
-  EXPECT_FALSE(told.contains("joint elasticity")) << "of some joints it was seen: " << told.toStdString();
+  const QString reported = explain.verdict().sentence;
+  EXPECT_TRUE(reported.contains("These poses could not show: ")) << reported.toStdString();
+  EXPECT_FALSE(reported.contains("joint elasticity")) << "of some joints it was seen: " << reported.toStdString();
 }
 
 TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
@@ -111,7 +111,7 @@ TEST_F(Explain, TheModelPanelDoesTheSameByHand) {
 
 /// A reading typed wrong: the strip and Inspect show which, the verdict says that it is left out.
 TEST_F(Explain, AReadingThatSlippedIsNamedInTheVerdict) {
-  session = copy_of("hidden_1");
+  session = make_copy("hidden_1");
   std::string text = read_text(session / "session.xml");
   const std::size_t at = text.find("<position>", text.find("<observation id=\"17\"")) + 10;
   text.replace(at, text.find(' ', at) - at, "0.123");
@@ -136,8 +136,8 @@ TEST_F(Explain, WhatTheRobotShowsIsHeldAgainstThePredictionAndRemembered) {
   ASSERT_TRUE(first()->state().check_number);
   const QString predicted = first()->state().check_number->prediction;
   EXPECT_TRUE(predicted.contains("Hang 1 kg on the hand: it should sag")) << predicted.toStdString();
-  const auto told = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
-  const double value = told["check"]["value"].get<double>(), sigma = told["check"]["sigma"].get<double>();
+  const auto reported = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["candidates"][0];
+  const double value = reported["check"]["value"].get<double>(), sigma = reported["check"]["sigma"].get<double>();
   EXPECT_TRUE(predicted.contains(widgets::with_sigma_text(1e3 * value, 1e3 * sigma))) << predicted.toStdString();
   explain.measure(QString::number(1e3 * (value + sigma), 'f', 4) + " +- " + QString::number(1e3 * sigma, 'f', 4));
   EXPECT_TRUE(first()->state().check_number->is_inside);
@@ -197,7 +197,7 @@ TEST_F(Explain, TheTourLeadsToTheMissingEffect) {
 TEST_F(Explain, TheWholeWishOnAHundredPoses) {
   const auto file = folder.path / "out.xml";
   desk.window.resize(1440, 900);
-  session = copy_of("hundred_poses");
+  session = make_copy("hundred_poses");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   LabelPage label{desk};
   CalibratePage calibrate{desk};
@@ -221,7 +221,7 @@ TEST_F(Explain, TheWholeWishOnAHundredPoses) {
   EXPECT_LT(held_out() / *desk.document().model()->fit->noise, 1.25) << "down at the noise";
   desk.key(Qt::Key_5, Qt::ControlModifier);
   ASSERT_TRUE(exporting.save_as(file)) << exporting.said().toStdString();
-  EXPECT_EQ(read_calibration(file).effects.size(), app::ids_of(desk.document().settings().estimated).size());
+  EXPECT_EQ(read_calibration(file).effects.size(), app::list_ids(desk.document().settings().estimated).size());
 }
 
 }  // namespace

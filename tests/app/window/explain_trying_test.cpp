@@ -17,16 +17,16 @@ TEST_F(Explain, LookingAtACardShowsWhatItWouldDoAndChangesNothing) {
   auto* card = explain.cards()->card(0);
   const QPoint at = card->mapTo(card->window(), QPoint(20, 20));
   QTest::mouseMove(card->window()->windowHandle(), at);
-  ASSERT_TRUE(desk.wait([this] { return desk.window.bench().predicted_error().has_value(); }));
-  EXPECT_NEAR(*desk.window.bench().predicted_error(), 0.2, 0.05);
+  ASSERT_TRUE(desk.wait([this] { return desk.window.workbench().predicted_error().has_value(); }));
+  EXPECT_NEAR(*desk.window.workbench().predicted_error(), 0.2, 0.05);
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   EXPECT_TRUE(strip->isVisible());
   int predicted = 0;
-  for (const auto& cell : desk.window.bench().cells()) predicted += cell.predicted ? 1 : 0;
+  for (const auto& cell : desk.window.workbench().cells()) predicted += cell.predicted ? 1 : 0;
   EXPECT_EQ(predicted, 80);
   EXPECT_TRUE(desk.find<widgets::Staircase>("staircase")->state().preview);
   QTest::mouseMove(desk.window.windowHandle(), QPoint(5, 5));
-  ASSERT_TRUE(desk.wait([this] { return !desk.window.bench().predicted_error(); }));
+  ASSERT_TRUE(desk.wait([this] { return !desk.window.workbench().predicted_error(); }));
   EXPECT_EQ(desk.document().undo_stack().index(), 0);
 }
 
@@ -34,7 +34,7 @@ TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   open("hidden_3");
   auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
   desk.drag(plot, {plot->width() * 6 / 10, 30}, {plot->width() - 20, plot->height() - 40}, Qt::ShiftModifier);
-  ASSERT_GT(desk.window.bench().selection.many().size(), 1U);
+  ASSERT_GT(desk.window.workbench().selection.many().size(), 1U);
   auto* common = desk.find<QPushButton>("common");
   ASSERT_TRUE(common->isVisible());
   EXPECT_GE(common->text().size(), 20) << common->text().toStdString();
@@ -64,19 +64,19 @@ TEST_F(TriedSizes, AreThoseOfTheSlider) {
     return QString();
   }();
   EXPECT_FALSE(at_best.isEmpty());
-  const double left = *desk.window.bench().predicted_error();
+  const double left = *desk.window.workbench().predicted_error();
   desk.key(Qt::Key_Home);
-  EXPECT_LT(left, *desk.window.bench().predicted_error()) << "without it the error is larger";
+  EXPECT_LT(left, *desk.window.workbench().predicted_error()) << "without it the error is larger";
   for (auto* button : slider->findChildren<QAbstractButton*>())
     if (button->text() == "Close") desk.click(button);
   EXPECT_FALSE(slider->isVisible());
-  EXPECT_FALSE(desk.window.bench().predicted_error());
+  EXPECT_FALSE(desk.window.workbench().predicted_error());
 }
 
 TEST_F(TriedSizes, FollowWhenObservationsGo) {
   auto* slider = first_card_at_its_best();
   ASSERT_TRUE(slider->isVisible());
-  const double best = slider->value(), left = *desk.window.bench().predicted_error();
+  const double best = slider->value(), left = *desk.window.workbench().predicted_error();
   InspectPage inspect{desk};
   desk.key(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(desk.settle());
@@ -90,7 +90,7 @@ TEST_F(TriedSizes, FollowWhenObservationsGo) {
   desk.key(Qt::Key_B);
   EXPECT_NE(slider->value(), best) << "and what fits best is of the observations that are left";
   EXPECT_NEAR(slider->value(), best, 0.1 * std::abs(best));
-  EXPECT_NEAR(*desk.window.bench().predicted_error(), left, 0.1 * left);
+  EXPECT_NEAR(*desk.window.workbench().predicted_error(), left, 0.1 * left);
 }
 
 }  // namespace

@@ -46,19 +46,20 @@ TEST_F(Export, NearTheNoiseIsNotDownToTheNoise) {
   open("hidden_3");
   app::ModelVersion model = *desk.document().model();
   auto fit = std::make_shared<Fit>(*model.fit);
-  fit->covariance_kind = CovarianceKind::scatter;
+  fit->covariance_kind = CovarianceKind::repeatability;
   auto report = std::make_shared<FitReport>(*model.report);
   report->held_out.rms_pixel = 1.2 * *fit->noise;
   model.fit = fit;
   model.report = report;
-  const Story story = story_of({.fit = *model.fit, .report = *model.report, .blame = model.inspection->blame});
+  const Story story =
+      find_story({.fit = *model.fit, .report = *model.report, .attribution = model.inspection->attribution});
   const widgets::SessionVerdict verdict = app::session_verdict(model, story, nullptr, false, widgets::SizeUnit::pixel);
   EXPECT_TRUE(verdict.sentence.contains("comes near the noise")) << verdict.sentence.toStdString();
   EXPECT_TRUE(app::verdict_remark(verdict, model).is_warning);
 }
 
 TEST_F(Export, MarkersThatAreNeverSeenAreOneRemark) {
-  session = copy_of("hidden_3");
+  session = make_copy("hidden_3");
   std::string xml = read_file(session / "session.xml");
   const std::string three = "<markers count=\"3\"/>";
   const auto at = xml.find(three);
@@ -72,7 +73,7 @@ TEST_F(Export, MarkersThatAreNeverSeenAreOneRemark) {
 }
 
 TEST_F(Export, HoweverMuchIsSaidTheButtonThatSavesIsInSight) {
-  session = copy_of("hidden_1");
+  session = make_copy("hidden_1");
   std::string xml = read_file(session / "session.xml");
   const std::pair<std::string, std::string> changes[] = {
       {"<markers count=\"3\" sigma_pixel=\"0.2\"/>", "<markers count=\"9\" sigma_pixel=\"2\"/>"},
@@ -92,8 +93,8 @@ TEST_F(Export, HoweverMuchIsSaidTheButtonThatSavesIsInSight) {
   desk.window.resize(1200, 700);
   go();
   QTest::qWait(50);
-  const auto* told = desk.find<QScrollArea>("export_remarks");
-  EXPECT_GT(told->widget()->height(), told->height()) << "there is more than has room";
+  const auto* reported = desk.find<QScrollArea>("export_remarks");
+  EXPECT_GT(reported->widget()->height(), reported->height()) << "there is more than has room";
   const auto* save = desk.find<QWidget>("save_xml");
   EXPECT_EQ(save->visibleRegion().boundingRect(), save->rect());
 }

@@ -83,7 +83,7 @@ class FilesWizardTest : public BoardWizard {
 /// At work on a session of poses, and held there until it is let go.
 class StoppedWizard : public FilesWizardTest {
  protected:
-  app::Jobs& jobs() { return desk.window.bench().background; }
+  app::Jobs& jobs() { return desk.window.workbench().background; }
   QAbstractButton* stop() { return desk.find<QAbstractButton>("files_stop"); }
   bool begin_making() {
     const std::vector<Rigid> three{Rigid{}, {Matrix3::Identity(), {0.1, 0, 0}}, {Matrix3::Identity(), {0, 0.1, 0}}};

@@ -51,10 +51,10 @@ TEST_F(Find, ActionsObservationsJointsAndEffects) {
   find("export");
   EXPECT_EQ(desk.window.workspace(), app::Place::write_out);
   find("observation 4");
-  EXPECT_EQ(desk.window.bench().selection.current().observation, 4);
+  EXPECT_EQ(desk.window.workbench().selection.current().observation, 4);
   const std::string joint = desk.document().session().joints[1];
   find(joint.c_str());
-  EXPECT_EQ(desk.window.bench().selection.current().joint, joint);
+  EXPECT_EQ(desk.window.workbench().selection.current().joint, joint);
   find("joint_elasticity");
   EXPECT_EQ(desk.window.workspace(), app::Place::explain);
   desk.key(Qt::Key_K, Qt::ControlModifier);
@@ -111,7 +111,7 @@ TEST_F(Find, APanelFillsTheCentreAndEscPutsItBack) {
   QTest::qWait(50);
   EXPECT_TRUE(left->isVisible());
   EXPECT_NEAR(scene->width(), before.width(), 2);
-  EXPECT_TRUE(desk.window.bench().selection.current().observation) << "Esc put back, and selected nothing else";
+  EXPECT_TRUE(desk.window.workbench().selection.current().observation) << "Esc put back, and selected nothing else";
 
   QWindow* top = desk.window.windowHandle();
   QTest::mouseDClick(top, Qt::LeftButton, {}, left->mapTo(&desk.window, QPoint(40, 8)));

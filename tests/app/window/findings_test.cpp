@@ -7,7 +7,6 @@
 
 #include "app/window/explain_fixture.h"
 #include "app/window/painted_text.h"
-#include "bench/observation_views.h"
 #include "cli/cli_runner.h"
 #include "document/effect_words.h"
 #include "findings/explain_texts.h"
@@ -16,7 +15,8 @@
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 #include "start/session_places.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
+#include "workbench/observation_views.h"
 
 namespace handsight::test {
 namespace {
@@ -29,13 +29,13 @@ TEST(Findings, OddsHaveTwoDigits) {
 }
 
 TEST(Findings, AllJointsOfAnArmAreNamed) {
-  EXPECT_EQ(app::effect_of("backlash", {"a_1", "a_2", "a_3", "a_4", "a_5", "a_6", "a_7"}),
+  EXPECT_EQ(app::term_effect("backlash", {"a_1", "a_2", "a_3", "a_4", "a_5", "a_6", "a_7"}),
             "backlash of a_1, a_2, a_3, a_4, a_5, a_6 and a_7");
 }
 
 TEST(Findings, SeveralEffectsAreNamedNotTheirIds) {
-  EXPECT_EQ(app::effects_of("mount_drift, joint_elasticity"), "mount drift, joint elasticity");
-  EXPECT_EQ(app::effects_of("backlash"), "backlash");
+  EXPECT_EQ(app::list_effects("mount_drift, joint_elasticity"), "mount drift, joint elasticity");
+  EXPECT_EQ(app::list_effects("backlash"), "backlash");
 }
 
 TEST(Findings, ADriftIsSaidAsOne) {
@@ -70,14 +70,14 @@ QStringList letters_of(QWidget& widget) {
 
 TEST(Findings, BlameOfATrackerHasItsLetter) {
   for (const bool of_tracker : {false, true}) {
-    widgets::BlameBar bar;
+    widgets::AttributionBar bar;
     bar.resize(600, 80);
-    bar.set_blame(widgets::Blame{0.2, 0.3, 0.5, of_tracker});
+    bar.set_attribution(widgets::ErrorAttribution{0.2, 0.3, 0.5, of_tracker});
     widgets::VerdictLine line;
     line.resize(1056, 72);
     widgets::SessionVerdict verdict;
     verdict.sentence = "It misses.";
-    verdict.blame = widgets::Blame{0.2, 0.3, 0.5, of_tracker};
+    verdict.attribution = widgets::ErrorAttribution{0.2, 0.3, 0.5, of_tracker};
     line.set_verdict(verdict);
     EXPECT_EQ(letters_of(bar), (QStringList{of_tracker ? "T" : "C", "B", "R"}));
     EXPECT_EQ(letters_of(line), (QStringList{of_tracker ? "T" : "C", "B", "R"}));
@@ -108,19 +108,19 @@ TEST_F(FindingsIn, ScatterIsNotContradictedByThePlotsBesideIt) {
       arguments.push_back(fmt::format("{}:joint:axis_{}={:.6f}", i, joint, angle(random)));
     }
   ASSERT_EQ(run_cli(folder.path, arguments).exit_code, 0);
-  std::string text = read_text(session / "session.xml");  // else more than robots scatter is told as unexplained
+  std::string text = read_text(session / "session.xml");  // else more than robots scatter is reported as unexplained
   text.insert(text.find("<robot ") + 7, "repeatability=\"2e-3\" ");
   write_text(session / "session.xml", text);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
   ASSERT_TRUE(explain.open());
-  ASSERT_EQ(explain.verdict().state, widgets::SessionState::scatter) << explain.verdict().sentence.toStdString();
+  ASSERT_EQ(explain.verdict().state, widgets::SessionState::repeatability) << explain.verdict().sentence.toStdString();
   EXPECT_EQ(desk.find<QLabel>("failing_title")->text(), "What is left") << "nothing fails";
-  const Scatter scatter{.joints = 1.4e-3};
-  const QString beside = app::as_if_alone({"error of axis_5", "angle of axis_2"}, scatter);
+  const Repeatability repeatability{.joints = 1.4e-3};
+  const QString beside = app::as_if_alone({"error of axis_5", "angle of axis_2"}, repeatability);
   EXPECT_TRUE(beside.startsWith("Each point: as if axis_5 alone")) << beside.toStdString();
   EXPECT_TRUE(beside.contains("1.4 mrad to which the joints repeat")) << beside.toStdString();
-  EXPECT_TRUE(app::as_if_alone({"shift along x of the base", "time"}, scatter).isEmpty());
+  EXPECT_TRUE(app::as_if_alone({"shift along x of the base", "time"}, repeatability).isEmpty());
   EXPECT_TRUE(app::as_if_alone({"error of axis_5", "time"}, {}).isEmpty()) << "the joints repeat";
 }
 
@@ -152,7 +152,7 @@ TEST_F(FindingsIn, ATrackersSessionShowsNoPlaceForImages) {
   desk.key(Qt::Key_2, Qt::ControlModifier);
   EXPECT_FALSE(desk.find<QWidget>("calibrate_left")->isVisible());
   EXPECT_TRUE(desk.find<QWidget>("calibrate_scene")->isVisible());
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of("hidden_3").string())));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("hidden_3").string())));
   ASSERT_TRUE(desk.settle());
   desk.key(Qt::Key_3, Qt::ControlModifier);
   EXPECT_TRUE(desk.find<QWidget>("inspect_left")->isVisible()) << "and of cameras it does again";

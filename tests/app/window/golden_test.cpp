@@ -70,7 +70,7 @@ TEST(Golden, MainStatesLookAsTheyDid) {
   ASSERT_TRUE(explain.open());
   expect_as_before(desk.window, "explain");
   explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return desk.window.bench().predicted_error().has_value(); }));
+  ASSERT_TRUE(desk.wait([&] { return desk.window.workbench().predicted_error().has_value(); }));
   expect_as_before(desk.window, "explain_proof");
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());

@@ -45,7 +45,7 @@ TEST_F(InspectTest, SeveralChosenRowsStayChosenAndDeleteTakesThemAll) {
   click_row(2);
   click_row(4, Qt::ShiftModifier);
   ASSERT_EQ(inspect.table()->selected_many().size(), 3U);
-  EXPECT_EQ(desk.window.bench().selection.many().size(), 3U);
+  EXPECT_EQ(desk.window.workbench().selection.many().size(), 3U);
   QTest::qWait(50);
   EXPECT_EQ(inspect.table()->selected_many().size(), 3U) << "what the selection tells back must not take them away";
   desk.key(Qt::Key_Delete);
@@ -61,7 +61,7 @@ TEST_F(InspectTest, OneOfSeveralCanBeChosenAlone) {
   click_row(2);
   click_row(4, Qt::ShiftModifier);
   click_row(2);
-  EXPECT_LE(desk.window.bench().selection.many().size(), 1U);
+  EXPECT_LE(desk.window.workbench().selection.many().size(), 1U);
   desk.key(Qt::Key_Delete);
   EXPECT_EQ(excluded(), 1U);
 }
@@ -72,7 +72,7 @@ TEST_F(InspectTest, ADragIsWrittenDownAndFittedOnce) {
   std::size_t index = 0;
   while (observations[index].sightings.empty()) ++index;
   const std::int64_t id = observations[index].id;
-  desk.window.bench().selection.select_observation(id);
+  desk.window.workbench().selection.select_observation(id);
   QTest::qWait(50);  // the sentence of this observation has another height
   auto* view = desk.find<widgets::ImageView>("inspect_left");
   const Vector2 before = seen_by(observations[index].sightings[0], 0)->pixel;
@@ -104,11 +104,11 @@ TEST_F(InspectTest, KeysOnAMarkerDoWhatTheMenuSays) {
   std::size_t index = 0;
   while (observations[index].sightings.size() < 3) ++index;
   const std::int64_t id = observations[index].id;
-  desk.window.bench().selection.select_observation(id);
+  desk.window.workbench().selection.select_observation(id);
   auto* view = desk.find<widgets::ImageView>("inspect_left");
   const Vector2 first = seen_by(observations[index].sightings[0], 0)->pixel;
   desk.click(view, view->to_screen(first).toPoint());
-  ASSERT_EQ(desk.window.bench().selection.current().marker, 0);
+  ASSERT_EQ(desk.window.workbench().selection.current().marker, 0);
   desk.key(Qt::Key_2);
   EXPECT_EQ(seen_by(desk.document().find(id)->sightings[2], 0)->pixel, first) << "2 makes it marker 2";
   desk.key(Qt::Key_Z, Qt::ControlModifier);

@@ -41,7 +41,7 @@ TEST_F(Label, WhatIsHalfDoneOutlivesOtherActionsAndTheWindow) {
   label.click_left(corners_of_first_steps[1]);
   ASSERT_EQ(placed(), 2U);
   // Something else becomes of the document: another observation is left out, and that is undone.
-  desk.window.bench().exclude({5});
+  desk.window.workbench().exclude({5});
   EXPECT_EQ(placed(), 2U) << "an action elsewhere";
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(placed(), 2U) << "its undo";
@@ -81,10 +81,10 @@ TEST_F(Label, ACorrectionMadeInInspectIsWhatLabelShows) {
   label.use();
   // As Inspect moves a marker of the observation that Label shows.
   const Observation& o = desk.document().session().observations[0];
-  ObservationState after = state_of(o);
+  EditableState after = read_state(o);
   seen_by(after.sightings[1], 0)->pixel += Vector2(3, 0);
   const Vector2 moved = seen_by(after.sightings[1], 0)->pixel;
-  desk.document().perform(desk.document().edit_of("moved marker 1 of observation 0", {{0, after}}));
+  desk.document().perform(desk.document().make_edit("moved marker 1 of observation 0", {{0, after}}));
   desk.key(Qt::Key_1, Qt::ControlModifier);
   const auto& marks = label.left()->marks();
   ASSERT_EQ(marks.size(), 3U);

@@ -107,10 +107,10 @@ TEST(Language, SentencesOfTheCoreAreTranslatedWithWhatIsPutIn) {
   EXPECT_EQ(app::translated(message("excluded: {}", std::string("left"))), "ausgeschlossen: left")
       << "what a user has written is no word of the table";
   EXPECT_EQ(app::translated(Message("what nobody has translated")), "what nobody has translated");
-  EXPECT_EQ(app::effect_of("joint_elasticity", {"arm_2", "time"}), "Gelenkelastizität von arm_2 und time")
+  EXPECT_EQ(app::term_effect("joint_elasticity", {"arm_2", "time"}), "Gelenkelastizität von arm_2 und time")
       << "joints keep their names";
   QCoreApplication::removeTranslator(&german);
-  EXPECT_EQ(app::effect_of("joint_elasticity", {"arm_2"}), "joint elasticity of arm_2");
+  EXPECT_EQ(app::term_effect("joint_elasticity", {"arm_2"}), "joint elasticity of arm_2");
 }
 
 TEST(Language, ANumberHasTheMarkOfTheLanguageAndATextKeepsItsPoints) {
@@ -141,7 +141,7 @@ TEST(Language, ErrorsAreTranslatedWhateverFileTheyName) {
   const auto of_node = [](const std::string& xml, const auto& read) {
     return refused([&] {
       const auto document = parse_xml(xml, "s/session.xml");
-      read(root_of(*document, "s/session.xml", "camera"));
+      read(require_root(*document, "s/session.xml", "camera"));
     });
   };
   EXPECT_EQ(of_node("<camera/>", [](const XmlNode& node) { required_text(node, "width"); }),
@@ -168,7 +168,7 @@ TEST(Language, WhatAnErrorOrAResultPutsTogetherIsGerman) {
                                           {"marker", "0.016"},
                                           {"dictionary", "DICT_5X5_100"}},
                                          "The target");
-  EXPECT_EQ(app::translated(description_of(board)),
+  EXPECT_EQ(app::translated(describe_target(board)),
             "ChArUco-Brett mit 8 × 11 Feldern von 22 mm, Tags von 16 mm aus DICT_5X5_100");
   const Common common{.low = -std::numeric_limits<double>::infinity(),
                       .high = 76.8,

@@ -119,7 +119,7 @@ TEST_F(LiveWindow, WhatIsNotWholeIsNamedAndTakenWhenItIs) {
   ASSERT_TRUE(desk.wait([&] { return is_decided(id); })) << said().toStdString();
   EXPECT_FALSE(said().contains(name)) << said().toStdString();
   EXPECT_TRUE(
-      desk.window.bench().images.image(desk.document().session(), *desk.document().find(id), 0).refusal.isEmpty());
+      desk.window.workbench().images.image(desk.document().session(), *desk.document().find(id), 0).refusal.isEmpty());
 }
 
 TEST_F(LiveWindow, UndoTakesTheLastArrivalBackAndItStaysAway) {
@@ -135,7 +135,7 @@ TEST_F(LiveWindow, UndoTakesTheLastArrivalBackAndItStaysAway) {
   EXPECT_TRUE(is_decided(first_count)) << "and each arrival its own";
   QTest::qWait(1200);
   EXPECT_EQ(desk.document().find(first_count + 1), nullptr) << "what was undone is not taken again";
-  EXPECT_NE(desk.window.bench().selection.current().observation, first_count + 1);
+  EXPECT_NE(desk.window.workbench().selection.current().observation, first_count + 1);
   desk.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(is_decided(first_count + 1));
   // Every page can show what has come and gone.

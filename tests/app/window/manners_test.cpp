@@ -31,7 +31,7 @@ class Manners : public testing::Test {
 TEST_F(Manners, UndoReachesTheDocumentFromAnEmptyTextField) {
   open("thesis_simulation");
   desk.key(Qt::Key_3, Qt::ControlModifier);
-  desk.window.bench().exclude({2});
+  desk.window.workbench().exclude({2});
   auto* field = desk.find<QWidget>("inspect_table")->findChild<QLineEdit*>();
   desk.click(field);
   ASSERT_TRUE(field->hasFocus());
@@ -89,7 +89,7 @@ TEST_F(Manners, ANumberHalfTypedIsNeitherTakenNorLostWhenAFitEnds) {
 
 TEST_F(Manners, AFailedJobThatNobodyAnswersForSaysWhy) {
   open("thesis_simulation");
-  desk.window.bench().background.start<int>(
+  desk.window.workbench().background.start<int>(
       "test", "Counting", [](app::JobControl&) -> int { throw std::runtime_error("The abacus is broken."); },
       [](int) {});
   auto* line = desk.find<widgets::ReadOutLine>("read_out");
@@ -103,9 +103,9 @@ TEST_F(Manners, EveryLongJobCanBeStoppedInEveryWorkspace) {
   for (const auto place : {Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_4, Qt::Key_5, Qt::Key_6}) {
     desk.key(place, Qt::ControlModifier);
     ASSERT_TRUE(desk.settle());
-    ASSERT_TRUE(desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }));
+    ASSERT_TRUE(desk.wait([&] { return !desk.window.workbench().explaining.is_busy(); }));
     std::atomic<bool> has_seen{false};
-    desk.window.bench().jobs.start<int>(
+    desk.window.workbench().jobs.start<int>(
         "test", "Thinking",
         [&](app::JobControl& control) {
           while (!control.is_cancelled()) QThread::msleep(2);
@@ -123,10 +123,10 @@ TEST_F(Manners, EveryLongJobCanBeStoppedInEveryWorkspace) {
 TEST_F(Manners, LeavingExplainAndMinimisingTheWindowStopNothing) {
   open("hidden_3");
   desk.key(Qt::Key_4, Qt::ControlModifier);
-  auto& bench = desk.window.bench();
-  ASSERT_TRUE(desk.wait([&] { return bench.diagnosing.is_running() || bench.diagnosing.diagnosis(); }, 20000));
+  auto& workbench = desk.window.workbench();
+  ASSERT_TRUE(desk.wait([&] { return workbench.diagnosing.is_running() || workbench.diagnosing.diagnosis(); }, 20000));
   desk.key(Qt::Key_3, Qt::ControlModifier);
-  EXPECT_TRUE(desk.wait([&] { return bench.diagnosing.diagnosis() != nullptr; }, 60000))
+  EXPECT_TRUE(desk.wait([&] { return workbench.diagnosing.diagnosis() != nullptr; }, 60000))
       << "what was begun comes to its end, and is there when one comes back";
 }
 
@@ -166,19 +166,19 @@ TEST_F(Manners, AfterUndoTheAxesHoldWhatIsShown) {
 
 TEST_F(Manners, WhatIsOddInASessionIsSaidWhenItIsOpened) {
   open("thesis_simulation");
-  auto* doubts = desk.find<QWidget>("doubts");
-  EXPECT_FALSE(doubts->isVisible());
+  auto* warnings = desk.find<QWidget>("doubts");
+  EXPECT_FALSE(warnings->isVisible());
   const auto session = copy_of_sample(folder.path, "hidden_3");
   std::string text = read_file(session / "session.xml");
   for (std::size_t at = 0; (at = text.find("width=\"640\" height=\"480\"", at)) != std::string::npos; ++at)
     text.replace(at, 24, "width=\"480\" height=\"640\"");
   replace_file(session / "session.xml", text);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
-  ASSERT_TRUE(doubts->isVisible());
+  ASSERT_TRUE(warnings->isVisible());
   EXPECT_TRUE(desk.find<QLabel>("doubts_text")->text().contains("swapped"))
       << desk.find<QLabel>("doubts_text")->text().toStdString();
   desk.press_button("doubts_away");
-  EXPECT_FALSE(doubts->isVisible());
+  EXPECT_FALSE(warnings->isVisible());
 }
 
 TEST_F(Manners, AfterAddTheBestCardStandsOnTop) {

@@ -58,7 +58,7 @@ struct MeasurePage {
   bool moves() {
     return desk.wait([this] { return state() == app::RunState::moving; }, 60000);
   }
-  /// From now until the driver was told to stop and has answered, ms; -1: it never was.
+  /// From now until the driver was asked to stop and has answered, ms; -1: it never was.
   qint64 time_to_stand() {
     QElapsedTimer clock;
     clock.start();

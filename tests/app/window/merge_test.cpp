@@ -23,7 +23,7 @@ class MergeInTheWindow : public testing::Test {
     ASSERT_TRUE(desk.settle());
   }
   void exclude_here(std::vector<std::int64_t> ids) {
-    desk.window.bench().exclude(ids);
+    desk.window.workbench().exclude(ids);
     ASSERT_TRUE(desk.settle());
   }
   void write_there(const std::function<void(Session&)>& change) {
@@ -110,7 +110,7 @@ TEST_F(MergeInTheWindow, BothSidesAreShownAndOneChoosesRowByRow) {
   click_cell(1, 3);
   EXPECT_EQ(table()->item(1, 3)->checkState(), Qt::Checked);
   EXPECT_EQ(table()->item(1, 2)->checkState(), Qt::Unchecked);
-  EXPECT_EQ(desk.window.bench().selection.current().observation, 2) << "what is looked at is selected everywhere";
+  EXPECT_EQ(desk.window.workbench().selection.current().observation, 2) << "what is looked at is selected everywhere";
   desk.press_button("merge_decide");
   EXPECT_FALSE(is_asking());
   EXPECT_EQ(desk.window.workspace(), place);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/explain_fixture.h"
-#include "app/window/told.h"
+#include "app/window/reported_story.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 class OneStory : public Explain {
  protected:
-  Told told{desk};
+  Told reported{desk};
   void open_simulated() {
     desk.window.resize(1440, 900);
     ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
@@ -37,15 +37,16 @@ class OneStory : public Explain {
 
 TEST_F(OneStory, FromTheFirstLookToTheEndAndBack) {
   open("hidden_3");
-  told.expect_one_story("nothing chosen");
+  reported.expect_one_story("nothing chosen");
   explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return desk.window.bench().predicted_error().has_value(); }));
-  EXPECT_TRUE(told.header().predicted && told.header().predicted_ratio) << "a preview changes the ratio with the error";
-  told.expect_one_story("hover");
+  ASSERT_TRUE(desk.wait([&] { return desk.window.workbench().predicted_error().has_value(); }));
+  EXPECT_TRUE(reported.header().predicted && reported.header().predicted_ratio)
+      << "a preview changes the ratio with the error";
+  reported.expect_one_story("hover");
   QTest::mouseMove(desk.window.windowHandle(), QPoint(5, 5));
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   desk.click(strip, strip->cell_rect(7).center().toPoint());
-  told.expect_one_story("chosen");
+  reported.expect_one_story("chosen");
 
   QPushButton *add = explain.cards()->add_button(), *why_not = explain.cards()->why_not_button();
   const QRect where_add = add->geometry(), where_why_not = why_not->geometry();
@@ -56,39 +57,39 @@ TEST_F(OneStory, FromTheFirstLookToTheEndAndBack) {
   EXPECT_EQ(why_not->geometry(), where_why_not) << "nothing comes under the pointer";
   ASSERT_TRUE(explain.is_settled());
   ASSERT_EQ(desk.document().undo_stack().index(), 1);
-  told.expect_one_story("added");
-  EXPECT_EQ(told.story().state, StoryState::at_the_noise);
+  reported.expect_one_story("added");
+  EXPECT_EQ(reported.story().state, StoryState::at_the_noise);
   EXPECT_EQ(add->geometry(), where_add);
   EXPECT_EQ(why_not->geometry(), where_why_not);
 
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
   ASSERT_TRUE(explain.open());
-  told.expect_one_story("reopened");
-  EXPECT_EQ(told.story().state, StoryState::at_the_noise);
+  reported.expect_one_story("reopened");
+  EXPECT_EQ(reported.story().state, StoryState::at_the_noise);
   desk.key(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(explain.is_settled());
-  told.expect_one_story("undone");
-  EXPECT_EQ(told.story().state, StoryState::missing);
-  desk.window.bench().explaining.hold(true);
+  reported.expect_one_story("undone");
+  EXPECT_EQ(reported.story().state, StoryState::missing);
+  desk.window.workbench().explaining.hold(true);
   desk.click(add);
   ASSERT_TRUE(explain.workspace()->adding().is_running());
-  desk.window.bench().explaining.stop();
-  desk.window.bench().explaining.hold(false);
+  desk.window.workbench().explaining.stop();
+  desk.window.workbench().explaining.hold(false);
   ASSERT_TRUE(explain.is_settled());
-  told.expect_one_story("stopped");
+  reported.expect_one_story("stopped");
 }
 
 TEST_F(OneStory, ACurveAddedIsNotGreenAndNobodyIsToBlameForNoise) {
   open("hidden_8");
-  told.expect_one_story("a curve without a name");
+  reported.expect_one_story("a curve without a name");
   desk.click(explain.cards()->add_button());
   ASSERT_TRUE(explain.is_settled());
-  told.expect_one_story("added");
-  EXPECT_EQ(told.story().state, StoryState::unnamed_at_the_noise);
+  reported.expect_one_story("added");
+  EXPECT_EQ(reported.story().state, StoryState::unnamed_at_the_noise);
   EXPECT_EQ(explain.verdict().state, widgets::SessionState::unnamed);
   EXPECT_NE(explain.first().kind, widgets::CardKind::adequate);
-  EXPECT_NE(told.rail("rail_explain").state, app::WorkState::done);
+  EXPECT_NE(reported.rail("rail_explain").state, app::WorkState::done);
 }
 
 TEST_F(OneStory, WithATracker) {
@@ -100,13 +101,13 @@ TEST_F(OneStory, WithATracker) {
       },
       true);
   open_simulated();
-  told.expect_one_story("tracker");
-  ASSERT_TRUE(told.story().error.ratio());
+  reported.expect_one_story("tracker");
+  ASSERT_TRUE(reported.story().error.ratio());
   const auto cli = run_cli(folder.path, {"diagnose", session.string(), "--json", "-"}).json()["story"];
-  EXPECT_NEAR(1e3 * cli["error"].get<double>(), *told.header().now, 1e-6) << "one figure in window and command";
-  EXPECT_NEAR(1e3 * cli["noise"].get<double>(), *told.header().noise, 1e-6);
-  ASSERT_FALSE(told.story().causes.empty());
-  EXPECT_EQ(cli["causes"][0]["id"].get<std::string>(), told.story().causes[0].id);
+  EXPECT_NEAR(1e3 * cli["error"].get<double>(), *reported.header().now, 1e-6) << "one figure in window and command";
+  EXPECT_NEAR(1e3 * cli["noise"].get<double>(), *reported.header().noise, 1e-6);
+  ASSERT_FALSE(reported.story().causes.empty());
+  EXPECT_EQ(cli["causes"][0]["id"].get<std::string>(), reported.story().causes[0].id);
 }
 
 TEST_F(OneStory, WithOneMarkerWhoseNoiseNobodyKnows) {
@@ -117,8 +118,8 @@ TEST_F(OneStory, WithOneMarkerWhoseNoiseNobodyKnows) {
       std::erase_if(o.sightings, [](const Sighting& one) { return one.marker > 0; });
   });
   open_simulated();
-  told.expect_one_story("one marker, no noise known");
-  EXPECT_FALSE(explain.verdict().state == widgets::SessionState::adequate && !told.story().error.noise)
+  reported.expect_one_story("one marker, no noise known");
+  EXPECT_FALSE(explain.verdict().state == widgets::SessionState::adequate && !reported.story().error.noise)
       << "nobody can say that it agrees";
 }
 

@@ -107,9 +107,9 @@ struct ExplainPage {
   bool is_settled(int milliseconds = 60000) {
     return desk.wait(
         [this] {
-          auto& bench = desk.window.bench();
-          return !bench.jobs.is_busy() && !bench.refit.is_pending() && !bench.explaining.is_busy() &&
-                 bench.diagnosing.diagnosis() && cards()->count() > 0 && !workspace()->adding().is_running();
+          auto& workbench = desk.window.workbench();
+          return !workbench.jobs.is_busy() && !workbench.refit.is_pending() && !workbench.explaining.is_busy() &&
+                 workbench.diagnosing.diagnosis() && cards()->count() > 0 && !workspace()->adding().is_running();
         },
         milliseconds);
   }

@@ -8,8 +8,8 @@
 #include "app/two_hands.h"
 #include "app/window/explain_fixture.h"
 #include "app/window/painted_text.h"
+#include "app/window/reported_story.h"
 #include "app/window/rig_sessions.h"
-#include "app/window/told.h"
 
 namespace handsight::test {
 namespace {
@@ -65,7 +65,7 @@ class PaintedStory : public Explain, public testing::WithParamInterface<State> {
             << where << ", " << GetParam().name << ": " << shown.toStdString() << " in " << line.toStdString();
       }
   }
-  Told told{desk};
+  Told reported{desk};
 };
 
 TEST_P(PaintedStory, IsToldAlikeEverywhere) {
@@ -77,7 +77,7 @@ TEST_P(PaintedStory, IsToldAlikeEverywhere) {
     QTest::qWait(60);
     const QStringList lines = painted(desk.window);
     ASSERT_GT(lines.size(), 20);
-    const StoryError& error = told.story().error;
+    const StoryError& error = reported.story().error;
     const QString unit = error.in_pixels ? "px" : "mm";
     const double scale = error.in_pixels ? 1 : 1e3;
     ASSERT_TRUE(error.error);
@@ -86,7 +86,7 @@ TEST_P(PaintedStory, IsToldAlikeEverywhere) {
     for (const auto& figure : {error.error, error.noise, error.elsewhere})
       if (figure) figures.push_back(scale * *figure);
     const auto of_error = error.in_pixels ? widgets::SizeUnit::pixel : widgets::SizeUnit::millimetre;
-    if (desk.window.bench().units.unit() == of_error) expect_same_figures(lines, figures, unit, where);
+    if (desk.window.workbench().units.unit() == of_error) expect_same_figures(lines, figures, unit, where);
     if (error.ratio().value_or(0) > most_that_agrees) {
       EXPECT_FALSE(Told::says_that_it_agrees(all)) << where;
     }
@@ -98,7 +98,7 @@ TEST_P(PaintedStory, IsToldAlikeEverywhere) {
   desk.settle();
   look("Export");
   desk.key(Qt::Key_4, Qt::ControlModifier);
-  if (told.story().lead()) {
+  if (reported.story().lead()) {
     explain.press_add();
     ASSERT_TRUE(explain.is_settled());
     look("Explain, added");

@@ -21,7 +21,7 @@
 namespace handsight::test {
 namespace {
 
-std::string told(const PaintedText& t) {
+std::string reported(const PaintedText& t) {
   std::string name;
   for (const QWidget* w = t.widget; w && name.empty(); w = w->parentWidget()) name = w->objectName().toStdString();
   return std::string(t.widget->metaObject()->className()) + " in " + name + ": \"" + t.text.toStdString() + "\"";
@@ -67,11 +67,11 @@ void expect_readable(QWidget& window, const std::string& state) {
     const QRectF room = QRectF(w->rect()).adjusted(-slack, -slack, slack, slack);
     for (std::size_t i = 0; i < texts.size(); ++i) {
       expect_translated(texts[i].text, state);
-      EXPECT_TRUE(room.contains(texts[i].place)) << state << ": cut off: " << told(texts[i]);
+      EXPECT_TRUE(room.contains(texts[i].place)) << state << ": cut off: " << reported(texts[i]);
       for (std::size_t j = 0; j < i; ++j) {
         if (texts[i].text == texts[j].text) continue;  // a rim is the same text again
         const QRectF both = texts[i].place.adjusted(1, 1, -1, -1).intersected(texts[j].place.adjusted(1, 1, -1, -1));
-        EXPECT_TRUE(both.isEmpty()) << state << ": over each other: " << told(texts[i]) << " and \""
+        EXPECT_TRUE(both.isEmpty()) << state << ": over each other: " << reported(texts[i]) << " and \""
                                     << texts[j].text.toStdString() << "\"";
       }
     }
@@ -125,7 +125,7 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
   ASSERT_TRUE(explain.open());
   look("explain");
   explain.look_at(0);
-  ASSERT_TRUE(desk.wait([&] { return desk.window.bench().predicted_error().has_value(); }));
+  ASSERT_TRUE(desk.wait([&] { return desk.window.workbench().predicted_error().has_value(); }));
   look("explain, a card is looked at");
   explain.press_add();
   ASSERT_TRUE(explain.is_settled());

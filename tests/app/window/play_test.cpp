@@ -48,11 +48,11 @@ TEST_F(Play, ADecisionsErrorIsThatOfThePresentModel) {
   ASSERT_TRUE(calibrate.play_to_the_end());
   auto* list = desk.find<widgets::DecisionList>("decisions");
   const auto shown = [&](int row) { return list->model()->index(row, 0).data(Qt::AccessibleTextRole).toString(); };
-  const auto& bench = desk.window.bench();
+  const auto& workbench = desk.window.workbench();
   for (int row = 0; row < 6; ++row) {
-    const InspectionRow* r = bench.row(desk.document().session().observations[static_cast<std::size_t>(row)].id);
+    const InspectionRow* r = workbench.row(desk.document().session().observations[static_cast<std::size_t>(row)].id);
     ASSERT_NE(r, nullptr);
-    EXPECT_TRUE(shown(row).contains(widgets::size_text(bench.units.shown(app::size_of(*r)))))
+    EXPECT_TRUE(shown(row).contains(widgets::size_text(workbench.units.shown(app::measure_size(*r)))))
         << shown(row).toStdString();
   }
 }

@@ -37,7 +37,7 @@ class RecheckInWindow : public testing::Test {
     ASSERT_TRUE(page.ends()) << page.said().toStdString();
   }
   std::vector<RecheckEntry> log() const { return read_recheck_log(session / "recheck.csv"); }
-  QString told() { return desk.find<QLabel>("recheck_said")->text(); }
+  QString reported() { return desk.find<QLabel>("recheck_said")->text(); }
   std::size_t points(const char* plot) { return desk.find<widgets::HistoryPlot>(plot)->points().size(); }
   TemporaryFolder folder;
   std::filesystem::path session;
@@ -57,7 +57,7 @@ TEST_F(RecheckInWindow, FivePosesAreLookedAtAndNothingHasChanged) {
   ASSERT_EQ(log().size(), 5U);
   EXPECT_FALSE(log().back().changed);
   ASSERT_TRUE(desk.wait([this] { return points("recheck_e_values") == 5; }, 5000));
-  EXPECT_EQ(told(), "Nothing speaks for a change.");
+  EXPECT_EQ(reported(), "Nothing speaks for a change.");
   EXPECT_EQ(points("recheck_history"), 5U);
   EXPECT_GE(desk.find<QComboBox>("recheck_number")->count(), 6) << "mount, hand and joints";
   EXPECT_EQ(desk.find<widgets::HistoryPlot>("recheck_e_values")->limit(), 1000);
@@ -68,14 +68,14 @@ TEST_F(RecheckInWindow, AHandThatHasSlippedIsNamed) {
   ASSERT_TRUE(desk.wait([this] { return points("recheck_e_values") == 5; }, 5000));
   EXPECT_TRUE(log().back().changed);
   EXPECT_EQ(log().back().what, "body_slip");
-  EXPECT_TRUE(told().contains("Something has changed")) << told().toStdString();
+  EXPECT_TRUE(reported().contains("Something has changed")) << reported().toStdString();
 }
 
 TEST_F(RecheckInWindow, AFileThatIsNoLogIsSaid) {
   replace_file(session / "recheck.csv", "a,b\n1,2\n");
   page.show_tab(0);
   page.show_tab(1);
-  ASSERT_TRUE(desk.wait([this] { return told().contains("no log of recheck"); }, 5000)) << told().toStdString();
+  ASSERT_TRUE(desk.wait([this] { return reported().contains("no log of recheck"); }, 5000)) << reported().toStdString();
 }
 
 }  // namespace

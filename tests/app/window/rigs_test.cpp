@@ -8,10 +8,10 @@
 #include "app/window/rig_sessions.h"
 #include "base/files.h"
 #include "base/xml.h"
-#include "bench/camera_strip.h"
 #include "inspect/inspect_workspace.h"
 #include "robot/xml_rigid.h"
 #include "widgets/scene/robot_view.h"
+#include "workbench/camera_strip.h"
 
 namespace handsight::test {
 namespace {
@@ -39,7 +39,7 @@ TEST_F(Rigs, OneCameraIsCalibratedInspectedAndExportedWithoutASecondImage) {
   ASSERT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
   const char* pairs[][2] = {
       {"label_left", "label_right"}, {"calibrate_left", "calibrate_right"}, {"inspect_left", "inspect_right"}};
-  desk.window.bench().selection.select_observation(7);
+  desk.window.workbench().selection.select_observation(7);
   for (int workspace = 1; workspace <= 3; ++workspace) {
     go(workspace);
     EXPECT_TRUE(view(pairs[workspace - 1][0])->isVisible()) << workspace;
@@ -60,7 +60,7 @@ TEST_F(Rigs, OneCameraIsCalibratedInspectedAndExportedWithoutASecondImage) {
 TEST_F(Rigs, TheLabelsOfOneCameraAreShownAndCannotBeSpoilt) {
   open("first_steps", 1);
   go(1);
-  desk.window.bench().selection.select_observation(desk.document().session().observations[0].id);
+  desk.window.workbench().selection.select_observation(desk.document().session().observations[0].id);
   QTest::qWait(50);
   LabelPage label{desk};
   EXPECT_FALSE(label.left()->image().isNull());
@@ -74,25 +74,25 @@ TEST_F(Rigs, TheLabelsOfOneCameraAreShownAndCannotBeSpoilt) {
 TEST_F(Rigs, OfThreeCamerasTwoAreShownAndTheThirdIsAClickAway) {
   open("hidden_3", 3);
   ASSERT_NE(desk.document().model()->fit, nullptr) << desk.document().model()->refusal.toStdString();
-  desk.window.bench().selection.select_observation(7);
+  desk.window.workbench().selection.select_observation(7);
   go(3);
   auto* strip = desk.find<app::InspectWorkspace>("inspect")->findChild<app::CameraStrip*>();
   ASSERT_NE(strip, nullptr);
   ASSERT_TRUE(strip->isVisible());
-  EXPECT_EQ(strip->camera_of(view("inspect_left")), 0);
-  EXPECT_EQ(strip->camera_of(view("inspect_right")), 1);
+  EXPECT_EQ(strip->look_up_camera(view("inspect_left")), 0);
+  EXPECT_EQ(strip->look_up_camera(view("inspect_right")), 1);
   auto* third = strip->findChild<QToolButton*>("camera_2");
   ASSERT_NE(third, nullptr);
   EXPECT_EQ(third->text(), "side_2");
   desk.click(third);
-  EXPECT_EQ(strip->camera_of(view("inspect_right")), 2);
+  EXPECT_EQ(strip->look_up_camera(view("inspect_right")), 2);
   EXPECT_TRUE(third->isChecked());
   EXPECT_FALSE(strip->findChild<QToolButton*>("camera_1")->isChecked());
   for (const widgets::ImageMark& mark : view("inspect_right")->marks())
     EXPECT_EQ(mark.role, widgets::MarkRole::predicted) << "the third camera has seen nothing";
   EXPECT_FALSE(view("inspect_right")->marks().empty());
   desk.click(strip->findChild<QToolButton*>("camera_1"));
-  EXPECT_EQ(strip->camera_of(view("inspect_left")), 1) << "in place of the one that was chosen longest ago";
+  EXPECT_EQ(strip->look_up_camera(view("inspect_left")), 1) << "in place of the one that was chosen longest ago";
 }
 
 /// A board names its points itself: nothing is clicked, play and it is calibrated.
@@ -144,7 +144,7 @@ TEST_F(Rigs, TheSampleOfOneCameraIsPlayedFromTheStartPage) {
       read_file(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/one_camera/truth.xml");
   const auto truth = parse_xml(text, "truth.xml");
   const Rigid tcp_from_body =
-      read_rigid(required_child(root_of(*truth, "truth.xml", "handsight_truth"), "tcp_from_body"));
+      read_rigid(required_child(require_root(*truth, "truth.xml", "handsight_truth"), "tcp_from_body"));
   EXPECT_LT((desk.document().model()->fit->tcp_from_body.translation - tcp_from_body.translation).norm(), 1e-4);
 }
 

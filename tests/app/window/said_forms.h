@@ -101,7 +101,7 @@ inline QStringList said_in(const QString& source) {
           "(?<![\\w:])(?:InputError|DriverFault|Message|refuse)\\(|"
           "(?:notes|took|lost|warnings|problems|contents|doubts|texts)_?(?:\\.|->)(?:push|emplace)_back\\("),
       sayer("\\n(?:static )?(?:Message|std::vector<Message>) (?:\\w+::)*\\w+\\("),
-      told("\\breturn\\b((?:[^;\"]|\"(?:[^\"\\\\]|\\\\.)*\")*);"), letters("[A-Za-z]{2}");
+      reported("\\breturn\\b((?:[^;\"]|\"(?:[^\"\\\\]|\\\\.)*\")*);"), letters("[A-Za-z]{2}");
   QStringList said;
   for (auto i = message.globalMatch(source); i.hasNext();) {
     const auto call = i.next();
@@ -126,7 +126,7 @@ inline QStringList said_in(const QString& source) {
     const qsizetype end = closing(source, body);
     if (end < 0) continue;
     const QString text = source.mid(body, end - body);
-    for (auto k = told.globalMatch(text); k.hasNext();) said << words_in(k.next().captured(1));
+    for (auto k = reported.globalMatch(text); k.hasNext();) said << words_in(k.next().captured(1));
   }
   return said;
 }

@@ -5,10 +5,10 @@
 #include <QScreen>
 
 #include "app/window/pages.h"
-#include "bench/preferences.h"
 #include "temporary_folder.h"
 #include "widgets/lists/model_panel.h"
 #include "widgets/lists/three_numbers.h"
+#include "workbench/preferences.h"
 
 namespace handsight::test {
 namespace {

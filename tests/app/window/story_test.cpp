@@ -11,7 +11,7 @@
 #include "session/calibration_xml.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
-#include "widgets/lists/blame_bar.h"
+#include "widgets/lists/attribution_bar.h"
 #include "widgets/lists/three_numbers.h"
 #include "window/rail_button.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 class Story : public testing::Test {
  protected:
-  std::filesystem::path copy_of(const char* name) {
+  std::filesystem::path make_copy(const char* name) {
     const auto copy = folder.path / name;
     std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
                           std::filesystem::copy_options::recursive);
@@ -48,7 +48,7 @@ class Story : public testing::Test {
 
 /// One observation shows no error: nothing says that it is good, nor that it can be used.
 TEST_F(Story, FromOneObservationNoErrorNoGreenMarkAndNothingReady) {
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of("first_steps").string())));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("first_steps").string())));
   label_three({{421, 338}, {408, 411}, {473, 378}});
   ASSERT_TRUE(desk.settle());
   ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
@@ -58,13 +58,13 @@ TEST_F(Story, FromOneObservationNoErrorNoGreenMarkAndNothingReady) {
     EXPECT_NE(status.state, app::WorkState::done) << place;
     EXPECT_FALSE(status.line.contains("ready")) << place << ": " << status.line.toStdString();
   }
-  const widgets::SessionVerdict verdict = app::session_verdict(desk.window.bench(), desk.document().model());
+  const widgets::SessionVerdict verdict = app::session_verdict(desk.window.workbench(), desk.document().model());
   EXPECT_NE(verdict.state, widgets::SessionState::adequate);
   EXPECT_TRUE(verdict.sentence.contains("alone cannot show an error")) << verdict.sentence.toStdString();
 }
 
 TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
-  const auto session = copy_of("first_steps");
+  const auto session = make_copy("first_steps");
   const std::string untouched = read_file(session / "session.xml");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   EXPECT_EQ(desk.window.workspace(), app::Place::label) << "nothing is labelled: Label comes first";
@@ -78,9 +78,9 @@ TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
   inspect.sort_worst_first("px");
   inspect.click_row(0);
   const std::int64_t worst = inspect.id_at(0);
-  EXPECT_EQ(desk.window.bench().selection.current().observation, worst);
-  for (const auto& row : desk.window.bench().inspection()->rows)
-    EXPECT_LE(row.rms.value_or(0), desk.window.bench().row(worst)->rms) << "the worst is on top";
+  EXPECT_EQ(desk.window.workbench().selection.current().observation, worst);
+  for (const auto& row : desk.window.workbench().inspection()->rows)
+    EXPECT_LE(row.rms.value_or(0), desk.window.workbench().row(worst)->rms) << "the worst is on top";
   desk.press_button("exclude");
   EXPECT_EQ(desk.document().find(worst)->decision, Decision::excluded);
   ASSERT_TRUE(desk.settle());
@@ -109,7 +109,7 @@ TEST_F(Story, FirstStepsFromLabelsToTheExportAndAllTheWayBack) {
 }
 
 TEST_F(Story, TheWindowAndTheCommandLineTrackTheSameMarkers) {
-  const auto session = copy_of("first_steps"), other = folder.path / "other";
+  const auto session = make_copy("first_steps"), other = folder.path / "other";
   std::filesystem::copy(session, other, std::filesystem::copy_options::recursive);
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   label_three({{421, 338}, {408, 411}, {473, 378}});
@@ -125,7 +125,7 @@ TEST_F(Story, TheWindowAndTheCommandLineTrackTheSameMarkers) {
 }
 
 TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of("hundred_poses").string())));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("hundred_poses").string())));
   label_three({{519, 98}, {515, 132}, {576, 113}});
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
@@ -137,10 +137,10 @@ TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
   const std::map<std::int64_t, char> truth = {{58, 'R'}, {75, 'B'}, {98, 'C'}};
   for (int row = 0; row < 3; ++row) {
     inspect.click_row(row);
-    const std::int64_t id = *desk.window.bench().selection.current().observation;
-    ASSERT_NE(desk.window.bench().selected_row(), nullptr) << id;
-    EXPECT_EQ(desk.window.bench().selected_row()->blame.letter, truth.at(id)) << id;
-    const auto& bar = desk.find<widgets::BlameBar>("blame")->blame();
+    const std::int64_t id = *desk.window.workbench().selection.current().observation;
+    ASSERT_NE(desk.window.workbench().selected_row(), nullptr) << id;
+    EXPECT_EQ(desk.window.workbench().selected_row()->attribution.letter, truth.at(id)) << id;
+    const auto& bar = desk.find<widgets::AttributionBar>("blame")->attribution();
     ASSERT_TRUE(bar) << id;
     const std::map<char, double> shares = {{'C', bar->cameras}, {'B', bar->body}, {'R', bar->robot}};
     for (const auto& [letter, share] : shares)
@@ -150,11 +150,11 @@ TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
 }
 
 TEST_F(Story, OneSelectionEverywhere) {
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of("thesis_simulation").string())));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("thesis_simulation").string())));
   ASSERT_TRUE(desk.settle());
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
   desk.click(strip, strip->cell_rect(4).center().toPoint());
-  EXPECT_EQ(desk.window.bench().selection.current().observation, 4);
+  EXPECT_EQ(desk.window.workbench().selection.current().observation, 4);
   desk.key(Qt::Key_3, Qt::ControlModifier);
   EXPECT_EQ(inspect.table()->selected(), 4);
   inspect.click_row(1);

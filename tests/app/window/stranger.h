@@ -39,8 +39,8 @@ struct Stranger {
   }
   /// Whose fault: the shares, in per cent with their names' letters.
   bool reads_whose_fault() {
-    const auto& blame = explain.verdict().blame;
-    return blame && painted(verdict_line()).contains(QRegularExpression("[CBR].*[0-9]+.%"));
+    const auto& attribution = explain.verdict().attribution;
+    return attribution && painted(verdict_line()).contains(QRegularExpression("[CBR].*[0-9]+.%"));
   }
   /// What is missing: the first card's own title, in the card.
   QString reads_what_is_missing() {

@@ -3,13 +3,13 @@
 // panel under the target.
 #include <gtest/gtest.h>
 
-#include "app/window/told.h"
-#include "bench/model_effects.h"
+#include "app/window/reported_story.h"
 #include "cli/cli_runner.h"
 #include "fixtures/robot_texts.h"
 #include "fixtures/targets.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
+#include "workbench/model_effects.h"
 
 namespace handsight::test {
 namespace {
@@ -31,12 +31,12 @@ TEST(TargetCards, ABoardThatWasPrintedLargerIsNamedWithItsShare) {
 
   Desk desk;
   ExplainPage explain{desk};
-  Told told{desk};
+  Told reported{desk};
   desk.window.resize(1440, 900);
   ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "board").string())));
   ASSERT_TRUE(desk.settle());
   ASSERT_TRUE(explain.open());
-  told.expect_one_story("a board that is 2 % larger");
+  reported.expect_one_story("a board that is 2 % larger");
   EXPECT_EQ(explain.first().id, "target_scale");
   EXPECT_EQ(explain.first().title, "Size of the target");
   EXPECT_NEAR(explain.first().words.section(' ', 3, 3).toDouble(), 100 * by, 0.1)
@@ -45,7 +45,7 @@ TEST(TargetCards, ABoardThatWasPrintedLargerIsNamedWithItsShare) {
   EXPECT_EQ(explain.cards()->add_button()->text(), "Add size of the target");
   int of_target = 0;
   for (const widgets::ModelEffect& e :
-       app::model_effects(desk.document(), desk.window.bench().diagnosing.diagnosis().get()))
+       app::model_effects(desk.document(), desk.window.workbench().diagnosing.diagnosis().get()))
     if (e.id.startsWith("target_")) {
       EXPECT_TRUE(e.group == "Target" || e.is_out_of_sight) << e.id.toStdString() << ": " << e.group.toStdString();
       of_target += e.group == "Target" ? 1 : 0;
@@ -53,8 +53,8 @@ TEST(TargetCards, ABoardThatWasPrintedLargerIsNamedWithItsShare) {
   EXPECT_GE(of_target, 1);
   desk.click(explain.cards()->add_button());
   ASSERT_TRUE(explain.is_settled());
-  EXPECT_EQ(told.story().state, StoryState::at_the_noise);
-  told.expect_one_story("added");
+  EXPECT_EQ(reported.story().state, StoryState::at_the_noise);
+  reported.expect_one_story("added");
 }
 
 }  // namespace

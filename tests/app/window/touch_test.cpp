@@ -49,7 +49,7 @@ class Touches : public testing::Test {
     desk.settle();
   }
   void select(std::int64_t id) {
-    desk.window.bench().selection.select_observation(id);
+    desk.window.workbench().selection.select_observation(id);
     QTest::qWait(20);
   }
   const widgets::RobotView& scene() { return *desk.find<widgets::RobotView>("inspect_scene"); }
@@ -60,7 +60,7 @@ class Touches : public testing::Test {
       if (f.is_touched) found = &f;
     return found;
   }
-  Vector3 arrow_of(std::int64_t id) {
+  Vector3 find_arrow(std::int64_t id) {
     for (const widgets::SceneArrow& a : scene().arrows())
       if (a.observation == id) return a.residual;
     ADD_FAILURE() << "observation " << id << " has no arrow";
@@ -86,9 +86,9 @@ TEST_F(Touches, OfAPlateAndSocketsAreShownInMmAtTheirFixtures) {
   ASSERT_NE(touched(), nullptr);
   EXPECT_EQ(touched()->name, "plate_front");
   // Along the plane's normal, and as large as the report has it.
-  const Vector3 normal = touched()->root_from_fixture.rotation.col(2), off = arrow_of(0);
+  const Vector3 normal = touched()->root_from_fixture.rotation.col(2), off = find_arrow(0);
   EXPECT_NEAR(std::abs(off.dot(normal)), off.norm(), 1e-12);
-  EXPECT_NEAR(off.norm(), *desk.window.bench().row(0)->rms_m, 1e-12);
+  EXPECT_NEAR(off.norm(), *desk.window.workbench().row(0)->rms_m, 1e-12);
   auto* table = InspectPage{desk}.table();
   EXPECT_EQ(table->view()->model()->headerData(4, Qt::Horizontal).toString(), "fixture");
   EXPECT_EQ(table->view()->model()->index(0, 4).data().toString(), "plate_front");
@@ -99,7 +99,7 @@ TEST_F(Touches, ARowIsOffByWhatTheReportSays) {
   const auto& report = *desk.document().model()->report;
   ASSERT_GT(report.per_observation.size(), 100U);
   for (const ObservationReport& o : report.per_observation) {
-    const InspectionRow* row = desk.window.bench().row(o.id);
+    const InspectionRow* row = desk.window.workbench().row(o.id);
     ASSERT_NE(row, nullptr) << o.id;
     EXPECT_NEAR(*row->rms_m, *o.rms_m, 1e-9) << o.id;
   }
@@ -144,7 +144,7 @@ TEST_F(Touches, AnExcludedReadingIsOneStillWhenItIsTakenBack) {
   const auto session = copy_of_sample(folder.path, "probe_and_plate");
   open(session);
   const double before = *desk.document().model()->report->fitted.rms_m;
-  desk.window.bench().exclude({0});
+  desk.window.workbench().exclude({0});
   ASSERT_TRUE(desk.settle());
   EXPECT_NE(*desk.document().model()->report->fitted.rms_m, before);
   desk.document().undo();

@@ -6,7 +6,6 @@
 #include <QToolButton>
 
 #include "app/window/pages.h"
-#include "bench/preferences.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 #include "temporary_folder.h"
@@ -19,6 +18,7 @@
 #include "widgets/plots/histogram_plot.h"
 #include "widgets/plots/residual_map.h"
 #include "widgets/plots/scatter_plot.h"
+#include "workbench/preferences.h"
 
 namespace handsight::test {
 namespace {
@@ -28,7 +28,7 @@ using widgets::SizeUnit;
 class Units : public testing::Test {
  protected:
   ~Units() override { app::remember_preference("unit", "px"); }
-  std::filesystem::path copy_of(const char* name) {
+  std::filesystem::path make_copy(const char* name) {
     const auto copy = folder.path / name;
     std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name, copy,
                           std::filesystem::copy_options::recursive);
@@ -57,11 +57,11 @@ class Units : public testing::Test {
 
 TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
   Desk desk;
-  open(desk, copy_of("hidden_3"));
+  open(desk, make_copy("hidden_3"));
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage inspect{desk};
   inspect.click_row(0);
-  const InspectionRow& row = *desk.window.bench().selected_row();
+  const InspectionRow& row = *desk.window.workbench().selected_row();
   const ErrorSummary held_out = desk.document().model()->report->held_out;
   const double noise = *desk.document().model()->fit->noise;
   auto* strip = desk.find<widgets::ObservationStrip>("strip");
@@ -102,25 +102,26 @@ TEST_F(Units, UTurnsEveryViewFromPxToMmToSigmaAndBack) {
 
 TEST_F(Units, ACornerInMmIsAcrossItsLineOfSight) {
   Desk desk;
-  open(desk, copy_of("hidden_3"));
+  open(desk, make_copy("hidden_3"));
   desk.key(Qt::Key_3, Qt::ControlModifier);
   InspectPage{desk}.click_row(0);
-  const auto& bench = desk.window.bench();
-  const MarkerResidual& m = bench.selected_row()->markers[0];
-  desk.window.bench().selection.select(
-      {.observation = bench.selection.current().observation, .marker = m.marker, .camera = 0});
+  const auto& workbench = desk.window.workbench();
+  const MarkerResidual& m = workbench.selected_row()->markers[0];
+  desk.window.workbench().selection.select(
+      {.observation = workbench.selection.current().observation, .marker = m.marker, .camera = 0});
   EXPECT_TRUE(crumb(desk, "crumb_2").endsWith("px"));
   desk.press_button("unit_mm");
   const double px = (*m.corners[0].measured - *m.corners[0].predicted).norm();
-  const double mm = 1e3 * px * m.predicted_in_sensor.z() / bench.document.session().rig->at(0).camera.fx;
-  const QString told = crumb(desk, "crumb_2");
-  EXPECT_NEAR(told.section("  ", 1).section(QChar(0x00A0), 0, 0).toDouble(), mm, 0.06 * mm) << told.toStdString();
-  EXPECT_TRUE(told.endsWith("mm"));
+  const double mm = 1e3 * px * m.predicted_in_sensor.z() / workbench.document.session().rig->at(0).camera.fx;
+  const QString reported = crumb(desk, "crumb_2");
+  EXPECT_NEAR(reported.section("  ", 1).section(QChar(0x00A0), 0, 0).toDouble(), mm, 0.06 * mm)
+      << reported.toStdString();
+  EXPECT_TRUE(reported.endsWith("mm"));
 }
 
 TEST_F(Units, TheResidualsOverTheImageKeepTheirPlacesAndColours) {
   Desk desk;
-  open(desk, copy_of("hidden_3"));
+  open(desk, make_copy("hidden_3"));
   desk.key(Qt::Key_3, Qt::ControlModifier);
   auto* map = desk.find<widgets::ResidualMap>("residual_map");
   const auto column = [&](int i) {
@@ -142,7 +143,7 @@ TEST_F(Units, TheResidualsOverTheImageKeepTheirPlacesAndColours) {
 
 TEST_F(Units, ExplainTellsTheVerdictTheStaircaseAndThePatternsInIt) {
   Desk desk;
-  open(desk, copy_of("hidden_3"));
+  open(desk, make_copy("hidden_3"));
   ExplainPage explain{desk};
   ASSERT_TRUE(explain.open());
   auto* stairs = desk.find<widgets::Staircase>("staircase");
@@ -175,7 +176,7 @@ TEST_F(Units, ExplainTellsTheVerdictTheStaircaseAndThePatternsInIt) {
 }
 
 TEST_F(Units, TheChoiceOutlivesTheWindow) {
-  const auto session = copy_of("thesis_simulation");
+  const auto session = make_copy("thesis_simulation");
   {
     Desk desk;
     open(desk, session);
@@ -190,7 +191,7 @@ TEST_F(Units, TheChoiceOutlivesTheWindow) {
 
 TEST_F(Units, AUThatIsTypedIsALetter) {
   Desk desk;
-  open(desk, copy_of("thesis_simulation"));
+  open(desk, make_copy("thesis_simulation"));
   desk.key(Qt::Key_3, Qt::ControlModifier);
   auto* filter = InspectPage{desk}.table()->findChild<QLineEdit*>();
   desk.type_into(filter, "u");

@@ -34,7 +34,7 @@ TEST_F(BoardWizard, FromImagesOfABoardToTheExportedCalibration) {
   EXPECT_EQ(made.rig->count(), 1);
   EXPECT_EQ(made.rig->at(0).camera.width, 1024) << "from the images";
   EXPECT_EQ(made.observations.size(), 14U);
-  EXPECT_LT(error_of(*calibration), 1e-3) << "where the board is on the hand is the simulation's truth";
+  EXPECT_LT(compute_error(*calibration), 1e-3) << "where the board is on the hand is the simulation's truth";
 }
 
 /// The camera on the hand over a board on the table: where the board lies comes out, and where the camera sits.
@@ -55,7 +55,7 @@ TEST_F(BoardWizard, ACameraOnTheHandOverABoardOnTheTable) {
   const Session& made = desk.document().session();
   EXPECT_EQ(made.mount.link, "hand");
   EXPECT_EQ(made.tcp, "stand");
-  EXPECT_LT(error_of(*calibration), 1e-3);
+  EXPECT_LT(compute_error(*calibration), 1e-3);
   const Rigid& mount = estimate(*desk.document().model()->fit).mount_from_sensor;
   EXPECT_LT((mount.translation - simulated.mount.mount_from_sensor.translation).norm(), 1e-3) << "it was not told";
 }

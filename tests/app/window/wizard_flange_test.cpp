@@ -45,7 +45,7 @@ TEST_F(FlangeWizard, ImagesOfABoardBesidePosesOfTheFlange) {
   const auto calibration = made_played_and_exported();
   ASSERT_TRUE(calibration);
   EXPECT_TRUE(desk.document().session().robot.is_of_poses);
-  EXPECT_LT(error_of(*calibration), 1e-3);
+  EXPECT_LT(compute_error(*calibration), 1e-3);
 }
 
 /// The classical hand-eye problem: two tables of poses, no robot, no image.

@@ -69,7 +69,7 @@ inline void write_camera(const std::filesystem::path& file, const Camera& c) {
 inline Rigid true_tcp_from_body(const std::filesystem::path& session) {
   const std::string text = read_file(session / "truth.xml");
   const auto document = parse_xml(text, "truth.xml");
-  return read_rigid(required_child(root_of(*document, "truth.xml", "handsight_truth"), "tcp_from_body"));
+  return read_rigid(required_child(require_root(*document, "truth.xml", "handsight_truth"), "tcp_from_body"));
 }
 
 inline Rigid root_from_link(const Session& s, const Observation& o, const char* link) {
@@ -150,7 +150,7 @@ class BoardWizard : public testing::Test {
     return read_calibration(folder.path / "calibration.xml");
   }
   /// How far a calibration's target is from where the simulation has it, m.
-  double error_of(const Calibration& calibration) {
+  double compute_error(const Calibration& calibration) {
     return (calibration.tcp_from_body.motion.translation - true_tcp_from_body(folder.path / "simulated").translation)
         .norm();
   }

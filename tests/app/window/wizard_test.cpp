@@ -102,7 +102,7 @@ TEST_F(WizardTest, MakesASessionThatCanBeLabelledAndPlayed) {
   CalibratePage calibrate{desk};
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
-  // Nothing was told of where the cameras sit: what several observations agree on settles it.
+  // Nothing is known of where the cameras sit: what several observations agree on settles it.
   const auto& observations = desk.document().session().observations;
   EXPECT_GE(std::count_if(observations.begin(), observations.end(),
                           [](const Observation& o) { return o.decision == Decision::accepted; }),

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/simulated_stand.h"
 #include "fixtures/arms.h"
 #include "session/pose_points.h"
@@ -19,16 +19,16 @@ std::filesystem::path sample(const char* name) {
   return std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name;
 }
 
-ImagePair images_of(const Session& session, const Observation& o) {
+ImagePair list_images(const Session& session, const Observation& o) {
   return {read_image(folder(session) / o.images[0]), read_image(folder(session) / o.images[1])};
 }
 
 /// Labelled by three clicks and taken in one by one.
 Session played(const char* name, const std::vector<Vector2>& clicks) {
   Session s = read_session(sample(name));
-  const ImagePair first = images_of(s, s.observations[0]);
+  const ImagePair first = list_images(s, s.observations[0]);
   const FirstLabels labels =
-      label_first(stereo_of(*s.rig), detect_corners(first.left), detect_corners(first.right), clicks);
+      label_first(make_stereo(*s.rig), detect_corners(first.left), detect_corners(first.right), clicks);
   EXPECT_EQ(labels.refusal, "");
   for (std::size_t m = 0; m < labels.markers.size(); ++m) {
     Sighting& sighting =
@@ -39,7 +39,7 @@ Session played(const char* name, const std::vector<Vector2>& clicks) {
   OnlineCalibration online(s);
   for (Observation& o : s.observations) {
     const bool has_images = !o.images[0].empty();
-    const ImagePair images = has_images ? images_of(s, o) : ImagePair{};
+    const ImagePair images = has_images ? list_images(s, o) : ImagePair{};
     keep_step(online.add(o, has_images ? &images : nullptr), o);
   }
   return s;
@@ -53,7 +53,7 @@ struct Fitted {
 };
 
 Fitted fitted(const Session& session, const SecondLooks& looks = {}) {
-  CleanFit clean = clean_model(session, {});
+  CleanFit clean = fit_without_outliers(session, {});
   Fitted f{.fit = std::move(clean.fit), .report = {}, .all = {}};
   f.report = report(clean.session, f.fit, {});
   f.all = inspect(session, f.fit, f.report, looks);
@@ -61,7 +61,7 @@ Fitted fitted(const Session& session, const SecondLooks& looks = {}) {
   return f;
 }
 
-/// Where a sensor's sigmas are not told the fit finds their ratio; what is shown is measured by it, not by the usual
+/// Where a sensor's sigmas are not given the fit finds their ratio; what is shown is measured by it, not by the usual
 /// one.
 TEST(InspectionTest, PosesAreShownAsTheyWereFitted) {
   Session like = fixture::tracker_session(3);
@@ -95,7 +95,7 @@ TEST(InspectionTest, ALongSessionIsSeenAsAWhole) {
   const Fit f = fit(session, options);
   const Inspection all = inspect(session, f, report(session, f, options), {});
   session.observations[20].decision = Decision::none;
-  const Problem whole = make_problem(session, chain_of(session), terms_of(f));
+  const Problem whole = make_problem(session, make_chain(session), list_terms(f));
   ASSERT_EQ(whole.observations.size(), all.rows.size());
   for (const ProblemObservation& o : whole.observations) {
     const InspectionRow& row = all.rows[static_cast<std::size_t>(o.index)];
@@ -120,7 +120,7 @@ TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {
     if (o.decision == Decision::rejected) {
       EXPECT_TRUE(wants_second_look(s, o)) << o.id;
       rejected.push_back(o.id);
-      if (const auto found = second_look(s, model.fit, o, images_of(s, o))) looks[o.id] = *found;
+      if (const auto found = second_look(s, model.fit, o, list_images(s, o))) looks[o.id] = *found;
     }
   EXPECT_EQ(rejected, (std::vector<std::int64_t>{58, 75, 98}));
   model = fitted(s, looks);
@@ -129,11 +129,11 @@ TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {
     EXPECT_TRUE(row(id).at_second_look) << id;
     EXPECT_FALSE(row(id).what_would_mend.empty()) << id;
   }
-  EXPECT_EQ(row(58).blame.letter, 'R') << "a joint reading that is off: " << row(58).what_would_mend;
-  EXPECT_EQ(row(75).blame.letter, 'B') << "a marker that moved: " << row(75).what_would_mend;
-  EXPECT_EQ(row(98).blame.letter, 'C') << "images of two moments: " << row(98).what_would_mend;
+  EXPECT_EQ(row(58).attribution.letter, 'R') << "a joint reading that is off: " << row(58).what_would_mend;
+  EXPECT_EQ(row(75).attribution.letter, 'B') << "a marker that moved: " << row(75).what_would_mend;
+  EXPECT_EQ(row(98).attribution.letter, 'C') << "images of two moments: " << row(98).what_would_mend;
   // The arm sags: the others miss too, and that is the robot's fault.
-  EXPECT_EQ(row(10).blame.letter, 'R');
+  EXPECT_EQ(row(10).attribution.letter, 'R');
 }
 
 TEST(InspectionTest, NothingStandsOutWhereNothingIsHidden) {
@@ -142,7 +142,7 @@ TEST(InspectionTest, NothingStandsOutWhereNothingIsHidden) {
   for (const InspectionRow& row : model.all.rows) {
     ASSERT_TRUE(row.ratio.has_value());
     EXPECT_LT(*row.ratio, 2);
-    EXPECT_EQ(row.blame.letter, 0) << row.id;
+    EXPECT_EQ(row.attribution.letter, 0) << row.id;
     EXPECT_TRUE(row.what_would_mend.empty());
   }
 }
@@ -155,8 +155,8 @@ TEST(InspectionTest, AWrongCornerIsNamedWithWhereItShouldBe) {
   o.decision = Decision::excluded;  // so that it cannot bend the fit
   const Fitted model = fitted(s);
   const InspectionRow& row = model.all.rows[4];
-  EXPECT_EQ(row.blame.letter, 'C');
-  EXPECT_GT(row.blame.cameras, 0.5);
+  EXPECT_EQ(row.attribution.letter, 'C');
+  EXPECT_GT(row.attribution.cameras, 0.5);
   EXPECT_EQ(row.worst_marker, marker);
   EXPECT_EQ(row.worst_camera, 1);
   EXPECT_EQ(row.what_would_mend, "Marker " + std::to_string(marker) + ", right image, 4.0 px further up.");
@@ -196,7 +196,7 @@ TEST(InspectionTest, ATrackersNoiseInMmIsThatOfAPosition) {
   const Fitted model = fitted_noise(fixture::tracker_session(), 2e-4);
   EXPECT_NEAR(*model.all.noise_m, std::sqrt(3.0) * *model.fit.noise, 1e-12);
   EXPECT_NEAR(model.all.rows[0].noise_coordinates, 9, 1e-9);
-  EXPECT_NEAR(*model.report.held_out.rms_m / as_told(*model.fit.noise, false), 1, 0.1)
+  EXPECT_NEAR(*model.report.held_out.rms_m / as_reported(*model.fit.noise, false), 1, 0.1)
       << "an error and a noise of the same kind";
 }
 

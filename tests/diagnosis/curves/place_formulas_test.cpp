@@ -26,7 +26,7 @@ Eigen::Matrix3Xd seen_places(const Problem& problem, const Rigid& mount_from_sen
 TEST(PlaceFormulas, AreTheCamerasDistanceAndImage) {
   Session session = simulated({}, 11, 30);
   for (RigCamera* camera : {&session.rig->at(0), &session.rig->at(1)}) camera->camera.k1 = camera->camera.k2 = 0;
-  const Problem problem = make_problem(session, chain_of(session), {}, {});
+  const Problem problem = make_problem(session, make_chain(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
   const Eigen::Matrix3Xd seen = seen_places(problem, mount);
   const PlaceFormula distance = distance_formula(problem, tcp_places(problem), mount);
@@ -43,7 +43,7 @@ TEST(PlaceFormulas, AreTheCamerasDistanceAndImage) {
 
 TEST(PlaceFormulas, AreReadBackFromTheCurvesThatFollowThem) {
   const Session session = simulated({}, 11, 30);
-  const Problem problem = make_problem(session, chain_of(session), {}, {});
+  const Problem problem = make_problem(session, make_chain(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
   for (const PlaceFormula& place :
        {distance_formula(problem, tcp_places(problem), mount), image_formula(problem, tcp_places(problem), mount, 0)}) {
@@ -62,7 +62,7 @@ TEST(PlaceFormulas, AreReadBackFromTheCurvesThatFollowThem) {
 
 TEST(PlaceFormulas, AreTheWayFromATrackersOrigin) {
   const Session session = simulated({}, 12, 30, fixture::tracker_session(3));
-  const Problem problem = make_problem(session, chain_of(session), {}, {});
+  const Problem problem = make_problem(session, make_chain(session), {}, {});
   const Rigid mount = session.mount.mount_from_sensor;
   const PlaceFormula distance = distance_formula(problem, tcp_places(problem), mount);
   const Eigen::Matrix3Xd seen = seen_places(problem, mount);
@@ -72,7 +72,7 @@ TEST(PlaceFormulas, AreTheWayFromATrackersOrigin) {
 /// A shift of the hand that grows with the square of the distance from the middle of the poses.
 EffectTerm hidden_bow(const Session& like) {
   const Session poses = simulated({}, 31, 60, like);
-  const Problem problem = make_problem(poses, chain_of(poses), {}, {});
+  const Problem problem = make_problem(poses, make_chain(poses), {}, {});
   const PlaceFormula distance = distance_formula(problem, tcp_places(problem), poses.mount.mount_from_sensor);
   EffectDefinition d;
   d.id = "hidden_bow";
@@ -89,16 +89,16 @@ TEST(PlaceFormulas, ACurveOfTheDistanceIsFoundAddedAndPredictedWith) {
   const EffectTerm truth = hidden_bow(like_stand());
   const Session session = simulated({truth}, 32, 80);
   const Improvement m = improve(session, {});
-  const std::vector<EffectTerm> terms = terms_of(m.last.model.fit);
+  const std::vector<EffectTerm> terms = list_terms(m.last.model.fit);
   ASSERT_EQ(terms.size(), 1u);
   ASSERT_TRUE(is_curve(terms.front())) << terms.front().id;
-  EXPECT_EQ(effect_of(terms.front()).title, "Curve of the distance from the sensor");
+  EXPECT_EQ(term_effect(terms.front()).title, "Curve of the distance from the sensor");
   EXPECT_EQ(m.last.verdict, Verdict::unexplained);
 
   const PredictionModel with = prediction_model(m.last.model.fit);
   PredictionModel of_truth = with;
   of_truth.effects = {truth};
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   double square = 0, moved = 0;
   for (const Observation& o : session.observations) {
     const TcpPrediction found = predict_tcp(chain, o.position, with),

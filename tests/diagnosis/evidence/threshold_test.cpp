@@ -82,8 +82,8 @@ TEST(Threshold, OfTheNextNameIsEasedByNamesThatHaveComeInAndNotByCurves) {
   const Diagnosis named = diagnose(session, o);
   o.estimated = {offset, small_curve(session)};
   const Diagnosis with_curve = diagnose(session, o);
-  ASSERT_TRUE(named.scatter.is_any());
-  ASSERT_TRUE(with_curve.scatter.is_any());
+  ASSERT_TRUE(named.repeatability.is_any());
+  ASSERT_TRUE(with_curve.repeatability.is_any());
   EXPECT_GE(named.threshold, 4);
   EXPECT_LT(named.threshold, 6.5);
   EXPECT_GE(with_curve.threshold, 6.5);

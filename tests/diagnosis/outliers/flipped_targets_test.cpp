@@ -33,7 +33,7 @@ Session tag_session(int count) {
     Observation& o = s.observations.emplace_back();
     o.id = i;
     o.time = i;
-    o.position = position_of(flange);
+    o.position = make_position(flange);
     o.target_pose = inverse(flange * flange_from_camera) * base_from_tag *
                     Rigid{rotation_from_vector<double>(drawn(0.003)), drawn(3e-4)};
   }

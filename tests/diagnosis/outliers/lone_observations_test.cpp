@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "diagnosis/ranking/clean_model.h"
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/simulated_stand.h"
 
@@ -70,7 +70,7 @@ TEST(LoneObservations, ASlipNearTheEndStaysASlip) {
 TEST(LoneObservations, OfATrackerInMillimetres) {
   Session session = simulated({}, 25, 30, fixture::tracker_session(4));
   session.observations[3].position[2] += 0.3;
-  const CleanFit model = clean_model(session, {});
+  const CleanFit model = fit_without_outliers(session, {});
   ASSERT_THAT(model.lone, SizeIs(1));
   EXPECT_EQ(model.session.observations[3].decision, Decision::excluded);
   EXPECT_THAT(model.fit.notes.back(), HasSubstr("Observation 3 is left out: by what the others say it is off by"));

@@ -13,7 +13,7 @@ using namespace fixture;
 TEST(Planning, PlannedPosesGiveABetterBodyThanRandomOnes) {
   constexpr std::size_t taken = 8, added = 6;
   constexpr int draws = 40;
-  const std::vector<EffectTerm> offsets = effect_terms("joint_offset", chain_of(stand_session()));
+  const std::vector<EffectTerm> offsets = effect_terms("joint_offset", make_chain(stand_session()));
   double planned_squares = 0, random_squares = 0, expected_squares = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const SimulatedSession s = simulated(stand_session(), static_cast<int>(taken + added), 100 + draw);
@@ -49,20 +49,20 @@ double ln_bayes_factor(const Session& session, const std::vector<EffectTerm>& fi
   a.estimated = first;
   b.estimated = second;
   const double noise = session.is_tracker() ? *session.sigma_point : *session.sigma_pixel;
-  return fit_evidence(fit(session, a), 0, Weighing{{}, noise}).ln_evidence -
-         fit_evidence(fit(session, b), 0, Weighing{{}, noise}).ln_evidence;
+  return fit_evidence(fit(session, a), 0, NoiseModel{{}, noise}).ln_evidence -
+         fit_evidence(fit(session, b), 0, NoiseModel{{}, noise}).ln_evidence;
 }
 
 TEST(Planning, PlannedPosesTellEffectsApartBetterThanRandomOnes) {
   constexpr std::size_t taken = 10, added = 5;
   constexpr int draws = 40;
-  const Chain chain = chain_of(stand_session());
+  const Chain chain = make_chain(stand_session());
   const auto first = effect_terms("joint_scale:a2", chain), second = effect_terms("encoder_eccentricity:a2", chain);
   double planned = 0, random = 0, before = 0, expected = 0;
   for (int draw = 0; draw < draws; ++draw) {
     Random size(static_cast<std::uint64_t>(900 + draw));
     std::vector<EffectTerm> truth = first;
-    truth[0].values[0] = 4e-4 * size.gaussian();  // a fifth of the plausible size
+    truth[0].values[0] = 4e-4 * size.gaussian();  // a fifth of the prior sigma
     const SimulatedSession s = simulated(stand_session(), static_cast<int>(taken + added), 200 + draw, truth);
     const Session start = first_of(s, taken);
     PlanOptions o;
@@ -87,7 +87,7 @@ TEST(Planning, PlannedPosesTellEffectsApartBetterThanRandomOnes) {
 /// The linear theory: what a plan expects is what comes, in the mean, where the truth is drawn as the theory has it.
 TEST(Planning, TheExpectedBayesFactorComesInTheMean) {
   constexpr int draws = 150;
-  const Chain chain = chain_of(stand_session());
+  const Chain chain = make_chain(stand_session());
   const auto first = effect_terms("joint_scale:a2", chain), second = effect_terms("encoder_eccentricity:a2", chain);
   // One scale of the priors and joints that repeat, as the theory has it.
   const auto ln_evidence = [&](const Session& session, const std::vector<EffectTerm>& terms) {

@@ -20,7 +20,7 @@ inline SimulatedSession simulated(const Session& like, int observations, std::ui
 /// Where the truth puts the markers in the sensor's frame in any pose (at rest).
 inline std::vector<Vector3> true_markers(const SimulatedSession& s, const Chain& chain,
                                          const Eigen::VectorXd& position) {
-  const Circumstances c = circumstances_at(chain, position);
+  const ObservationState c = states_at(chain, position);
   const Rigid left_from_tcp = sensor_from_tcp(observed_ends(c, moved_sites(c, s.effects)).ends, s.mount_from_sensor);
   std::vector<Vector3> all;
   for (const Vector3& m : s.markers_in_tcp) all.push_back(left_from_tcp * m);
@@ -30,7 +30,7 @@ inline std::vector<Vector3> true_markers(const SimulatedSession& s, const Chain&
 /// The session with the truth's measurements in these poses added.
 inline Session measured(const SimulatedSession& s, Session session, const std::vector<Eigen::VectorXd>& poses,
                         Random random) {
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   for (const Eigen::VectorXd& pose : poses) {
     Observation o;
     o.id = session.observations.back().id + 1;

@@ -14,7 +14,7 @@ using fixture::true_markers;
 using testing::HasSubstr;
 
 void expect_within_limits(const Session& session, const Plan& p) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   for (const PlannedPose& pose : p.poses) {
     const Eigen::VectorXd values = joint_values(chain.robot, chain.joints, pose.position);
     for (std::size_t j = 0; j < chain.robot.joints.size(); ++j) {
@@ -48,9 +48,9 @@ TEST(Planning, PosesAreWithinLimitsVisibleAndApart) {
   ASSERT_EQ(p.poses.size(), 10u);
   expect_within_limits(s.session, p);
   expect_apart(s.session, p, 0.17);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   for (const PlannedPose& pose : p.poses) {
-    const Circumstances c = circumstances_at(chain, pose.position);
+    const ObservationState c = states_at(chain, pose.position);
     const Rigid left_from_tcp = sensor_from_tcp(observed_ends(c, {}).ends, s.mount_from_sensor);
     for (const Vector3& x : true_markers(s, chain, pose.position)) {
       EXPECT_TRUE(is_visible(chain.rig->at(0).camera, x, 20));
@@ -113,7 +113,7 @@ TEST(Planning, AJointThatHardlyMovesStaysAndIsNotToldApart) {
   like.robot.joints[2].lower = 0.5;
   like.robot.joints[2].upper = 0.5 + 1e-6;
   const SimulatedSession s = simulated(like, 30, 8);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   PlanOptions o;
   o.count = 4;
   o.between = {"joint_scale:a3", "joint_offset:a3", effect_terms("joint_scale:a3", chain),
@@ -127,7 +127,7 @@ TEST(Planning, AJointThatHardlyMovesStaysAndIsNotToldApart) {
 
 TEST(Planning, RefusesWhatCannotBePlanned) {
   const SimulatedSession s = simulated(fixture::stand_session(), 8, 9);
-  const Chain chain = chain_of(s.session);
+  const Chain chain = make_chain(s.session);
   PlanOptions o;
   o.count = 0;
   EXPECT_THAT(refusal(s.session, o), HasSubstr("expected 1 to 100"));

@@ -59,7 +59,7 @@ TEST(Proof, TheSlopeOfASpringAgainstItsOwnTorqueIsItsCompliance) {
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* c = candidate(d, "joint_elasticity");
   ASSERT_NE(c, nullptr);
-  const std::vector<ProofPlot> plots = proof_of(d, *c);
+  const std::vector<ProofPlot> plots = make_proof(d, *c);
   ASSERT_EQ(plots.size(), 2U);
   std::set<std::string> against;
   for (const ProofPlot& plot : plots) {
@@ -86,13 +86,13 @@ TEST(Proof, AfterTheAdditionTheSamePointsAreLevel) {
   const Diagnosis before = without_curves(session);
   const DiagnosisCandidate* c = candidate(before, "joint_elasticity");
   ASSERT_NE(c, nullptr);
-  const std::vector<ProofPlot> offered = proof_of(before, *c);
+  const std::vector<ProofPlot> offered = make_proof(before, *c);
   ImprovementOptions options;
   options.with_curves = false;
   const ModelChange change = add_candidate(session, options, before, *c);
   ASSERT_TRUE(change.model);
   const std::vector<ProofPlot> taken =
-      proof_of(session, change.model->model.fit, change.model->model_options.estimated);
+      make_proof(session, change.model->model.fit, change.model->model_options.estimated);
   ASSERT_EQ(taken.size(), offered.size());
   ASSERT_EQ(taken.front().points.size(), offered.front().points.size());
   for (std::size_t i = 0; i < taken.front().points.size(); ++i) {
@@ -114,7 +114,7 @@ TEST(Proof, OfACandidateThatWasNotFittedItIsLinearAndSaysTheSame) {
   ASSERT_TRUE(fitted->full_fit);
   DiagnosisCandidate linear = *fitted;
   linear.full_fit.reset();
-  const std::vector<ProofPlot> a = proof_of(d, *fitted), b = proof_of(d, linear);
+  const std::vector<ProofPlot> a = make_proof(d, *fitted), b = make_proof(d, linear);
   ASSERT_FALSE(a.empty());
   ASSERT_EQ(a.size(), b.size());
   ASSERT_EQ(a.front().points.size(), b.front().points.size());
@@ -128,7 +128,7 @@ TEST(Proof, SineAndCosineOfOneEncoderStandInOnePlotAgainstItsAngle) {
   const Diagnosis d = without_curves(session);
   const DiagnosisCandidate* c = candidate(d, "encoder_eccentricity");
   ASSERT_NE(c, nullptr);
-  const std::vector<ProofPlot> plots = proof_of(d, *c);
+  const std::vector<ProofPlot> plots = make_proof(d, *c);
   const auto at = std::find_if(plots.begin(), plots.end(), [](const ProofPlot& p) { return p.of == "a2"; });
   ASSERT_NE(at, plots.end());
   EXPECT_EQ(at->against, "angle of a2");
@@ -154,7 +154,7 @@ TEST_P(ProofAgainst, WhatItFollows) {
   DiagnosisCandidate c;
   c.id = GetParam().term.id;
   c.terms = {GetParam().term};
-  const std::vector<ProofPlot> plots = proof_of(d, c);
+  const std::vector<ProofPlot> plots = make_proof(d, c);
   ASSERT_FALSE(plots.empty());
   EXPECT_EQ(plots.front().against, GetParam().against);
   EXPECT_GT(plots.front().noise, 0);
@@ -182,7 +182,7 @@ TEST(Proof, BeforeASlipThePointsAreLevel) {
   const DiagnosisCandidate* c = candidate(d, "body_slip");
   ASSERT_NE(c, nullptr);
   ASSERT_TRUE(c->full_fit);
-  const std::vector<ProofPlot> plots = proof_of(d, *c);
+  const std::vector<ProofPlot> plots = make_proof(d, *c);
   const auto x =
       std::find_if(plots.begin(), plots.end(), [](const ProofPlot& p) { return p.numbers.front().name == "x"; });
   ASSERT_NE(x, plots.end());
@@ -219,7 +219,7 @@ TEST(Proof, OfAnEffectByFormulaIsAgainstTheVariableThatTheFormulaNames) {
   DiagnosisCandidate c;
   c.terms = {term_of(*own, -1, own)};
   c.terms.front().values = {5e-4};
-  const std::vector<ProofPlot> plots = proof_of(d, c);
+  const std::vector<ProofPlot> plots = make_proof(d, c);
   ASSERT_EQ(plots.size(), 1U);
   EXPECT_EQ(plots.front().against, "angle of a4");
   EXPECT_EQ(plots.front().quantity, "shift along y of the hand");

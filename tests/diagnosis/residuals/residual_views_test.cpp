@@ -33,7 +33,7 @@ Eigen::VectorXd stacked(const std::vector<CornerResidual>& corners) {
 /// The same poses and cameras with the markers where they are seen if a model with these effects is true.
 Session as_if(const Session& session, const Fit& fit, const std::vector<EffectTerm>& effects) {
   Session changed = session;
-  const Problem moved = make_problem(session, chain_of(session), effects);
+  const Problem moved = make_problem(session, make_chain(session), effects);
   for (const ProblemObservation& o : moved.observations) {
     const Rigid sensor_from_tcp = sensor_from_tcp_at(o, estimate(fit).mount_from_sensor);
     for (Sighting& s : changed.observations[static_cast<std::size_t>(o.index)].sightings) {
@@ -53,7 +53,7 @@ TEST(ResidualViews, AnEffectLooksAsIfItWereThere) {
   const ResidualViews without = residual_views(right);
   const ResidualViews with = residual_views(fit(as_if(session, right, hidden)));
   const EffectView view = effect_view(without, hidden);
-  const Eigen::VectorXd value = numbers_of(view, hidden);
+  const Eigen::VectorXd value = list_numbers(view, hidden);
   ASSERT_EQ(with.series.size(), view.series.size());
   for (std::size_t s = 0; s < view.series.size(); ++s) {
     const Eigen::VectorXd looks = view.series[s] * value;

@@ -30,7 +30,7 @@ Points points(int count, double noise, Function f, unsigned seed = 11) {
 
 TEST(Trend, AStraightLineIsItself) {
   const Points p = points(60, 0, [](double x) { return 2 - 3 * x; });
-  const auto trend = trend_of(p.x, p.y);
+  const auto trend = compute_trend(p.x, p.y);
   ASSERT_GT(trend.size(), 10U);
   EXPECT_DOUBLE_EQ(trend.front().x, p.x.minCoeff());
   EXPECT_DOUBLE_EQ(trend.back().x, p.x.maxCoeff());
@@ -42,7 +42,7 @@ TEST(Trend, TheBandCoversASmoothCurve) {
   const auto curve = [](double x) { return 0.3 * x * x; };
   int inside = 0, all = 0;
   const Points p = points(400, 0.5, curve);
-  for (const TrendPoint& t : trend_of(p.x, p.y)) {
+  for (const TrendPoint& t : compute_trend(p.x, p.y)) {
     inside += t.low <= curve(t.x) && curve(t.x) <= t.high;
     EXPECT_LT(t.low, t.high);
     ++all;
@@ -55,7 +55,7 @@ TEST(Trend, OfFewPlacesItIsTheMeanAtEach) {
   Eigen::VectorXd x(8), y(8);
   x << 1, -1, 1, -1, 1, -1, 1, -1;
   y << 4, 0, 6, 2, 4, 0, 6, 2;
-  const auto trend = trend_of(x, y);
+  const auto trend = compute_trend(x, y);
   ASSERT_EQ(trend.size(), 2U);
   EXPECT_DOUBLE_EQ(trend[0].x, -1);
   EXPECT_DOUBLE_EQ(trend[0].y, 1);
@@ -65,12 +65,12 @@ TEST(Trend, OfFewPlacesItIsTheMeanAtEach) {
 }
 
 TEST(Trend, FewerThanFourPointsHaveNone) {
-  EXPECT_TRUE(trend_of(Eigen::VectorXd::LinSpaced(3, 0, 1), Eigen::VectorXd::Ones(3)).empty());
+  EXPECT_TRUE(compute_trend(Eigen::VectorXd::LinSpaced(3, 0, 1), Eigen::VectorXd::Ones(3)).empty());
 }
 
 TEST(Trend, TheOrderOfThePointsDoesNotMatter) {
   const Points p = points(50, 0.2, [](double x) { return std::sin(x); });
-  const auto forward = trend_of(p.x, p.y), backward = trend_of(p.x.reverse(), p.y.reverse());
+  const auto forward = compute_trend(p.x, p.y), backward = compute_trend(p.x.reverse(), p.y.reverse());
   ASSERT_EQ(forward.size(), backward.size());
   for (std::size_t i = 0; i < forward.size(); ++i) EXPECT_NEAR(forward[i].y, backward[i].y, 1e-12);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bill: what a cause is worth at the hand is how far the hand moves with it, its sigma is how far that differs from
-// one measurement to the next, and what no robot is built like is told.
+// one measurement to the next, and what no robot is built like is reported.
 #include "diagnosis/selection/bill.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ Fit fitted(const Session& session, std::vector<EffectTerm> terms) {
   return fit(session, o);
 }
 
-const BillRow& row_of(const std::vector<BillRow>& rows, const std::string& id) {
+const BillRow& find_row(const std::vector<BillRow>& rows, const std::string& id) {
   for (const BillRow& row : rows)
     if (row.id == id) return row;
   ADD_FAILURE() << "no row of " << id;
@@ -36,7 +36,7 @@ const BillRow& row_of(const std::vector<BillRow>& rows, const std::string& id) {
 double moved_by(const Session& session, const Fit& fit, const PredictionModel& with, const std::string& id) {
   PredictionModel without = with;
   std::erase_if(without.effects, [&](const EffectTerm& t) { return t.id == id; });
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   std::vector<Vector3> moved;
   Vector3 mean = Vector3::Zero();
   for (const Observation& o : session.observations) {
@@ -62,7 +62,7 @@ PredictionModel prediction_of(const std::vector<EffectTerm>& truth, const Fit& f
 TEST(Bill, TellsHowFarTheHandMovesWithEachCause) {
   const Session session = simulated({spring, scale}, 3);
   const Fit f = fitted(session, {spring, scale});
-  const std::vector<BillRow> rows = bill_of(f);
+  const std::vector<BillRow> rows = make_bill(f);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_GE(rows[0].hand_m, rows[1].hand_m) << "what is worth most comes first";
   for (const BillRow& row : rows) {
@@ -73,7 +73,7 @@ TEST(Bill, TellsHowFarTheHandMovesWithEachCause) {
     EXPECT_FALSE(row.stands_in()) << row.id;
     EXPECT_FALSE(row.probability) << "nobody has looked";
   }
-  EXPECT_EQ(row_of(rows, "joint_elasticity").where, std::vector<std::string>{session.robot.joints[1].name});
+  EXPECT_EQ(find_row(rows, "joint_elasticity").where, std::vector<std::string>{session.robot.joints[1].name});
 }
 
 /// Against the truth of each of forty measurements, on its own poses.
@@ -83,7 +83,7 @@ TEST(Bill, ItsSigmaIsHowFarItIsFromTheTruth) {
   for (int seed = 1; seed <= trials; ++seed) {
     const Session session = simulated({spring}, static_cast<std::uint64_t>(100 + seed), 20);
     const Fit f = fitted(session, {spring});
-    const BillRow row = bill_of(f).front();
+    const BillRow row = make_bill(f).front();
     const double truth = moved_by(session, f, prediction_of({spring}, f), "joint_elasticity");
     ASSERT_GT(row.hand_sigma_m, 0);
     squares += std::pow((row.hand_m - truth) / row.hand_sigma_m, 2) / trials;
@@ -97,7 +97,7 @@ TEST(Bill, ItsSigmaIsHowFarItIsFromTheTruth) {
 TEST(Bill, CamerasAreWorthWhatTheyMisplaceTheHand) {
   const EffectTerm rig = {"stereo_rig", -1, {0, 0, 0, 0, 0.002, 0}};
   const Session session = simulated({rig}, 4, 30);
-  const BillRow row = bill_of(fitted(session, {rig})).front();
+  const BillRow row = make_bill(fitted(session, {rig})).front();
   EXPECT_EQ(row.id, "stereo_rig");
   // Turned against each other by 2 mrad, cameras half a metre and more away are wrong by millimetres of depth.
   EXPECT_GT(row.hand_m, 1e-3);
@@ -109,15 +109,15 @@ TEST(Bill, CamerasAreWorthWhatTheyMisplaceTheHand) {
 TEST(Bill, WhatNoRobotIsBuiltLikeStandsIn) {
   const EffectTerm pushes = {"joint_elasticity", 1, {-1.5e-4}};
   const Fit back = fitted(simulated({pushes}, 6), {pushes});
-  const BillRow spring_row = bill_of(back).front();
+  const BillRow spring_row = make_bill(back).front();
   EXPECT_TRUE(spring_row.pushes_back && spring_row.stands_in());
   ASSERT_EQ(stand_ins(back).size(), 1U) << "as the story says it";
   Fit heavy = fitted(simulated({spring}, 6), {spring});
   heavy.effects[0].term.values[0] = 10 * largest_built * find_effect("joint_elasticity")->parameters[0].sigma;
-  EXPECT_TRUE(bill_of(heavy).front().too_large);
+  EXPECT_TRUE(make_bill(heavy).front().too_large);
   FitOptions o;
   o.effects = {pushes};
-  const BillRow held = bill_of(fit(simulated({pushes}, 6), o)).front();
+  const BillRow held = make_bill(fit(simulated({pushes}, 6), o)).front();
   EXPECT_TRUE(held.held);
   EXPECT_FALSE(held.stands_in()) << "what the user holds is the user's word";
   EXPECT_EQ(held.hand_sigma_m, 0);
@@ -132,10 +132,10 @@ TEST(Bill, TellsWhatThePosesCannotTellApart) {
     o.with_held_out = false;
     o.estimated = {{"joint_scale", 2, {0}}};
     const Diagnosis d = diagnose(session, o);
-    const Certainty c = certainty(d, 0, [] { return true; });
-    const std::vector<BillRow> rows = bill_of(d.model.fit, &c);
+    const InclusionProbabilities c = inclusion_probabilities(d, 0, [] { return true; });
+    const std::vector<BillRow> rows = make_bill(d.model.fit, &c);
     EXPECT_TRUE(rows.front().probability && *rows.front().probability > 0.5);
-    return rows.front().cannot_be_told_from.value_or(std::vector<std::string>{"not looked at"});
+    return rows.front().indistinguishable_from.value_or(std::vector<std::string>{"not looked at"});
   };
   EXPECT_THAT(told_from(simulated({wrong_scale}, 8, 60)), testing::Not(testing::Contains("encoder_eccentricity")));
   Session two = like_stand();
@@ -150,13 +150,13 @@ TEST(Bill, IsAlsoALineARow) {
                                       .hand_m = 5.814e-3,
                                       .hand_sigma_m = 2.3e-5,
                                       .probability = 0.9995,
-                                      .cannot_be_told_from = std::vector<std::string>{}},
+                                      .indistinguishable_from = std::vector<std::string>{}},
                                      {.id = "payload",
                                       .hand_m = 1.2e-3,
                                       .hand_sigma_m = 4e-4,
                                       .too_large = true,
                                       .probability = 0.87,
-                                      .cannot_be_told_from = std::vector<std::string>{"base_tilt"}}};
+                                      .indistinguishable_from = std::vector<std::string>{"base_tilt"}}};
   const std::vector<std::string> lines = bill_lines(rows);
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_THAT(lines[1], testing::HasSubstr("5.814 +- 0.023 mm"));

@@ -11,7 +11,7 @@
 namespace handsight {
 namespace {
 
-using fixture::offset_of;
+using fixture::find_offset;
 
 SimulationOptions simulation(std::uint64_t seed) {
   SimulationOptions o;
@@ -24,10 +24,10 @@ SimulationOptions simulation(std::uint64_t seed) {
   return o;
 }
 
-std::vector<std::string> names_of(const Improvement& m) {
+std::vector<std::string> list_names(const Improvement& m) {
   std::vector<std::string> names;
   for (const FittedEffect& e : m.last.model.fit.effects)
-    names.push_back(e.term.id + " " + place_name(effect_of(e.term), e.term.joint, m.last.model.session.robot));
+    names.push_back(e.term.id + " " + place_name(term_effect(e.term), e.term.joint, m.last.model.session.robot));
   return names;
 }
 
@@ -37,14 +37,14 @@ std::vector<JoinedMember> two_days(const std::vector<EffectTerm>& august) {
 
 TEST(ImproveCollection, AJointZeroThatChangedBetweenSessionsIsToldAsThat) {
   const Session like = fixture::hand_session('l');
-  const Improvement m = improve(joined(two_days({offset_of(like, "l3", 1.5e-3)}), "days"));
-  EXPECT_EQ(names_of(m), (std::vector<std::string>{"joint_offset_changed august l3"}));
+  const Improvement m = improve(joined(two_days({find_offset(like, "l3", 1.5e-3)}), "days"));
+  EXPECT_EQ(list_names(m), (std::vector<std::string>{"joint_offset_changed august l3"}));
   EXPECT_EQ(m.last.verdict, Verdict::adequate);
 }
 
 TEST(ImproveCollection, NothingIsFoundWhereNothingIsHidden) {
   const Improvement m = improve(joined(two_days({}), "days"));
-  EXPECT_TRUE(names_of(m).empty());
+  EXPECT_TRUE(list_names(m).empty());
   EXPECT_EQ(m.last.verdict, Verdict::adequate);
 }
 
@@ -52,7 +52,7 @@ TEST(ImproveCollection, ASlipIsThatOfItsSession) {
   EffectTerm slip = term_of(*find_effect("mount_slip"), -1);
   slip.values = {2e-3, -1e-3, 1e-3, 1e-3, 0, 2e-3, 58};  // of the 80, of which august has the last 40
   const Improvement m = improve(joined(two_days({slip}), "days"));
-  EXPECT_EQ(names_of(m), (std::vector<std::string>{"mount_slip august"}));
+  EXPECT_EQ(list_names(m), (std::vector<std::string>{"mount_slip august"}));
 }
 
 /// What the choice of the effects leaves open stands in the calibration of each session.
@@ -64,27 +64,28 @@ TEST(ImproveCollection, EachSessionHasTheDoubtOfAll) {
   members[1].body = "glued anew";
   const Session s = joined(members, "days");
   const Improvement m = improve(s);
-  const Doubt& doubt = m.certainty.doubt;
+  const ModelUncertainty& model_uncertainty = m.inclusion_probabilities.model_uncertainty;
   const Fit& fit = m.last.model.fit;
-  ASSERT_TRUE(doubt.is_any());
-  ASSERT_FALSE(doubt.others.empty());
-  const FitReport told = report(m.last.model.session, fit, m.last.model_options);
-  const Calibration all = calibration_of(m.last.model.session, fit, told, m.last.model_options, "test", doubt);
+  ASSERT_TRUE(model_uncertainty.is_any());
+  ASSERT_FALSE(model_uncertainty.others.empty());
+  const FitReport reported = report(m.last.model.session, fit, m.last.model_options);
+  const Calibration all =
+      make_calibration(m.last.model.session, fit, reported, m.last.model_options, "test", model_uncertainty);
   ASSERT_EQ(all.sessions.size(), 2u);
   for (const Calibration& c : all.sessions) {
-    ASSERT_TRUE(c.doubt) << c.session;
-    EXPECT_TRUE(c.doubt->covariance.allFinite());
-    EXPECT_GE(c.doubt->covariance.diagonal().minCoeff(), 0);
-    EXPECT_GT(c.doubt->covariance.diagonal().head(3).maxCoeff(), 0) << "of where the body is on the hand";
+    ASSERT_TRUE(c.model_uncertainty) << c.session;
+    EXPECT_TRUE(c.model_uncertainty->covariance.allFinite());
+    EXPECT_GE(c.model_uncertainty->covariance.diagonal().minCoeff(), 0);
+    EXPECT_GT(c.model_uncertainty->covariance.diagonal().head(3).maxCoeff(), 0) << "of where the body is on the hand";
   }
-  // The doubt of all is told about the body of the first session.
-  const Matrix6 first = all.sessions[0].doubt->covariance.topLeftCorner(6, 6);
-  const Matrix6 of_all = doubt.covariance.topLeftCorner(6, 6);
+  // The doubt of all is reported about the body of the first session.
+  const Matrix6 first = all.sessions[0].model_uncertainty->covariance.topLeftCorner(6, 6);
+  const Matrix6 of_all = model_uncertainty.covariance.topLeftCorner(6, 6);
   EXPECT_LT((first - of_all).cwiseAbs().maxCoeff(), 1e-9 * of_all.cwiseAbs().maxCoeff());
-  const Calibration alone = calibration_of(m.last.model.session, fit, told, m.last.model_options, "test");
-  EXPECT_FALSE(alone.sessions[0].doubt);
+  const Calibration alone = make_calibration(m.last.model.session, fit, reported, m.last.model_options, "test");
+  EXPECT_FALSE(alone.sessions[0].model_uncertainty);
   // Predictions count with it.
-  const Chain chain = chain_of(members[1].session);
+  const Chain chain = make_chain(members[1].session);
   const Eigen::VectorXd pose = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(chain.joints.size()), 0.5);
   const auto variance = [&](const Calibration& c) {
     return predict_tcp(chain, pose, prediction_model(c, s.robot)).covariance.diagonal().head<3>().sum();

@@ -60,7 +60,7 @@ TEST_F(StoryOf, WhatIsOfferedFirstLeadsAndIsNamedInTheWords) {
   large.plausible = false;
   const Diagnosis d = diagnosed(Verdict::missing_effect, 8,
                                 {large, named("backlash", 60), named("joint_scale", 50), named("payload", 3)});
-  const Story s = story_of(d);
+  const Story s = find_story(d);
   EXPECT_EQ(s.state, StoryState::missing);
   ASSERT_EQ(s.causes.size(), 3u) << "what does not pass is not offered";
   EXPECT_EQ(s.causes[0].id, "backlash");
@@ -81,7 +81,7 @@ TEST_F(StoryOf, TheFirstOfMoreThanFourIsStillTheOneThatLeads) {
     many.back().plausible = false;
   }
   many.push_back(named("body_slip", 60));
-  const Story s = story_of(diagnosed(Verdict::missing_effect, 8, many));
+  const Story s = find_story(diagnosed(Verdict::missing_effect, 8, many));
   ASSERT_EQ(s.causes.size(), 4u);
   EXPECT_EQ(s.causes.front().id, "body_slip") << "a cause that is named has its card";
 }
@@ -89,24 +89,24 @@ TEST_F(StoryOf, TheFirstOfMoreThanFourIsStillTheOneThatLeads) {
 TEST_F(StoryOf, NothingAgreesBeyondOneAndAHalfTimesTheNoise) {
   for (const double times : {1.0, 1.4, 1.6, 3.8}) {
     const Diagnosis d = diagnosed(Verdict::adequate, times);
-    const Story s = story_of(d);
-    EXPECT_EQ(s.state, times < 1.5 ? StoryState::at_the_noise : StoryState::scatter) << times;
+    const Story s = find_story(d);
+    EXPECT_EQ(s.state, times < 1.5 ? StoryState::at_the_noise : StoryState::repeatability) << times;
     EXPECT_EQ(story_text(s, d).find("Nothing is missing"), std::string::npos) << times;
     if (times > 1.5) EXPECT_NE(story_text(s, d).find("follows nothing"), std::string::npos) << story_text(s, d);
   }
   Diagnosis scattered = diagnosed(Verdict::adequate, 1.4);
-  scattered.scatter.joints = 1e-3;
-  EXPECT_EQ(story_of(scattered).state, StoryState::scatter) << "where joints scatter sooner";
+  scattered.repeatability.joints = 1e-3;
+  EXPECT_EQ(find_story(scattered).state, StoryState::repeatability) << "where joints scatter sooner";
 }
 
 TEST_F(StoryOf, WhatWasRefusedDoesNotLead) {
   const Diagnosis d = diagnosed(Verdict::missing_effect, 8, {named("backlash", 60), named("joint_scale", 50)});
-  const auto told = [&](std::set<std::string> refused) {
-    return story_of(
-        {.fit = d.model.fit, .report = d.report, .blame = {}, .diagnosis = &d, .refused = std::move(refused)});
+  const auto reported = [&](std::set<std::string> refused) {
+    return find_story(
+        {.fit = d.model.fit, .report = d.report, .attribution = {}, .diagnosis = &d, .refused = std::move(refused)});
   };
-  EXPECT_EQ(told({"backlash"}).lead()->id, "joint_scale");
-  const Story none = told({"backlash", "joint_scale"});
+  EXPECT_EQ(reported({"backlash"}).lead()->id, "joint_scale");
+  const Story none = reported({"backlash", "joint_scale"});
   EXPECT_EQ(none.state, StoryState::refused);
   EXPECT_EQ(none.lead(), nullptr);
 }
@@ -115,9 +115,9 @@ TEST_F(StoryOf, ASpringThatPushesBackIsNotBelieved) {
   DiagnosisCandidate spring = named("joint_elasticity", 90);
   spring.terms[0].values = {-8.6e-5};
   EXPECT_FALSE(is_believable(spring));
-  const Story s = story_of(diagnosed(Verdict::missing_effect, 8, {spring, named("backlash", 60)}));
+  const Story s = find_story(diagnosed(Verdict::missing_effect, 8, {spring, named("backlash", 60)}));
   EXPECT_EQ(s.lead()->id, "backlash");
-  EXPECT_EQ(story_of(diagnosed(Verdict::missing_effect, 8, {spring})).state, StoryState::implausible);
+  EXPECT_EQ(find_story(diagnosed(Verdict::missing_effect, 8, {spring})).state, StoryState::implausible);
   spring.terms[0].values = {8.6e-5};
   EXPECT_TRUE(is_believable(spring));
   spring.terms[0].values = {-1e-6};
@@ -131,33 +131,33 @@ TEST_F(StoryOf, WhatStandsInIsSaidWhereverItIsInTheModel) {
   spring.term.values = {-8.6e-5};
   spring.sigmas = {1e-6};
   d.model.fit.effects = {spring};
-  Story s = story_of(d);
+  Story s = find_story(d);
   ASSERT_EQ(s.stands_in.size(), 1u);
   EXPECT_TRUE(s.stands_in[0].pushes_back);
   EXPECT_NE(story_text(s, d).find("stands in for another cause"), std::string::npos) << story_text(s, d);
   d.model.fit.effects[0].term.values = {8.6e-5};
-  EXPECT_TRUE(story_of(d).stands_in.empty());
+  EXPECT_TRUE(find_story(d).stands_in.empty());
   d.model.fit.effects[0].term.values = {8.6e-4};
-  EXPECT_EQ(story_of(d).stands_in.size(), 1u) << "more than three times what is plausible";
+  EXPECT_EQ(find_story(d).stands_in.size(), 1u) << "more than three times what is plausible";
   d.model.fit.effects[0].sigmas = {0};
-  EXPECT_TRUE(story_of(d).stands_in.empty()) << "what the user holds is the user's";
+  EXPECT_TRUE(find_story(d).stands_in.empty()) << "what the user holds is the user's";
 }
 
 TEST_F(StoryOf, FewObservationsAndUnknownNoiseHaveNoCause) {
-  EXPECT_EQ(story_of(diagnosed(Verdict::too_few_observations, 8, {named("backlash", 60)})).lead(), nullptr);
+  EXPECT_EQ(find_story(diagnosed(Verdict::too_few_observations, 8, {named("backlash", 60)})).lead(), nullptr);
   Diagnosis d = diagnosed(Verdict::unexplained, 8);
   d.model.fit.noise.reset();
   d.noise.reset();
-  const Story s = story_of(d);
+  const Story s = find_story(d);
   EXPECT_FALSE(s.error.ratio());
   EXPECT_EQ(s.beyond, 0);
 }
 
 TEST_F(StoryOf, ManyBeyondTheNoiseAreCounted) {
   Diagnosis d = diagnosed(Verdict::missing_effect, 8, {named("backlash", 60)});
-  EXPECT_FALSE(story_of(d).many_beyond());
+  EXPECT_FALSE(find_story(d).many_beyond());
   for (ObservationReport& o : d.report.per_observation) o.rms_pixel = 4 * *fit_->noise;
-  const Story s = story_of(d);
+  const Story s = find_story(d);
   EXPECT_EQ(s.beyond, s.used);
   EXPECT_TRUE(s.many_beyond());
 }
@@ -168,9 +168,10 @@ TEST_F(StoryOf, ACauseOfTheCamerasIsToBlameWhateverTheResidualsSay) {
   drift.terms[0].values.assign(drift.terms[0].values.size(), 1e-3);
   drift.explained = 0.9;
   const Diagnosis d = diagnosed(Verdict::missing_effect, 8, {drift});
-  const Story s = story_of({.fit = d.model.fit, .report = d.report, .blame = {0, 0.04, 0.96, 'R'}, .diagnosis = &d});
-  EXPECT_EQ(s.blame.letter, 'C');
-  EXPECT_NEAR(s.blame.cameras, 0.9, 1e-9);
+  const Story s =
+      find_story({.fit = d.model.fit, .report = d.report, .attribution = {0, 0.04, 0.96, 'R'}, .diagnosis = &d});
+  EXPECT_EQ(s.attribution.letter, 'C');
+  EXPECT_NEAR(s.attribution.cameras, 0.9, 1e-9);
 }
 
 TEST(StorySize, HasTwoDigits) {

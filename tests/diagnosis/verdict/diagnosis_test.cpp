@@ -56,13 +56,13 @@ TEST(Diagnosis, EveryEffectOfTheCatalogueComesFirst) {
   for (const Effect& e : catalogue()) {
     if (e.scope == EffectScope::camera) continue;  // of rigs of three cameras and more: rig_diagnosis_test.cpp
     if (has_no_target(e)) continue;                // of targets: target_size_test.cpp
-    const std::vector<int> places = effect_places(e, chain_of(like));
+    const std::vector<int> places = effect_places(e, make_chain(like));
     ASSERT_FALSE(places.empty()) << e.id;
     EffectTerm hidden = term_of(e, places[std::min<std::size_t>(1, places.size() - 1)]);
     double sign = 2;
     for (std::size_t p = 0; p < e.parameters.size(); ++p) {
       const EffectParameter& parameter = e.parameters[p];
-      hidden.values[p] = !parameter.is_choice        ? sign * plausible_size(parameter, chain_of(like))
+      hidden.values[p] = !parameter.is_choice        ? sign * prior_sigma(parameter, make_chain(like))
                          : parameter.choices.empty() ? 37
                                                      : parameter.choices.front();
       sign = -sign;

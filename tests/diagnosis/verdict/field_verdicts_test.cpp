@@ -15,7 +15,7 @@
 namespace handsight {
 namespace {
 
-Session scattering(const Session& like, double scatter, std::uint64_t seed) {
+Session scattering(const Session& like, double repeatability, std::uint64_t seed) {
   SimulationOptions o;
   o.observations = 40;
   o.seed = seed;
@@ -23,7 +23,7 @@ Session scattering(const Session& like, double scatter, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   for (Observation& observation : s.observations)
-    for (double& q : observation.position) q += scatter * normal(random);
+    for (double& q : observation.position) q += repeatability * normal(random);
   return s;
 }
 
@@ -37,10 +37,10 @@ TEST(FieldVerdicts, ABoardsManyRowsDoNotHideARobotsScatter) {
   for (const std::uint64_t seed : {3, 4, 5}) {
     const Session like = fixture::target_session();
     const Diagnosis wild = diagnose(scattering(like, 1.5e-3, seed), quick());
-    EXPECT_TRUE(scatters_too_much(wild)) << *wild.beyond_scatter;
+    EXPECT_TRUE(repeats_too_badly(wild)) << *wild.beyond_repeatability;
     EXPECT_NE(wild.verdict, Verdict::adequate) << wild.reason;
     const Diagnosis usual = diagnose(scattering(like, 1e-4, seed), quick());
-    EXPECT_FALSE(scatters_too_much(usual)) << *usual.beyond_scatter;
+    EXPECT_FALSE(repeats_too_badly(usual)) << *usual.beyond_repeatability;
     EXPECT_EQ(usual.verdict, Verdict::adequate) << usual.reason;
   }
 }
@@ -53,7 +53,7 @@ void add_small_deviations(const Chain& chain, std::mt19937_64& random, std::vect
     for (const int place : effect_places(e, chain)) {
       EffectTerm t = term_of(e, place);
       for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!e.parameters[p].is_choice) t.values[p] = 0.1 * plausible_size(e.parameters[p], chain) * normal(random);
+        if (!e.parameters[p].is_choice) t.values[p] = 0.1 * prior_sigma(e.parameters[p], chain) * normal(random);
       terms.push_back(t);
     }
   }
@@ -75,7 +75,7 @@ std::vector<EffectTerm> zeros_degrees_off(const Chain& chain, std::mt19937_64& r
 TEST(FieldVerdicts, ZerosComeBeforeAGeometryThatStandsInForThem) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Session like = fixture::stand_session(4);
-    const Chain chain = chain_of(like);
+    const Chain chain = make_chain(like);
     std::mt19937_64 random(seed);
     SimulationOptions o;
     o.observations = 80;
@@ -96,7 +96,7 @@ TEST(FieldVerdicts, ABoardsSizeComesBeforeARobotThatIsBentByIt) {
     SimulationOptions o;
     o.observations = 80;
     o.seed = seed;
-    add_small_deviations(chain_of(like), random, o.effects);
+    add_small_deviations(make_chain(like), random, o.effects);
     Session s = simulate_session(like, o).session;
     for (Vector3& x : s.shape->markers) x /= 1.008;
     s.target->square /= 1.008;
@@ -105,11 +105,11 @@ TEST(FieldVerdicts, ABoardsSizeComesBeforeARobotThatIsBentByIt) {
     ASSERT_GT(m.steps.size(), 1u);
     EXPECT_EQ(m.steps[1].added, "target_scale");
     // The board's shape is held, and yet it is said how sure the names are.
-    const auto scale = std::find_if(m.certainty.names.begin(), m.certainty.names.end(),
-                                    [](const NameCertainty& n) { return n.id == "target_scale"; });
-    ASSERT_NE(scale, m.certainty.names.end());
+    const auto scale = std::find_if(m.inclusion_probabilities.names.begin(), m.inclusion_probabilities.names.end(),
+                                    [](const InclusionProbability& n) { return n.id == "target_scale"; });
+    ASSERT_NE(scale, m.inclusion_probabilities.names.end());
     EXPECT_GT(scale->probability, 0.99);
-    EXPECT_GT(m.certainty.doubt.covariance.norm(), 0);
+    EXPECT_GT(m.inclusion_probabilities.model_uncertainty.covariance.norm(), 0);
   }
 }
 

@@ -26,7 +26,7 @@ DiagnosisCandidate curve_of_angle(double ln_bayes_factor) {
   DiagnosisCandidate c;
   c.ln_bayes_factor = ln_bayes_factor;
   c.unnamed.emplace();
-  c.unnamed->localiser.variable =
+  c.unnamed->empirical_error.variable =
       std::make_shared<Variable>(Variable{VariableKind::angle, 1, "angle of a2", "rad", {}});
   return c;
 }
@@ -80,7 +80,7 @@ TEST_F(Judge, NothingThatPassesIsAdequateOnlyWhereTheNoiseIsKnown) {
 }
 
 /// A robot whose joints repeat to so much, in rad.
-Diagnosis with_scatter(double joints, std::optional<double> declared = std::nullopt) {
+Diagnosis with_repeatability(double joints, std::optional<double> declared = std::nullopt) {
   SimulatedSession s = simulate_session(fixture::stand_session(4), {.observations = 60, .seed = 4});
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
@@ -92,7 +92,8 @@ Diagnosis with_scatter(double joints, std::optional<double> declared = std::null
 
 /// What follows nothing may be scatter only as far as robots scatter.
 TEST(Judging, ScatterBeyondThatOfRobotsIsUnexplained) {
-  const Diagnosis little = with_scatter(2e-4), much = with_scatter(2e-3), declared = with_scatter(2e-3, 3e-3);
+  const Diagnosis little = with_repeatability(2e-4), much = with_repeatability(2e-3),
+                  declared = with_repeatability(2e-3, 3e-3);
   EXPECT_EQ(little.verdict, Verdict::adequate) << little.reason;
   EXPECT_EQ(much.verdict, Verdict::unexplained) << much.reason;
   EXPECT_NE(much.reason.find("times the noise"), std::string::npos) << much.reason;

@@ -38,7 +38,7 @@ const DiagnosisCandidate& found(const Diagnosis& d, const std::string& id) {
 
 /// By statics: how far 1 kg at the hand's centre of mass turns a soft joint, and what that moves the hand down.
 double drop_by_hand(const Session& session, std::int64_t id, int joint, double compliance) {
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const Observation& o = *std::find_if(session.observations.begin(), session.observations.end(),
                                        [&](const Observation& other) { return other.id == id; });
   const Posture p = solve_posture<double>(chain.robot, joint_values(chain.robot, chain.joints, o.position),
@@ -128,8 +128,8 @@ TEST(RobotCheck, ItsSigmaIsTheScatterOfThePredictions) {
     ++count;
   }
   ASSERT_GT(count, 300);
-  const double scatter = std::sqrt(squares / count - std::pow(sum / count, 2));
-  EXPECT_NEAR(scatter, c.check->sigma, 0.15 * c.check->sigma);  // three sigma of a scatter of 300
+  const double repeatability = std::sqrt(squares / count - std::pow(sum / count, 2));
+  EXPECT_NEAR(repeatability, c.check->sigma, 0.15 * c.check->sigma);  // three sigma of a scatter of 300
 }
 
 TEST(RobotCheck, NothingIsPredictedOfWhatDoesNotPass) {

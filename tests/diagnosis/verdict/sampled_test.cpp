@@ -12,7 +12,7 @@ namespace {
 TEST(Sample, IsEvenOverTheSessionAndNamesWhatItLeft) {
   Session session = simulated({}, 3, 500);
   session.observations[7].decision = Decision::excluded;
-  const auto sample = sample_of(session, 200, 100);
+  const auto sample = take_sample(session, 200, 100);
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->taken.size(), 100u);
   EXPECT_EQ(sample->left_out.size(), 399u);
@@ -20,19 +20,19 @@ TEST(Sample, IsEvenOverTheSessionAndNamesWhatItLeft) {
   EXPECT_EQ(sample->taken.back(), 499);
   for (std::size_t i = 1; i < sample->taken.size(); ++i) EXPECT_LE(sample->taken[i] - sample->taken[i - 1], 7);
   EXPECT_EQ(sample->session.observations.size(), 100u);
-  EXPECT_FALSE(sample_of(session, 499, 100)) << "short enough to be taken whole";
+  EXPECT_FALSE(take_sample(session, 499, 100)) << "short enough to be taken whole";
 }
 
 TEST(Sample, KeepsTheCircumstancesOfTheWhole) {
   Session session = simulated({}, 4, 120);
   for (Observation& o : session.observations) o.velocity.resize(0);  // the approach follows from the pose before
-  const auto sample = sample_of(session, 50, 30);
-  const Chain chain = chain_of(session);
-  const std::vector<Circumstances> whole = circumstances_of(session, chain);
-  const std::vector<Circumstances> part = circumstances_of(sample->session, chain);
+  const auto sample = take_sample(session, 50, 30);
+  const Chain chain = make_chain(session);
+  const std::vector<ObservationState> whole = observation_states(session, chain);
+  const std::vector<ObservationState> part = observation_states(sample->session, chain);
   ASSERT_EQ(part.size(), 30u);
   for (std::size_t i = 0; i < part.size(); ++i) {
-    const Circumstances& same = whole[static_cast<std::size_t>(sample->taken[i])];
+    const ObservationState& same = whole[static_cast<std::size_t>(sample->taken[i])];
     EXPECT_EQ(part[i].order, same.order);
     EXPECT_EQ(part[i].elapsed, same.elapsed);
     EXPECT_EQ(part[i].duration, same.duration);

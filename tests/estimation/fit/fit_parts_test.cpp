@@ -16,7 +16,7 @@
 namespace handsight {
 namespace {
 
-using fixture::offset_of;
+using fixture::find_offset;
 
 SimulationOptions simulation(std::uint64_t seed, int observations = 40) {
   SimulationOptions o;
@@ -29,8 +29,8 @@ SimulationOptions simulation(std::uint64_t seed, int observations = 40) {
 }
 
 std::vector<EffectTerm> estimated(const Session& s, const std::string& text) {
-  const Chain chain = chain_of(s);
-  return effect_terms(text, chain, own_effects_of(s, chain));
+  const Chain chain = make_chain(s);
+  return effect_terms(text, chain, list_own_effects(s, chain));
 }
 
 double away(const Rigid& a, const Rigid& b) { return small_motion_between(a, b).norm(); }
@@ -50,7 +50,7 @@ TEST(FitParts, SessionsThatShareNothingAreFittedAsEachAlone) {
   for (JoinedMember& m : members) m.rig.clear();
   const Session s = joined(members, "hands");
   const Fit together = fit(s);
-  const std::vector<FitPart> parts = parts_of(s, together);
+  const std::vector<FitPart> parts = list_parts(s, together);
   for (std::size_t p = 0; p < 2; ++p) {
     const Fit alone = fit(members[p].session);
     EXPECT_LT(away(parts[p].tcp_from_body, alone.tcp_from_body), 1e-9);
@@ -63,7 +63,7 @@ TEST(FitParts, ASharedMountIsKnownBetterAndRight) {
   const std::vector<JoinedMember> members = two_hands(5, {});
   const Session s = joined(members, "hands");
   const Fit together = fit(s);
-  const std::vector<FitPart> parts = parts_of(s, together);
+  const std::vector<FitPart> parts = list_parts(s, together);
   EXPECT_EQ(parts[0].mount_from_sensor.translation, parts[1].mount_from_sensor.translation);
   const Fit alone = fit(members[0].session);
   const Matrix6 of_alone =
@@ -79,7 +79,7 @@ TEST(FitParts, ASharedMountIsKnownBetterAndRight) {
 TEST(FitParts, WhatBelongsToTheRobotIsOneNumberForAll) {
   const Session like = fixture::hand_session('l');
   const std::vector<JoinedMember> members =
-      two_hands(7, {offset_of(like, "torso_2", 4e-3), offset_of(like, "l3", -3e-3)});
+      two_hands(7, {find_offset(like, "torso_2", 4e-3), find_offset(like, "l3", -3e-3)});
   const Session s = joined(members, "hands");
   FitOptions options;
   options.estimated = estimated(s, "joint_offset:torso_2+l3");
@@ -95,7 +95,7 @@ TEST(FitParts, WhatBelongsToTheRobotIsOneNumberForAll) {
 TEST(FitParts, CamerasAndTrackersCountByTheirOwnNoise) {
   const Session like = fixture::hand_session('l');
   SimulationOptions o = simulation(11);
-  o.effects = {offset_of(like, "torso_2", 4e-3)};
+  o.effects = {find_offset(like, "torso_2", 4e-3)};
   o.noise = 1e-4;
   JoinedMember tracker = fixture::simulated_member(fixture::hand_session('l'), o, "tracker");
   o.noise = 0.3;
@@ -132,11 +132,11 @@ TEST(FitParts, NoiseThatIsNotDeclaredIsLearned) {
 
 TEST(FitParts, APartByItselfSaysWhatAllSay) {
   const Session like = fixture::hand_session('l');
-  const Session s = joined(two_hands(17, {offset_of(like, "torso_2", 4e-3), offset_of(like, "r3", 2e-3)}), "hands");
+  const Session s = joined(two_hands(17, {find_offset(like, "torso_2", 4e-3), find_offset(like, "r3", 2e-3)}), "hands");
   FitOptions options;
   options.estimated = estimated(s, "joint_offset:torso_2+r3");
   const Fit together = fit(s, options);
-  const std::vector<FitPart> parts = parts_of(s, together);
+  const std::vector<FitPart> parts = list_parts(s, together);
   for (int p = 0; p < 2; ++p) {
     const PartFit own = fit_of_part(s, together, p);
     const FitPart& of_all = parts[static_cast<std::size_t>(p)];
@@ -149,7 +149,7 @@ TEST(FitParts, APartByItselfSaysWhatAllSay) {
     double of_part = 0;
     for (const ProblemObservation& o : together.problem.observations)
       if (s.observations[static_cast<std::size_t>(o.index)].part == p)
-        of_part += residuals_of(together.problem, o, estimate(together)).squares;
+        of_part += compute_residuals(together.problem, o, estimate(together)).squares;
     EXPECT_NEAR(own_cost, of_part, 1e-9 * of_part);
   }
 }
@@ -177,12 +177,12 @@ TEST(FitParts, ASlipIsOfItsOwnSession) {
 
 TEST(FitParts, ASessionsOwnJointZeroIsItsOwn) {
   const Session like = fixture::hand_session('l');
-  std::vector<JoinedMember> members = fixture::two_days(like, simulation(21), {}, {offset_of(like, "l3", 2e-3)});
+  std::vector<JoinedMember> members = fixture::two_days(like, simulation(21), {}, {find_offset(like, "l3", 2e-3)});
   members[1].own = {"joint_offset:l3"};
   const Session s = joined(members, "days");
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   FitOptions options;
-  options.estimated = own_terms(chain, own_effects_of(s, chain));
+  options.estimated = own_terms(chain, list_own_effects(s, chain));
   ASSERT_EQ(options.estimated.size(), 1U);
   const Fit together = fit(s, options);
   EXPECT_NEAR(together.effects[0].term.values[0], 2e-3, 4 * together.effects[0].sigmas[0]);
@@ -194,25 +194,25 @@ TEST(FitParts, ASessionsOwnJointZeroIsItsOwn) {
 
 TEST(FitParts, TheErrorOnASessionThatWasLeftOutShowsWhatBelongsToTheFixture) {
   const Session like = fixture::hand_session('l');
-  const Session s = joined(two_hands(23, {offset_of(like, "torso_2", 5e-3)}), "hands");
+  const Session s = joined(two_hands(23, {find_offset(like, "torso_2", 5e-3)}), "hands");
   FitOptions with;
   with.estimated = estimated(s, "joint_offset:torso_2");
-  const Fit plain = fit(s), told = fit(s, with);
-  FitReport of_plain = report(s, plain), of_told = report(s, told, with);
+  const Fit plain = fit(s), reported = fit(s, with);
+  FitReport of_plain = report(s, plain), of_reported = report(s, reported, with);
   hold_out_sessions(s, plain, {}, of_plain);
-  hold_out_sessions(s, told, with, of_told);
-  ASSERT_TRUE(of_plain.held_out_session.rms_m && of_told.held_out_session.rms_m);
-  EXPECT_LT(*of_told.held_out_session.rms_m, *of_plain.held_out_session.rms_m);
-  EXPECT_EQ(of_told.held_out_sessions.size(), 2U);
+  hold_out_sessions(s, reported, with, of_reported);
+  ASSERT_TRUE(of_plain.held_out_session.rms_m && of_reported.held_out_session.rms_m);
+  EXPECT_LT(*of_reported.held_out_session.rms_m, *of_plain.held_out_session.rms_m);
+  EXPECT_EQ(of_reported.held_out_sessions.size(), 2U);
 }
 
 TEST(FitParts, OneCalibrationHoldsAllHands) {
   const Session s = joined(two_hands(29, {}), "hands");
   const Fit together = fit(s);
-  const Calibration c = calibration_of(s, together, report(s, together), {}, "test");
+  const Calibration c = make_calibration(s, together, report(s, together), {}, "test");
   ASSERT_EQ(c.sessions.size(), 2U);
   EXPECT_EQ(c.sessions[1].tcp, "right_hand");
-  EXPECT_LT(away(session_of(c, "right").tcp_from_body.motion, parts_of(s, together)[1].tcp_from_body), 1e-12);
+  EXPECT_LT(away(find_session(c, "right").tcp_from_body.motion, list_parts(s, together)[1].tcp_from_body), 1e-12);
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST(Noise, IsSeenWhateverTheRobotDoes) {
   EXPECT_GT(f.residual_rms, 5 * 0.2);
   ASSERT_TRUE(f.noise_estimate);
   EXPECT_NEAR(f.noise_estimate->sigma, 0.2, 4 * f.noise_estimate->error);
-  EXPECT_EQ(f.covariance_kind, CovarianceKind::scatter);
+  EXPECT_EQ(f.covariance_kind, CovarianceKind::repeatability);
 }
 
 TEST(Noise, AWrongDeclarationIsSaid) {
@@ -201,7 +201,7 @@ TEST(Report, AConstantErrorOf20mmIs20mm) {
     const std::size_t k = static_cast<std::size_t>(o.id);
     const Rigid sensor_from_tcp = inverse(s.root_from_sensor[k]) * s.root_from_tcp[k];
     for (Sighting& sighting : o.sightings) *sighting.point += sensor_from_tcp.rotation * Vector3(-0.02, 0, 0);
-    const Problem problem = make_problem(s.session, chain_of(s.session));
+    const Problem problem = make_problem(s.session, make_chain(s.session));
     const auto deviation = tcp_deviation(problem, problem.observations[k], estimate(f));
     ASSERT_TRUE(deviation);
     EXPECT_LT((deviation->tcp_from_tcp_est.translation - Vector3(-0.02, 0, 0)).norm(), 1e-9);

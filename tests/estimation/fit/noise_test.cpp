@@ -27,7 +27,7 @@ Session repeated(const Session& session, const Fit& truth, int poses, int times,
     for (double& q : o.position) q += 1e-3 * normal(random);
     out.observations.push_back(o);
   }
-  const Problem problem = make_problem(out, chain_of(out));
+  const Problem problem = make_problem(out, make_chain(out));
   for (const ProblemObservation& p : problem.observations) {
     std::vector<Sighting>& sightings = out.observations[static_cast<std::size_t>(p.index)].sightings;
     std::erase_if(sightings, [&](const Sighting& s) { return s.marker >= markers; });
@@ -111,7 +111,7 @@ TEST(RobotFreeNoise, IsNotThatOfPointsThatAreRigidByConstruction) {
   EXPECT_GT(f.residual_rms, 1e-4);
   EXPECT_FALSE(f.noise_estimate.has_value());
   EXPECT_FALSE(f.noise.has_value());
-  EXPECT_EQ(f.covariance_kind, CovarianceKind::scatter);
+  EXPECT_EQ(f.covariance_kind, CovarianceKind::repeatability);
   ASSERT_FALSE(f.notes.empty());
   EXPECT_NE(f.notes[0].find("rigid by construction"), std::string::npos);
 }

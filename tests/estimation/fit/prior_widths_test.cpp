@@ -18,7 +18,7 @@ EffectTerm offset(int joint, double value) {
 
 Fit fitted(const Session& session, const std::string& effects) {
   FitOptions options;
-  options.estimated = effect_terms(effects, chain_of(session));
+  options.estimated = effect_terms(effects, make_chain(session));
   return fit(session, options);
 }
 
@@ -31,7 +31,7 @@ SimulatedSession with_offsets(const std::vector<EffectTerm>& offsets, bool decla
   return simulate_session(fixture::stand_session(4), options);
 }
 
-/// Four degrees are fourteen plausible sizes.
+/// Four degrees are fourteen prior sigmas.
 TEST(PriorWidths, AnOffsetOfDegreesIsFoundWhole) {
   for (const bool declared : {true, false}) {
     const Fit f = fitted(with_offsets({offset(1, 0.07), offset(2, -0.05)}, declared).session, "joint_offset:a2+a3");
@@ -65,11 +65,11 @@ TEST(PriorWidths, InACircleEachKeepsItsWidest) {
   for (const Widths& next : {Widths{1, 5, 1}, Widths{5, 1, 1}}) {
     set(next);
     EXPECT_FALSE(end_circle(before, problem));
-    EXPECT_EQ(widths_of(problem), next);
+    EXPECT_EQ(list_widths(problem), next);
   }
   set({1, 5, 1});
   EXPECT_TRUE(end_circle(before, problem));
-  EXPECT_EQ(widths_of(problem), (Widths{5, 5, 1}));
+  EXPECT_EQ(list_widths(problem), (Widths{5, 5, 1}));
 }
 
 TEST(PriorWidths, WhatIsNotThereKeepsItsPlausibleSize) {

@@ -18,7 +18,7 @@ namespace {
 const Vector3 ball(0.02, -0.01, 0.08);  // m, on the tool
 
 Vector3 ball_at(const Chain& chain, const Eigen::VectorXd& pose, const std::vector<EffectTerm>& terms) {
-  const Circumstances c = circumstances_at(chain, pose);
+  const ObservationState c = states_at(chain, pose);
   return observed_ends(c, moved_sites(c, terms)).ends.root_from_tcp * ball;
 }
 
@@ -54,7 +54,7 @@ Session socket_session(int sockets, const std::vector<EffectTerm>& terms) {
   s.observations.clear();
   Session arm = fixture::seven_axis_session(1);
   for (Joint& joint : arm.robot.joints) joint.stiffness = 0;
-  const Chain chain = chain_of(arm);
+  const Chain chain = make_chain(arm);
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -82,8 +82,8 @@ Session socket_session(int sockets, const std::vector<EffectTerm>& terms) {
 }
 
 std::vector<EffectTerm> geometry(const Session& session) {
-  const Chain chain = chain_of(session);
-  return effect_terms("link_geometry", chain, own_effects_of(session, chain));
+  const Chain chain = make_chain(session);
+  return effect_terms("link_geometry", chain, list_own_effects(session, chain));
 }
 
 std::vector<EffectTerm> elbow_off() {
@@ -94,18 +94,18 @@ std::vector<EffectTerm> elbow_off() {
 
 TEST(RobotScale, IsToldByTheRobotWhereNothingElseTellsALength) {
   const Session s = socket_session(6, elbow_off());
-  EXPECT_TRUE(measures_no_length(s, chain_of(s)));
+  EXPECT_TRUE(measures_no_length(s, make_chain(s)));
   Session apart = s;
   for (std::size_t i = 0; i < 15; ++i) apart.observations[i].sightings[0].point = Vector3(0.2, 0, 0);
-  EXPECT_TRUE(measures_no_length(apart, chain_of(apart))) << "another marker is another place";
+  EXPECT_TRUE(measures_no_length(apart, make_chain(apart))) << "another marker is another place";
   apart.observations[20].sightings[0].point = Vector3(0.2, 0, 0);
-  EXPECT_FALSE(measures_no_length(apart, chain_of(apart)));
-  EXPECT_FALSE(measures_no_length(fixture::stand_session(), chain_of(fixture::stand_session())));
+  EXPECT_FALSE(measures_no_length(apart, make_chain(apart)));
+  EXPECT_FALSE(measures_no_length(fixture::stand_session(), make_chain(fixture::stand_session())));
 }
 
 TEST(RobotScale, GrowsByWhatItsLinksGrow) {
   const Session s = socket_session(2, {});
-  Problem p = make_problem(s, chain_of(s), {}, geometry(s));
+  Problem p = make_problem(s, make_chain(s), {}, geometry(s));
   ASSERT_TRUE(holds_robot_scale(p));
   EXPECT_NEAR(p.robot_scale->change, 0, 1e-12);
   const Eigen::VectorXd by_effect = p.robot_scale->by_effect;

@@ -44,7 +44,7 @@ FitOptions drawn_model(const Chain& chain, int observations, std::mt19937_64& ra
   return options;
 }
 
-std::string names_of(const FitOptions& options) {
+std::string list_names(const FitOptions& options) {
   std::string names = "held:";
   for (const EffectTerm& t : options.effects) names += fmt::format(" {}@{}", t.id, t.joint);
   names += " estimated:";
@@ -61,7 +61,7 @@ void expect_same_predictions(const Chain& chain, const std::vector<double>& time
     for (double& q : pose.position) q = angle(random);
     pose.time = time(random);
   }
-  for (const Circumstances& c : circumstances_at(chain, poses, times)) {
+  for (const ObservationState& c : states_at(chain, poses, times)) {
     const TcpPrediction a = predict_tcp(c, here), b = predict_tcp(c, there);
     ASSERT_TRUE(a.covariance.allFinite());
     EXPECT_LT((a.root_from_tcp_est.translation - b.root_from_tcp_est.translation).norm(), 1e-12);
@@ -74,15 +74,15 @@ TEST(Export, EveryModelThatCanBeBuiltIsReadBackAndPredictsTheSame) {
   SimulationOptions simulation;
   simulation.observations = 12;
   const Session session = simulate_session(fixture::stand_session(), simulation).session;
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   std::mt19937_64 random(7);
   for (int model = 0; model < 60; ++model) {
     const FitOptions options = drawn_model(chain, simulation.observations, random);
-    SCOPED_TRACE(fmt::format("model {}: {}", model, names_of(options)));
+    SCOPED_TRACE(fmt::format("model {}: {}", model, list_names(options)));
     const Fit fitted = fit(session, options);
-    const Calibration written = calibration_of(session, fitted, report(session, fitted, options), options, "test");
+    const Calibration written = make_calibration(session, fitted, report(session, fitted, options), options, "test");
     const Calibration read = parse_calibration(calibration_text(written), "c.xml");
-    EXPECT_EQ(read.times, times_of(session));
+    EXPECT_EQ(read.times, list_times(session));
     std::size_t numbers = 0;
     for (const CalibrationEffect& e : read.effects) numbers += e.parameters.size();
     const PredictionModel here = prediction_model(fitted), there = prediction_model(read, session.robot);
@@ -100,7 +100,7 @@ TEST(Export, TermsOfOneEffectAtOnePlaceStayTwo) {
   options.estimated = {{"body_slip", -1, {0, 0, 0, 0, 0, 0, 5}}, {"body_slip", -1, {0, 0, 0, 0, 0, 0, 10}}};
   const Fit fitted = fit(session, options);
   const Calibration read = parse_calibration(
-      calibration_text(calibration_of(session, fitted, report(session, fitted, options), options, "test")), "c.xml");
+      calibration_text(make_calibration(session, fitted, report(session, fitted, options), options, "test")), "c.xml");
   ASSERT_EQ(read.effects.size(), 2u);
   EXPECT_EQ(read.effects[0].id, "body_slip");
   EXPECT_EQ(read.effects[1].id, "body_slip");

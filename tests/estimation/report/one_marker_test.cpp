@@ -45,7 +45,7 @@ TEST(EffectiveMass, FindsAWeightThatHangsOnTheHand) {
   Observation o;
   o.position = Eigen::VectorXd::Constant(1, 0.9);
   const Vector3 marker(0.02, 0, 0.01);
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   const Rigid sensor = like.mount.mount_from_sensor;
   const Vector3 commanded = chain_ends(chain, o.position).root_from_tcp * marker;
   // The marker moves on a circle about a2: perpendicular to its arm, by lever^2 * force / stiffness.

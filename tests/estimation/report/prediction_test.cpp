@@ -40,12 +40,12 @@ Drawn draw(std::uint64_t seed) {
   SimulationOptions options;
   options.seed = seed;
   options.observations = 30;
-  options.effects = drawn_effects(chain_of(like), random);
+  options.effects = drawn_effects(make_chain(like), random);
   Drawn d;
   d.truth = simulate_session(like, options);
   FitOptions with;
   for (const std::string& id : in_the_model)
-    for (const EffectTerm& term : effect_terms(id, chain_of(like))) with.estimated.push_back(term);
+    for (const EffectTerm& term : effect_terms(id, make_chain(like))) with.estimated.push_back(term);
   d.fit = fit(d.truth.session, with);
   return d;
 }
@@ -59,7 +59,7 @@ Eigen::VectorXd some_pose(std::mt19937_64& random) {
 
 /// Squared error over the predicted covariance, of the TCP that is tied to the body by the estimated TCP->Body.
 double normalised_squared_error(const Drawn& d, const Eigen::VectorXd& position) {
-  const Chain chain = chain_of(d.truth.session);
+  const Chain chain = make_chain(d.truth.session);
   const TcpPrediction p = predict_tcp(chain, position, prediction_model(d.fit));
   PredictionModel real;
   real.effects = d.truth.effects;
@@ -98,7 +98,7 @@ TEST(Prediction, KnowsThatErrorsOfTheBodyAndOfEffectsGoTogether) {
   PredictionModel apart = together;
   apart.covariance.topRightCorner(6, 12).setZero();
   apart.covariance.bottomLeftCorner(12, 6).setZero();
-  const Chain chain = chain_of(d.truth.session);
+  const Chain chain = make_chain(d.truth.session);
   std::mt19937_64 random(3);
   const Eigen::VectorXd position = some_pose(random);
   // An offset of the last joint turns the hand one way and TCP->Body the other: the body stays where it is.
@@ -108,7 +108,7 @@ TEST(Prediction, KnowsThatErrorsOfTheBodyAndOfEffectsGoTogether) {
 
 TEST(Prediction, IsTheSameFromTheExportedFile) {
   Session session = draw(78).truth.session;
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   FitOptions options;  // terms of one effect apart, one held: the file lists them by effect
   options.effects = {{"joint_elasticity", chain.joints[1], {1e-5}}};
   options.estimated = {{"joint_offset", chain.joints[2], {0}},
@@ -116,9 +116,9 @@ TEST(Prediction, IsTheSameFromTheExportedFile) {
                        {"marker_slip", 1, {0, 0, 0, 12}},
                        {"joint_offset", chain.joints[4], {0}}};
   const Fit fitted = fit(session, options);
-  const FitReport told = report(session, fitted, options);
+  const FitReport reported = report(session, fitted, options);
   const Calibration read =
-      parse_calibration(calibration_text(calibration_of(session, fitted, told, options, "test")), "c.xml");
+      parse_calibration(calibration_text(make_calibration(session, fitted, reported, options, "test")), "c.xml");
   ASSERT_TRUE(read.model_covariance);
   std::mt19937_64 random(4);
   for (int i = 0; i < 5; ++i) {
@@ -139,7 +139,7 @@ TEST(Prediction, OfOneMarkerIsAsSureOfThePositionAsTheMarkerIs) {
   const PredictionModel model = prediction_model(f);
   EXPECT_FALSE(model.rotation_is_observed);
   std::mt19937_64 random(3);
-  const Vector6 sigma = predict_tcp(chain_of(session), some_pose(random), model).sigma();
+  const Vector6 sigma = predict_tcp(make_chain(session), some_pose(random), model).sigma();
   EXPECT_LT(sigma.head<3>().maxCoeff(), 1e-3) << "m; 0.2 mm noise, 40 poses";
   EXPECT_GT(sigma.head<3>().minCoeff(), 1e-6);
   const Session three = simulate_session(fixture::tracker_session(3), options).session;

@@ -20,19 +20,19 @@ SimulatedSession simulated(const std::vector<EffectTerm>& effects = {}) {
   return simulate_session(fixture::stand_session(4), options);
 }
 
-Problem problem_of(const Session& session) { return make_problem(session, chain_of(session)); }
+Problem problem_of(const Session& session) { return make_problem(session, make_chain(session)); }
 
 TEST(Regions, AreFiveAndTheSameEachTime) {
   const Session s = simulated().session;
-  const std::vector<int> regions = regions_of(problem_of(s));
+  const std::vector<int> regions = list_regions(problem_of(s));
   EXPECT_EQ(std::set<int>(regions.begin(), regions.end()).size(), 5u);
-  EXPECT_EQ(regions, regions_of(problem_of(s)));
+  EXPECT_EQ(regions, list_regions(problem_of(s)));
 }
 
 /// Poses near each other in the joints lie together: neighbours' mean distance is far below that of all.
 TEST(Regions, LieApart) {
   const Session s = simulated().session;
-  const std::vector<int> regions = regions_of(problem_of(s));
+  const std::vector<int> regions = list_regions(problem_of(s));
   double within = 0, across = 0;
   int n_within = 0, n_across = 0;
   for (std::size_t a = 0; a < regions.size(); ++a)
@@ -50,7 +50,7 @@ TEST(Regions, PosesMeasuredAgainAreOnePose) {
   s.observations[40].position.array() += 4e-3;  // not quite there
   s.observations[41].position.array() += 0.1;   // another pose
   const Problem problem = problem_of(s);
-  const std::vector<int> first = first_of_same_pose(problem), regions = regions_of(problem);
+  const std::vector<int> first = first_of_same_pose(problem), regions = list_regions(problem);
   for (int i = 30; i < 60; ++i) {
     const auto at = static_cast<std::size_t>(i);
     EXPECT_EQ(first[at], i == 41 ? 41 : i - 30) << i;
@@ -63,7 +63,7 @@ TEST(Regions, TheErrorElsewhereIsLarger) {
   const SimulatedSession s =
       simulated({{"encoder_eccentricity", 1, {8e-3, 4e-3}}, {"encoder_eccentricity", 2, {-6e-3, 7e-3}}});
   FitOptions options;
-  options.estimated = effect_terms("link_geometry", chain_of(s.session));
+  options.estimated = effect_terms("link_geometry", make_chain(s.session));
   const Fit f = fit(s.session, options);
   const ErrorSummary usual = report(s.session, f, options).held_out,
                      elsewhere = held_out_by_region(s.session, f, options);

@@ -15,7 +15,7 @@ Session with_torques(double (*of)(double)) {
   Session session = simulate_session(fixture::stand_session(), options).session;
   for (Observation& o : session.observations) {
     const Posture posture = solve_posture(
-        session.robot, joint_values(session.robot, chain_of(session).joints, o.position), session.gravity);
+        session.robot, joint_values(session.robot, make_chain(session).joints, o.position), session.gravity);
     o.torque.resize(o.position.size());
     for (Eigen::Index j = 0; j < o.torque.size(); ++j) o.torque[j] = of(posture.torque[static_cast<std::size_t>(j)]);
   }

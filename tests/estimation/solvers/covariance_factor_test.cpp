@@ -37,7 +37,7 @@ TEST(CovarianceFactor, GivesItsCovarianceBack) {
   const Eigen::MatrixXd covariance = covariance_from(f);
   EXPECT_LT((covariance - f * f.transpose()).norm(), 1e-14 * covariance.norm());
   EXPECT_EQ(covariance, covariance.transpose());
-  const Eigen::MatrixXd again = factor_of(covariance);
+  const Eigen::MatrixXd again = make_factor(covariance);
   EXPECT_LT((covariance_from(again) - covariance).norm(), 1e-13 * covariance.norm());
 }
 
@@ -45,25 +45,25 @@ TEST(CovarianceFactor, OfWhatRoundingLeftNegativeIsThatOfTheNearestCovariance) {
   Eigen::MatrixXd off = Eigen::MatrixXd::Identity(3, 3);
   off(0, 1) = off(1, 0) = 1 + 1e-5;  // a correlation beyond 1
   off = Eigen::Vector3d(1e-7, 1, 1e4).asDiagonal() * off * Eigen::Vector3d(1e-7, 1, 1e4).asDiagonal();
-  const Eigen::MatrixXd mended = covariance_from(factor_of(off));
+  const Eigen::MatrixXd mended = covariance_from(make_factor(off));
   const Correlations c = correlations_of(mended);
   EXPECT_GE(c.least_eigenvalue, -1e-14);
   EXPECT_LE(c.largest, 1 + 1e-14);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(mended(i, i), off(i, i), 1e-5 * off(i, i));
-  EXPECT_TRUE(factor_of(Eigen::MatrixXd::Zero(2, 2)).isZero(0));
+  EXPECT_TRUE(make_factor(Eigen::MatrixXd::Zero(2, 2)).isZero(0));
 }
 
 TEST(CovarianceFactor, SaysThatNothingIsKnownOfWhatIsNotFinite) {
   Eigen::MatrixXd off = Eigen::MatrixXd::Identity(2, 2);
   off(1, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(factor_of(off).array().isNaN().all());
+  EXPECT_TRUE(make_factor(off).array().isNaN().all());
 }
 
 TEST(CovarianceFactor, OfAnInverseIsThatOfThePseudoInverse) {
   std::mt19937_64 random(2);
   Eigen::MatrixXd rows = drawn(20, 6, random);
   rows.col(4).setZero();          // not part of the problem
-  rows.col(5) = 2 * rows.col(1);  // cannot be told apart
+  rows.col(5) = 2 * rows.col(1);  // cannot be distinguished
   const Eigen::MatrixXd h = rows.transpose() * rows;
   int left_out = 0;
   const Eigen::MatrixXd inverse = pseudo_inverse(h, &left_out);

@@ -34,7 +34,7 @@ TEST(NormalEquations, GradientAloneIsThatOfTheWhole) {
     for (const ProblemObservation& o : f.problem.observations) {
       NormalEquations whole(f.problem.columns());
       add_observation(f.problem, o, off, whole);
-      EXPECT_LT((gradient_of(f.problem, o, off) - whole.gradient).cwiseAbs().maxCoeff(),
+      EXPECT_LT((compute_gradient(f.problem, o, off) - whole.gradient).cwiseAbs().maxCoeff(),
                 1e-12 * whole.gradient.cwiseAbs().maxCoeff());
     }
   }

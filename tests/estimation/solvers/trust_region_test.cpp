@@ -61,7 +61,7 @@ std::vector<Case> cases() {
 
 TEST(TrustRegion, AgreesWithTheNormalEquations) {
   for (Case& c : cases()) {
-    Problem problem = make_problem(c.session, chain_of(c.session), {}, c.estimated);
+    Problem problem = make_problem(c.session, make_chain(c.session), {}, c.estimated);
     if (problem.effect_count() > 0) problem.noise = c.session.rig ? 0.2 : 2e-4;
     const Unknowns start = *start_values(problem, c.session.mount);
     c.options.most_iterations = 300;
@@ -88,7 +88,7 @@ TEST(TrustRegion, ComesBackFromWhereAllMarkersAreBehindTheCameras) {
   for (const bool by_ceres : {false, true}) {
     Session session = simulated(fixture::stand_session()).session;
     session.mount.estimate = true;
-    Problem problem = make_problem(session, chain_of(session));
+    Problem problem = make_problem(session, make_chain(session));
     const Unknowns truth = solve(problem, *start_values(problem, session.mount)).unknowns;
     Unknowns start = truth;
     // Half of the arm's reach farther on, looking 100 degrees aside.
@@ -104,7 +104,7 @@ TEST(TrustRegion, ComesBackFromWhereAllMarkersAreBehindTheCameras) {
 TEST(Solve, NeverTakesAStepThatRaisesTheCost) {
   Session session = simulated(fixture::stand_session()).session;
   session.mount.estimate = true;
-  const Problem problem = make_problem(session, chain_of(session));
+  const Problem problem = make_problem(session, make_chain(session));
   Unknowns start = *start_values(problem, session.mount);
   for (int turn = 0; turn < 12; ++turn) {
     Unknowns wrong = start;
@@ -132,7 +132,7 @@ TEST(SandwichCovariance, IsThatOfWhatTheRowsReallyScatter) {
   o.observations = 30;
   o.noise = 1e-9;
   const SimulatedSession exact = simulate_session(fixture::tracker_session(3), o);
-  const Problem problem = make_problem(exact.session, chain_of(exact.session));
+  const Problem problem = make_problem(exact.session, make_chain(exact.session));
   const Unknowns truth = solve(problem, *start_values(problem, exact.session.mount)).unknowns;
   const Solution at_truth = solve(problem, truth);
   const double sigma = 3e-4;

@@ -22,7 +22,7 @@ Springs springs() {
   SimulationOptions o;
   o.observations = 40;
   Session like = fixture::stand_session();
-  const Chain chain = chain_of(like);
+  const Chain chain = make_chain(like);
   o.effects = effect_terms("joint_elasticity", chain);
   for (EffectTerm& t : o.effects)
     for (double& value : t.values) value = 1e-4;
@@ -64,7 +64,7 @@ TEST(EffectStarts, ARealHumanoidsDeepestValley) {
   std::vector<EffectTerm> estimated;
   for (const char* id :
        {"link_geometry", "joint_elasticity", "link_elasticity", "mimic_linkage", "joint_offset", "base_elasticity"})
-    for (EffectTerm& t : effect_terms(id, chain_of(session))) estimated.push_back(std::move(t));
+    for (EffectTerm& t : effect_terms(id, make_chain(session))) estimated.push_back(std::move(t));
   const Fit f = fit(session, {.estimated = estimated});
   EXPECT_TRUE(f.converged());
   EXPECT_LT(f.residual_rms, 1.70e-3);  // of one coordinate; 1.78e-3 in the other valley

@@ -32,7 +32,7 @@ void label(Session& s, std::size_t index, const std::vector<Vector2>& left, cons
 /// As `label` would: the pointed corners with their partners.
 void label_first_of(Session& s, const std::vector<Vector2>& pointed) {
   const Observation& o = s.observations.front();
-  const FirstLabels labels = label_first(stereo_of(*s.rig), detect_corners(read_image(folder(s) / o.images[0])),
+  const FirstLabels labels = label_first(make_stereo(*s.rig), detect_corners(read_image(folder(s) / o.images[0])),
                                          detect_corners(read_image(folder(s) / o.images[1])), pointed);
   ASSERT_EQ(labels.refusal, "");
   std::vector<Vector2> left, right;
@@ -123,7 +123,7 @@ Cluttered cluttered(std::uint64_t seed, int observations, int others, double sag
   Session& s = c.made.session;
   s.mount.estimate = true;
   s.mount.known = false;
-  const Chain chain = chain_of(s);
+  const Chain chain = make_chain(s);
   c.problem = make_problem(s, chain);
   std::mt19937 random(static_cast<unsigned>(seed));
   c.known.in_body.resize(3);
@@ -136,7 +136,7 @@ Cluttered cluttered(std::uint64_t seed, int observations, int others, double sag
     const auto left = corners_of(s.observations[i], true, s.rig->at(0).camera, i == 0 ? 0 : others, random);
     const auto right = corners_of(s.observations[i], false, s.rig->at(1).camera, i == 0 ? 0 : others, random);
     c.right_answers.push_back(-1);
-    for (const BodyCandidate& body : body_candidates(stereo_of(*s.rig), left, right, c.known)) {
+    for (const BodyCandidate& body : body_candidates(make_stereo(*s.rig), left, right, c.known)) {
       SeenBody seen{{}, body.sensor_from_body, body.sigma, body.turn_sigma};
       bool is_true = body.markers.size() == 3;
       for (const MatchedMarker& m : body.markers) {

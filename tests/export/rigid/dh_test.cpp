@@ -28,21 +28,21 @@ Matrix4 paul(double a, double alpha, double d, double theta) {
   return m;
 }
 
-Matrix4 matrix_of(const YAML::Node& motion) {
+Matrix4 make_matrix(const YAML::Node& motion) {
   const auto numbers = motion["matrix"].as<std::vector<double>>();
   return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
 }
 
 template <class Convention>
 Matrix4 hand_of(const YAML::Node& table, const std::map<std::string, double>& values, const Convention& convention) {
-  Matrix4 hand = matrix_of(table["base"]);
+  Matrix4 hand = make_matrix(table["base"]);
   for (const YAML::Node& row : table["joints"]) {
     const double q = values.at(row["name"].as<std::string>());
     const bool slides = row["type"].as<std::string>() == "prismatic";
     hand = hand * convention(row["a"].as<double>(), row["alpha"].as<double>(), row["d"].as<double>() + (slides ? q : 0),
                              row["theta"].as<double>() + (slides ? 0 : q));
   }
-  return hand * matrix_of(table["tool"]);
+  return hand * make_matrix(table["tool"]);
 }
 
 void expect_tables(const CalibratedRobot& robot, const std::vector<Eigen::VectorXd>& positions, double rest) {
@@ -73,7 +73,7 @@ TEST(Dh, ProductsAreWhatIsPredicted) {
   std::mt19937_64 random(31);
   for (const Session& session : {fixture::rigid_torso(), fixture::stand_session()})
     for (const bool is_nominal : {true, false}) {  // axes that are parallel, and axes nearly so
-      const Chain chain = chain_of(session);
+      const Chain chain = make_chain(session);
       const CalibratedRobot robot = fixture::exported_robot(
           session, is_nominal ? std::vector<EffectTerm>{} : fixture::sayable_terms(chain, random), random, 5);
       expect_tables(robot, poses(robot, random), 0);
@@ -103,7 +103,7 @@ TEST(Dh, OfRandomChainsAreExact) {
     }
     Eigen::VectorXd values(6);
     for (double& q : values) q = normal(random);
-    const Rigid wanted = fixture::link_of(robot, values, "l5");
+    const Rigid wanted = fixture::look_up_link(robot, values, "l5");
     for (const bool is_modified : {true, false}) {
       const DhChain chain = is_modified ? modified_dh(robot, 6) : classical_dh(robot, 6);
       ASSERT_EQ(chain.rows.size(), 6u);
@@ -124,7 +124,7 @@ TEST(Dh, OfWhatNoTableHoldsSaysWhatItMisses) {
   std::mt19937_64 random(33);
   const Session session = fixture::seven_axis_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 30);
+      fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 30);
   const ExportedFile file = exported_file(robot, "dh");
   expect_tables(robot, robot.positions, *file.largest_left);
   EXPECT_NE(file.text.find(fmt::format("{:.3f} mm rms", 1e3 * *file.left)), std::string::npos);
@@ -135,7 +135,7 @@ TEST(Dh, AsCsvIsTheSameTable) {
   std::mt19937_64 random(34);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::sayable_terms(chain_of(session), random), random, 5);
+      fixture::exported_robot(session, fixture::sayable_terms(make_chain(session), random), random, 5);
   const YAML::Node yaml = YAML::Load(exported_file(robot, "dh").text);
   std::istringstream lines(exported_file(robot, "dh", {"arm.csv", ""}).text);
   std::size_t rows = 0;

@@ -66,7 +66,7 @@ TEST(Xacro, IsAMacroWithNameAndParent) {
   std::mt19937_64 random(41);
   const Session session = fixture::rigid_torso();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::sayable_terms(chain_of(session), random), random, 5);
+      fixture::exported_robot(session, fixture::sayable_terms(make_chain(session), random), random, 5);
   const DescribedRobot d = described_robot(robot);
   const std::string text = exported_file(robot, "xacro").text;
   for (const auto& [name, parent] : {std::pair("left", "table"), std::pair("", ""), std::pair("right", "")}) {
@@ -79,7 +79,8 @@ TEST(Xacro, IsAMacroWithNameAndParent) {
       std::vector<std::string> joints;
       for (const std::string& joint : robot.joint_names) joints.push_back(prefix + joint);
       const Eigen::VectorXd position = fixture::random_position(robot.chain, random);
-      const Rigid hand = fixture::link_of(read, fixture::values_in(read, joints, position), prefix + d.urdf.hand_link);
+      const Rigid hand =
+          fixture::look_up_link(read, fixture::values_in(read, joints, position), prefix + d.urdf.hand_link);
       EXPECT_LT(small_motion_between(predicted(robot, position), hand).norm(), 1e-9);
     }
   }
@@ -133,7 +134,7 @@ Rigid ur_hand(const YAML::Node& kinematics, const Session& session, const Eigen:
 TEST(UrCalibration, IsTheKinematicsThatUrsDriversRead) {
   std::mt19937_64 random(42);
   const Session session = ur_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   std::vector<EffectTerm> terms;
   for (const int j : chain.joints) {
     terms.push_back({"joint_offset", j, {3e-3}});
@@ -151,7 +152,7 @@ TEST(UrCalibration, IsTheKinematicsThatUrsDriversRead) {
 TEST(UrCalibration, FitsAgainWhatItCannotHoldAndTellsIt) {
   std::mt19937_64 random(43);
   const Session session = ur_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   const CalibratedRobot robot = fixture::exported_robot(
       session, {{"joint_elasticity", chain.joints[1], {1e-4}}, {"joint_elasticity", chain.joints[2], {1e-4}}}, random,
       40);
@@ -189,11 +190,11 @@ TEST(Ros2Control, HoldsTheBestOffsets) {
   std::mt19937_64 random(45);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 40);
+      fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 40);
   const ExportedFile file = exported_file(robot, "ros2_control");
   const auto document = parse_xml(file.text, "arm.xml");
   std::vector<double> offsets;
-  for (const XmlNode& joint : children(root_of(*document, "arm.xml", "ros2_control"), "joint")) {
+  for (const XmlNode& joint : children(require_root(*document, "arm.xml", "ros2_control"), "joint")) {
     EXPECT_EQ(required_name(joint, "name"), robot.joint_names[offsets.size()]);
     const XmlNode param = required_child(joint, "param");
     EXPECT_EQ(required_name(param, "name"), "offset");
@@ -207,7 +208,7 @@ TEST(Ros2Control, HoldsTheBestOffsets) {
 TEST(Lerobot, TurnsTheReadingByTheOffsetInTicks) {
   std::mt19937_64 random(46);
   const Session session = fixture::stand_session();
-  const Chain chain = chain_of(session);
+  const Chain chain = make_chain(session);
   std::vector<EffectTerm> terms;
   std::vector<double> wanted;
   for (int i = 0; i < 6; ++i) {
@@ -241,7 +242,7 @@ TEST(Lerobot, TellsWhatWholeTicksMiss) {
   std::mt19937_64 random(47);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot = fixture::exported_robot(
-      session, {{"joint_offset", chain_of(session).joints[0], {0.4 * 2 * M_PI / 4096}}}, random, 20);
+      session, {{"joint_offset", make_chain(session).joints[0], {0.4 * 2 * M_PI / 4096}}}, random, 20);
   const ExportedFile file = exported_file(robot, "lerobot");
   EXPECT_EQ(nlohmann::json::parse(file.text)["a1"]["homing_offset"], 0);
   EXPECT_GT(*file.left, 1e-5);

@@ -51,12 +51,12 @@ void expect_of_all_robots(const std::string& kind, const std::function<Reader(co
   std::mt19937_64 random(21);
   for (const Session& session : {fixture::rigid_torso(), fixture::stand_session()}) {
     const CalibratedRobot robot =
-        fixture::exported_robot(session, fixture::sayable_terms(chain_of(session), random), random, 12);
+        fixture::exported_robot(session, fixture::sayable_terms(make_chain(session), random), random, 12);
     expect_predictions(robot, open(exported_file(robot, kind).text), 0, random);
   }
   const Session springy = fixture::seven_axis_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(springy, fixture::unsayable_terms(chain_of(springy)), random, 40);
+      fixture::exported_robot(springy, fixture::unsayable_terms(make_chain(springy)), random, 40);
   const ExportedFile file = exported_file(robot, kind);
   EXPECT_GT(*file.left, 1e-5);
   EXPECT_LT(*file.left, 0.5 * *file.nominal);
@@ -141,7 +141,7 @@ TEST(Mjcf, IsReadByMuJoCoAsPredicted) { GTEST_SKIP() << "libmujoco-dev is not in
 #endif
 
 #ifdef HANDSIGHT_SDFORMAT
-Rigid rigid_of(const ignition::math::Pose3d& pose) {
+Rigid make_rigid(const ignition::math::Pose3d& pose) {
   const auto& q = pose.Rot();
   return {Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).toRotationMatrix(),
           Vector3(pose.Pos().X(), pose.Pos().Y(), pose.Pos().Z())};
@@ -151,7 +151,7 @@ Rigid resolved(const sdf::SemanticPose& pose, const std::string& to) {
   ignition::math::Pose3d found;
   const sdf::Errors errors = pose.Resolve(found, to);
   EXPECT_TRUE(errors.empty()) << to << ": " << (errors.empty() ? "" : errors[0].Message());
-  return rigid_of(found);
+  return make_rigid(found);
 }
 
 /// libsdformat says where frames are with all joints at zero; the product over the joints is the test's own.
@@ -211,7 +211,7 @@ TEST(Sdf, IsReadByLibsdformatAsPredicted) { GTEST_SKIP() << "libsdformat-dev is 
 #endif
 
 #ifdef HANDSIGHT_URDFDOM
-Rigid rigid_of(const urdf::Pose& pose) {
+Rigid make_rigid(const urdf::Pose& pose) {
   return {Eigen::Quaterniond(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).toRotationMatrix(),
           Vector3(pose.position.x, pose.position.y, pose.position.z)};
 }
@@ -230,7 +230,7 @@ Reader urdfdom_reader(const std::string& text) {
       if (joint.type == urdf::Joint::PRISMATIC) motion.translation = value * axis;
       if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
         motion.rotation = Eigen::AngleAxisd(value, axis).toRotationMatrix();
-      root_from_link = rigid_of(joint.parent_to_joint_origin_transform) * motion * root_from_link;
+      root_from_link = make_rigid(joint.parent_to_joint_origin_transform) * motion * root_from_link;
     }
     return root_from_link;
   };

@@ -21,7 +21,7 @@ double missed_by(const CalibratedRobot& robot, const UrdfFile& file, const std::
   double squares = 0;
   for (const Eigen::VectorXd& p : positions) {
     const Rigid wanted = predict_tcp(hand.chain, p, hand.model).root_from_tcp_est;
-    const Rigid found = fixture::link_of(read, fixture::values_in(read, robot.joint_names, p), file.hand_link);
+    const Rigid found = fixture::look_up_link(read, fixture::values_in(read, robot.joint_names, p), file.hand_link);
     squares += (wanted.translation - found.translation).squaredNorm();
   }
   return std::sqrt(squares / static_cast<double>(positions.size()));
@@ -45,7 +45,7 @@ TEST(RigidFit, IsBetterThanWhatIsLeftOfTheModelOnMeasuredPosesAndOnFreshOnes) {
   std::mt19937_64 random(3);
   for (const Session& session : {fixture::stand_session(), fixture::seven_axis_session()}) {
     const CalibratedRobot robot =
-        fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 40);
+        fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 40);
     const UrdfFile best = urdf_file(robot), rest = urdf_file(without_rest(robot));
     const auto fresh = fresh_poses(robot, random);
     EXPECT_LT(missed_by(robot, best, robot.positions), 0.5 * missed_by(robot, rest, robot.positions));
@@ -57,7 +57,7 @@ TEST(RigidFit, TellsWhatTheFileMisses) {
   std::mt19937_64 random(5);
   const Session session = fixture::seven_axis_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 25);
+      fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 25);
   const UrdfFile file = urdf_file(robot);
   const double missed = missed_by(robot, file, robot.positions);
   EXPECT_GT(missed, 1e-5);
@@ -65,9 +65,9 @@ TEST(RigidFit, TellsWhatTheFileMisses) {
   EXPECT_GE(file.fit.left.largest, file.fit.left.rms);
   EXPECT_EQ(file.fit.poses, 25);
   EXPECT_NE(file.text.find(fmt::format("{:.3f} mm rms", 1e3 * missed)), std::string::npos);
-  const ExportedFile told = exported_file(robot, "urdf");
-  ASSERT_TRUE(told.left);
-  EXPECT_NEAR(*told.left, missed, 1e-9);
+  const ExportedFile reported = exported_file(robot, "urdf");
+  ASSERT_TRUE(reported.left);
+  EXPECT_NEAR(*reported.left, missed, 1e-9);
   EXPECT_EQ(file.text.find("<stiffness"), std::string::npos) << "the springs are in the origins now";
 }
 
@@ -76,7 +76,7 @@ TEST(RigidFit, IsTheBest) {
   std::mt19937_64 random(7);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 120);
+      fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 120);
   const RigidFit fit = rigid_fit(robot);
   for (std::size_t j = 0; j < fit.change.joints.size(); ++j)
     for (int n = 0; n < 6; ++n)
@@ -91,7 +91,7 @@ TEST(RigidFit, LeavesTheModelsOwnNumbersWhereNothingIsLeftOut) {
   std::mt19937_64 random(9);
   const Session session = fixture::stand_session();
   const CalibratedRobot robot =
-      fixture::exported_robot(session, fixture::sayable_terms(chain_of(session), random), random, 20);
+      fixture::exported_robot(session, fixture::sayable_terms(make_chain(session), random), random, 20);
   const RigidFit fit = rigid_fit(robot);
   EXPECT_TRUE(fit.left_out.empty());
   EXPECT_LT(fit.left.largest, 1e-12);
@@ -105,8 +105,8 @@ TEST(RigidFit, LeavesTheModelsOwnNumbersWhereNothingIsLeftOut) {
 TEST(RigidFit, OffsetsAloneAreTheBestOffsets) {
   std::mt19937_64 random(11);
   const Session session = fixture::stand_session();
-  std::vector<EffectTerm> terms = fixture::unsayable_terms(chain_of(session));
-  terms.push_back({"link_geometry", chain_of(session).joints[2], {1e-3, 1e-3, 3e-3, -4e-3}});
+  std::vector<EffectTerm> terms = fixture::unsayable_terms(make_chain(session));
+  terms.push_back({"link_geometry", make_chain(session).joints[2], {1e-3, 1e-3, 3e-3, -4e-3}});
   const CalibratedRobot robot = fixture::exported_robot(session, terms, random, 60);
   const RigidFit offsets = rigid_fit(robot, Holds::offsets), origins = rigid_fit(robot);
   EXPECT_LT(origins.left.rms, offsets.left.rms);
@@ -128,7 +128,7 @@ TEST(RigidFit, OfASensorOnTheHandIsOfTheHand) {
   Session session = fixture::seven_axis_session();
   std::swap(session.tcp, session.mount.link);
   session.mount.estimate = true;
-  CalibratedRobot robot = fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random, 40);
+  CalibratedRobot robot = fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random, 40);
   std::erase_if(robot.model.effects, [](const EffectTerm& t) { return t.id == "payload"; });
   robot.of_hand = robot.model;
   robot.of_hand->mount_from_sensor = robot.model.tcp_from_body;
@@ -142,7 +142,7 @@ TEST(RigidFit, OfASensorOnTheHandIsOfTheHand) {
 TEST(RigidFit, KnowsWhereItIsFittedBlindly) {
   std::mt19937_64 random(15);
   const Session session = fixture::stand_session();
-  const CalibratedRobot robot = fixture::exported_robot(session, fixture::unsayable_terms(chain_of(session)), random);
+  const CalibratedRobot robot = fixture::exported_robot(session, fixture::unsayable_terms(make_chain(session)), random);
   const RigidFit fit = rigid_fit(robot);
   EXPECT_FALSE(fit.are_measured);
   EXPECT_NE(missed_text(fit).find("drawn within the joints' limits"), std::string::npos);

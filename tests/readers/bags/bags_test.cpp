@@ -120,7 +120,7 @@ TEST_F(Bags, OneChunkAtATimeIsInMemory) {
 }
 
 TEST_F(Bags, WhatIsNoBagIsNamedForWhatItIs) {
-  const auto refused = [&](const std::filesystem::path& file) { return refusal_of([&] { open_bag(file); }); };
+  const auto refused = [&](const std::filesystem::path& file) { return find_refusal([&] { open_bag(file); }); };
   EXPECT_THAT(refused(written("a.mcap", "\x89MCAP0\r\n")), HasSubstr("holds no channel"));
   EXPECT_THAT(refused(written("b.mcap", std::string("\x89MCAP0\r\n") + std::string(200, '\0'))),
               HasSubstr("holds no channel"));

@@ -88,7 +88,7 @@ struct Recording {
   }
 };
 
-inline std::vector<double> numbers_of(const Rigid& motion) {
+inline std::vector<double> list_numbers(const Rigid& motion) {
   const Eigen::Quaterniond q(motion.rotation);
   const Vector3& t = motion.translation;
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
@@ -117,10 +117,10 @@ inline Recording small_recording(bool ros1) {
     joints.header(t, "").count(2).text("a").text("bb").list({0.01 * i, -0.5}).list({}).list({1, 2});
     add(0, t, joints);
     MessageWriter tf(ros1);
-    tf.count(1).header(t, "camera").text("tag_7").fixed(numbers_of(tag_at(i)));
+    tf.count(1).header(t, "camera").text("tag_7").fixed(list_numbers(tag_at(i)));
     add(1, t, tf);
     MessageWriter board(ros1);
-    board.header(t, "camera").fixed(numbers_of(tag_at(40 - i)));
+    board.header(t, "camera").fixed(list_numbers(tag_at(40 - i)));
     add(2, t, board);
     add(6, t, MessageWriter(ros1).number(std::int8_t{3}));
     if (i % 10 != 0) continue;

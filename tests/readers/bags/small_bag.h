@@ -53,7 +53,7 @@ inline void expect_whole(const std::filesystem::path& path) {
   const BagContents c = read_bag_contents(bag, two_joints());
   expect_small_recording(c);
   EXPECT_EQ(c.notes.size(), 1u) << testing::PrintToString(c.notes);
-  EXPECT_EQ(robot_description_of(bag), "<robot/>");
+  EXPECT_EQ(find_robot_description(bag), "<robot/>");
   const TemporaryFolder folder;
   const auto names = write_bag_images(bag, c.images.at(0), {3, 1}, folder.path, "left");
   ASSERT_EQ(names, (std::vector<std::string>{"0000_left.pgm", "0001_left.pgm"}));

@@ -50,10 +50,10 @@ TEST(Lerobot, WhatIsNoCalibrationIsRefused) {
   EXPECT_TRUE(is_lerobot_calibration(parse_yaml(calibration, "a")));
   EXPECT_FALSE(is_lerobot_calibration(parse_yaml("{\"a\": 1}", "a")));
   const std::string older = "{\"homing_offset\": [1], \"drive_mode\": [0], \"motor_names\": [\"a\"]}";
-  EXPECT_THAT(refusal_of([&] { read_lerobot_calibration(parse_yaml(older, "a"), "arm.json"); }),
+  EXPECT_THAT(find_refusal([&] { read_lerobot_calibration(parse_yaml(older, "a"), "arm.json"); }),
               HasSubstr("lerobot-calibrate"));
   const std::string wrong = "{\"a\": {\"homing_offset\": 1, \"range_min\": 5, \"range_max\": 5}}";
-  EXPECT_THAT(refusal_of([&] { read_lerobot_calibration(parse_yaml(wrong, "a"), "arm.json"); }),
+  EXPECT_THAT(find_refusal([&] { read_lerobot_calibration(parse_yaml(wrong, "a"), "arm.json"); }),
               HasSubstr("range_min"));
 }
 

@@ -30,7 +30,7 @@ class Mjcf : public testing::Test {
   }
   FieldUrdf read(const std::string& text) { return robot_of_file(write("model.xml", text)); }
   std::string refusal(const std::string& text) {
-    return refusal_of([&] { read(text); });
+    return find_refusal([&] { read(text); });
   }
   TemporaryFolder folder_;
 };
@@ -236,7 +236,7 @@ TEST_F(Mjcf, WhatIsWrongIsRefusedWithItsLine) {
   EXPECT_THAT(refusal("<mujoco><compiler coordinate=\"global\"/><worldbody/></mujoco>"), HasSubstr("global"));
   EXPECT_THAT(refusal("<mujoco><worldbody><replicate count=\"3\"/></worldbody></mujoco>"), HasSubstr("mj_saveLastXML"));
   write("model2.xml", "<mujoco><worldbody><include file=\"model2.xml\"/></worldbody></mujoco>");
-  EXPECT_THAT(refusal_of([&] { robot_of_file(folder_.path / "model2.xml"); }), HasSubstr("a second time"));
+  EXPECT_THAT(find_refusal([&] { robot_of_file(folder_.path / "model2.xml"); }), HasSubstr("a second time"));
 }
 
 }  // namespace

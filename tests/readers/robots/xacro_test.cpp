@@ -50,19 +50,19 @@ TEST_F(Xacro, WhereTheProgramIsThereItIsAsked) {
 TEST_F(Xacro, WhereItFailsItsReasonIsTold) {
   write("xacro", "#!/bin/sh\necho long story >&2\necho \"No such argument: prefix\" >&2\nexit 2\n", true);
   const Path path(folder_.path.string() + ":/usr/bin:/bin");
-  const std::string sentence = refusal_of([&] { robot_of_file(write("arm.urdf.xacro", robot_)); });
+  const std::string sentence = find_refusal([&] { robot_of_file(write("arm.urdf.xacro", robot_)); });
   EXPECT_THAT(sentence, HasSubstr("No such argument: prefix"));
   EXPECT_THAT(sentence, HasSubstr("NAME:=VALUE"));
 }
 
 TEST_F(Xacro, WhereItIsNotThereTheCommandIsTold) {
   const Path path(folder_.path.string());
-  EXPECT_THAT(refusal_of([&] { robot_of_file(write("arm.urdf.xacro", robot_)); }),
+  EXPECT_THAT(find_refusal([&] { robot_of_file(write("arm.urdf.xacro", robot_)); }),
               HasSubstr("`xacro arm.urdf.xacro >"));
 }
 
 TEST_F(Xacro, AProgramThatDoesNotEndIsEnded) {
-  const auto output = output_of({"/bin/sh", "-c", "echo begun; echo odd >&2; exec sleep 30"}, 1);
+  const auto output = run_for_output({"/bin/sh", "-c", "echo begun; echo odd >&2; exec sleep 30"}, 1);
   ASSERT_TRUE(output);
   EXPECT_EQ(output->out, "begun\n");
   EXPECT_EQ(output->err, "odd\n");

@@ -44,11 +44,11 @@ struct Outcome {
   Habits habits;
 };
 
-Outcome outcome_of(const std::vector<std::pair<CornerFit, Image>>& all, const Eigen::Vector2d& truth) {
+Outcome make_outcome(const std::vector<std::pair<CornerFit, Image>>& all, const Eigen::Vector2d& truth) {
   std::vector<OddSystem> systems;
   for (const auto& [fit, image] : all) systems.push_back(*odd_system(image, fit));
   Outcome outcome;
-  outcome.habits = habits_of(systems);
+  outcome.habits = learn_habits(systems);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto last = last_step(systems[i], outcome.habits);
     const Eigen::Vector2d move = last->is_needed ? last->move : Eigen::Vector2d::Zero();
@@ -63,7 +63,7 @@ Outcome outcome_of(const std::vector<std::pair<CornerFit, Image>>& all, const Ei
 TEST(CornerAccuracy, OfWhiteNoiseTheCovarianceIsRight) {
   const auto all = fits(plain, 4, false, 150);
   ASSERT_GT(all.size(), 140u);
-  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  const Outcome outcome = make_outcome(all, {32.2, 31.9});
   EXPECT_GT(outcome.normalised, 1.4);  // 2 is right, 150 corners scatter by 0.16
   EXPECT_LT(outcome.normalised, 2.8);
   for (const double correlation : outcome.habits.correlation) EXPECT_NEAR(correlation, 0, 0.1);
@@ -89,7 +89,7 @@ TEST(CornerAccuracy, WhatIsSymmetricIsLittleNoise) {
 TEST(CornerAccuracy, KnowsThatNeighboursShareTheirNoise) {
   const auto all = fits(plain, 4, true, 150);
   ASSERT_GT(all.size(), 130u);
-  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  const Outcome outcome = make_outcome(all, {32.2, 31.9});
   EXPECT_GT(outcome.habits.correlation[0], 0.35);  // a Gaussian of 0.8 px: exp(-1 / 2.56) = 0.68, a third stays hidden
   EXPECT_GT(outcome.normalised, 1);
   EXPECT_LT(outcome.normalised, 4);  // 3.4 here: of sigma a quarter is still missing
@@ -103,7 +103,7 @@ TEST(CornerAccuracy, FindsBothEdgesBends) {
   };
   const auto all = fits(bent, 1.5, false, 60);
   ASSERT_GT(all.size(), 50u);
-  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  const Outcome outcome = make_outcome(all, {32.2, 31.9});
   EXPECT_NEAR(outcome.habits.bend, bend, 0.4 * bend);
   EXPECT_LT(outcome.squares, 0.25 * outcome.before);
   EXPECT_LT(outcome.normalised, 3);
@@ -138,7 +138,7 @@ TEST(CornerAccuracy, FindsLightThatIsAdded) {
   const auto glaring = [&](double u, double v) { return 0.7 * plain(u, v) + 1.2 * (u - 32); };
   const auto all = fits(glaring, 1.5, false, 60);
   ASSERT_GT(all.size(), 50u);
-  const Outcome outcome = outcome_of(all, {32.2, 31.9});
+  const Outcome outcome = make_outcome(all, {32.2, 31.9});
   EXPECT_LT(outcome.squares, 0.25 * outcome.before);
   EXPECT_LT(outcome.normalised, 3);
 }

@@ -51,38 +51,38 @@ TEST(CornerBoard, InSmallCellsNeighboursMayLieAsideOfTheEdges) {
 TEST(CornerBoard, ForetellsWhatLiesOppositeOfANeighbour) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0));
-  const auto foretold = lattice.foretold_by(0);
-  ASSERT_EQ(foretold.size(), 1u);
-  EXPECT_NEAR((foretold[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
-  EXPECT_NEAR(foretold[0].spacing, 20, 1e-9);
-  EXPECT_TRUE(lattice.suits(foretold[0].witness, of_board(-1, 0)));
-  EXPECT_FALSE(lattice.suits(foretold[0].witness, of_board(-2, 0)));
+  const auto predicted = lattice.predicted_by(0);
+  ASSERT_EQ(predicted.size(), 1u);
+  EXPECT_NEAR((predicted[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
+  EXPECT_NEAR(predicted[0].spacing, 20, 1e-9);
+  EXPECT_TRUE(lattice.suits(predicted[0].witness, of_board(-1, 0)));
+  EXPECT_FALSE(lattice.suits(predicted[0].witness, of_board(-2, 0)));
   lattice.add(of_board(-1, 0));
-  EXPECT_TRUE(lattice.foretold_by(0).empty());
+  EXPECT_TRUE(lattice.predicted_by(0).empty());
 }
 
 TEST(CornerBoard, AHoleIsForetoldThoughTheNextButTwoLooksLikeANeighbour) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0)), lattice.add(of_board(-3, 0));
   ASSERT_EQ(lattice.neighbours(0)[1], 2);
-  const auto foretold = lattice.foretold_by(0);
-  ASSERT_EQ(foretold.size(), 1u);
-  EXPECT_NEAR((foretold[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
-  const CornerModel expected = lattice.expected(foretold[0]);
+  const auto predicted = lattice.predicted_by(0);
+  ASSERT_EQ(predicted.size(), 1u);
+  EXPECT_NEAR((predicted[0].position - of_board(-1, 0).position).norm(), 0, 1e-9);
+  const CornerModel expected = lattice.expected(predicted[0]);
   EXPECT_EQ(expected.half_contrast, of_board(-1, 0).half_contrast);
-  EXPECT_EQ(expected.position, foretold[0].position);
+  EXPECT_EQ(expected.position, predicted[0].position);
 }
 
 TEST(CornerBoard, ForetellsAsFarAwayAsANeighboursNeighbourWhereBothSidesAreLacking) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0)), lattice.add(of_board(0, 1)), lattice.add(of_board(1, 1));
-  bool is_foretold = false;
-  for (const Foretold& foretold : lattice.foretold_by(0))
-    is_foretold |= (foretold.position - of_board(1, 0).position).norm() < 1e-9;
-  EXPECT_TRUE(is_foretold);
+  bool is_predicted = false;
+  for (const PredictedCorner& predicted : lattice.predicted_by(0))
+    is_predicted |= (predicted.position - of_board(1, 0).position).norm() < 1e-9;
+  EXPECT_TRUE(is_predicted);
   lattice.add(of_board(1, 0));
-  for (const Foretold& foretold : lattice.foretold_by(0))
-    EXPECT_GT((foretold.position - of_board(1, 0).position).norm(), 1);
+  for (const PredictedCorner& predicted : lattice.predicted_by(0))
+    EXPECT_GT((predicted.position - of_board(1, 0).position).norm(), 1);
 }
 
 TEST(CornerBoard, KnowsWhatIsNear) {

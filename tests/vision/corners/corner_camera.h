@@ -136,7 +136,7 @@ struct Taken {  // one picture's numbers
     const Eigen::Vector2d at = straight(u, v);
     return view.cells(at.x(), at.y());
   }
-  Eigen::Vector2d image_of(double i, double j) const {
+  Eigen::Vector2d make_image(double i, double j) const {
     const Eigen::Vector2d at = (view.cells_from_image.inverse() * Eigen::Vector3d(i, j, 1)).hnormalized();
     Eigen::Vector2d bent = at;
     for (int n = 0; n < 30; ++n) bent += at - straight(bent.x(), bent.y());
@@ -242,7 +242,7 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
   const double off_y = within({-.1, .1}) * height, off_x = within({-.1, .1}) * width;
   const Eigen::Vector2d centre(taken.middle.x() + off_x, taken.middle.y() + off_y);
   const double second_turn = within({0, 2 * M_PI}), first_turn = within({0, 2 * M_PI});
-  taken.view = view_of(centre, picture.cell, picture.tilt, first_turn, second_turn, 1.2 * width);
+  taken.view = find_view(centre, picture.cell, picture.tilt, first_turn, second_turn, 1.2 * width);
   if (conditions.with_board) {
     taken.columns = std::clamp(static_cast<int>(0.8 * width / picture.cell), 3, 40);
     taken.rows = std::clamp(static_cast<int>(0.8 * height / picture.cell), 3, 30);
@@ -313,15 +313,15 @@ inline Picture take(const Conditions& conditions, std::mt19937& random) {
     for (int i = 0; i <= taken.columns; ++i) {
       const double x = i - 0.5 * taken.columns, y = j - 0.5 * taken.rows;
       TrueCorner corner;
-      corner.position = taken.image_of(x, y), corner.in_cells = {x, y};
+      corner.position = taken.make_image(x, y), corner.in_cells = {x, y};
       const bool in_view = corner.position.x() > margin && corner.position.y() > margin &&
                            corner.position.x() < width - 1 - margin && corner.position.y() < height - 1 - margin;
       if (i == 0 || j == 0 || i == taken.columns || j == taken.rows || !in_view) {
         picture.at_rim.push_back(corner.position);
         continue;
       }
-      const Eigen::Vector2d right = taken.image_of(x + 1, y) - corner.position,
-                            down = taken.image_of(x, y + 1) - corner.position;
+      const Eigen::Vector2d right = taken.make_image(x + 1, y) - corner.position,
+                            down = taken.make_image(x, y + 1) - corner.position;
       const double area = std::abs(right.x() * down.y() - right.y() * down.x());
       corner.smallest_cell = area / std::max(right.norm(), down.norm());
       Eigen::Matrix3d shift = Eigen::Matrix3d::Identity();

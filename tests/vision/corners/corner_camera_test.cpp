@@ -23,7 +23,7 @@ struct Outcome {
 };
 
 // Only corners that are nearer to a shadow's edge than `most_from_shadow` px.
-Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed, double most_from_shadow = 1e10) {
+Outcome make_outcome(const Conditions& conditions, int pictures, unsigned seed, double most_from_shadow = 1e10) {
   std::mt19937 random(seed);
   Outcome outcome;
   for (int i = 0; i < pictures; ++i) {
@@ -51,63 +51,63 @@ Outcome outcome_of(const Conditions& conditions, int pictures, unsigned seed, do
 
 // Bounds of the normalised squared error: 2 is right; three times as large a sigma would make 0.2, half of it 8.
 TEST(CornersOfACamera, EvenLight) {
-  const Outcome outcome = outcome_of({}, 4, 1);
+  const Outcome outcome = make_outcome({}, 4, 1);
   EXPECT_GE(outcome.recall(), 0.998);
   EXPECT_GT(outcome.normalised, 1);
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, SteepViews) {
-  const Outcome outcome = outcome_of({.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}}, 8, 2);
+  const Outcome outcome = make_outcome({.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}}, 8, 2);
   EXPECT_GE(outcome.recall(), 0.97);  // 0.98 in the trial's larger sample, 0.92 when each corner stood by itself
 }
 
 TEST(CornersOfACamera, SmallCells) {
-  const Outcome outcome = outcome_of({.cell = {5, 6}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}}, 4, 8);
+  const Outcome outcome = make_outcome({.cell = {5, 6}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}}, 4, 8);
   EXPECT_GT(outcome.in_scope, 2000);
   EXPECT_GE(outcome.recall(), 0.995);
 }
 
 TEST(CornersOfACamera, InterpolatedColoursOfLittleNoise) {
   const Outcome outcome =
-      outcome_of({.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear}, 8, 9);
+      make_outcome({.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear}, 8, 9);
   EXPECT_GE(outcome.recall(), 0.999);
   EXPECT_LT(std::sqrt(outcome.squares), 0.02);  // 0.025 px where what has the pattern's period is fitted too
   EXPECT_LT(outcome.normalised, 4);             // 4 to 9 then
 }
 
 TEST(CornersOfACamera, CompressionsNoiseIsNotCountedTwice) {
-  const Outcome outcome = outcome_of({.quality = {60, 80}}, 5, 10);
+  const Outcome outcome = make_outcome({.quality = {60, 80}}, 5, 10);
   EXPECT_GT(outcome.normalised, 1.4);  // 1.0 where noise at edges counts as asymmetry too
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
   const Outcome outcome =
-      outcome_of({.width = 480, .height = 360, .cell = {36, 50}, .tilt = {0, 0.5}, .blur = {3.5, 7}}, 4, 3);
+      make_outcome({.width = 480, .height = 360, .cell = {36, 50}, .tilt = {0, 0.5}, .blur = {3.5, 7}}, 4, 3);
   EXPECT_GE(outcome.recall(), 0.97);
   EXPECT_LT(outcome.normalised, 4);
 }
 
-// A quarter of the resolution brings the border within reach of the window: there a board still foretells its corners.
+// A quarter of the resolution brings the border within reach of the window: there a board still predicts its corners.
 TEST(CornersOfACamera, BlurredNearTheBorder) {
   const Outcome outcome =
-      outcome_of({.width = 640, .height = 480, .cell = {34, 42}, .tilt = {0, 0.4}, .blur = {6.5, 8}}, 5, 14);
+      make_outcome({.width = 640, .height = 480, .cell = {34, 42}, .tilt = {0, 0.4}, .blur = {6.5, 8}}, 5, 14);
   EXPECT_GT(outcome.in_scope, 400);
   EXPECT_GE(outcome.recall(), 0.998);
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, LightThatIsAdded) {
-  const Outcome outcome = outcome_of({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
+  const Outcome outcome = make_outcome({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
   EXPECT_GE(outcome.recall(), 0.98);
   EXPECT_LT(outcome.normalised, 3);
 }
 
-// A board foretells its corners, those that were found beside the shadow foretell its edge, and the edge is blurred
+// A board predicts its corners, those that were found beside the shadow predict its edge, and the edge is blurred
 // with the corner's own: however near it runs nothing is lost, and sigma is right.
 TEST(CornersOfACamera, ShadowsEdgesThroughABoard) {
-  const Outcome outcome = outcome_of({.shade = {0.3, 0.7}}, 12, 12, 4);
+  const Outcome outcome = make_outcome({.shade = {0.3, 0.7}}, 12, 12, 4);
   EXPECT_GT(outcome.in_scope, 80);
   EXPECT_GE(outcome.recall(), 0.98);
   EXPECT_LT(outcome.squares, 0.2 * 0.2);
@@ -121,37 +121,37 @@ TEST(CornersOfACamera, AnObserverWhoKnowsAllTellsWhatCanBeTold) {
     const double noise = is_clear ? 2 : 60;
     const Picture picture = corner_images::take(
         {.cell = {8, 9}, .contrast = {60, 70}, .noise = {noise, noise}, .with_exact = true}, random);
-    int told = 0, known = 0;
+    int reported = 0, known = 0;
     double sigmas = 0, bounds = 0;
     for (const TrueCorner& truth : picture.corners) {
       const auto verdict = corner_images::ask_oracle(picture, truth);
-      told += verdict.is_told, known += verdict.sigma < 0.3;
+      reported += verdict.is_reported, known += verdict.sigma < 0.3;
       sigmas += verdict.sigma, bounds += truth.bound;
     }
     const int all = static_cast<int>(picture.corners.size());
-    EXPECT_EQ(told == all, is_clear);
+    EXPECT_EQ(reported == all, is_clear);
     EXPECT_EQ(known == all, is_clear);
     EXPECT_GT(sigmas, 0.9 * bounds);  // more is unknown, but nearly all of it has the other parity
     EXPECT_LT(sigmas, 1.5 * bounds);
     if (is_clear) continue;
-    EXPECT_LT(told, all / 2);  // the best rival is 4 standard deviations apart
+    EXPECT_LT(reported, all / 2);  // the best rival is 4 standard deviations apart
   }
 }
 
 TEST(CornersOfACamera, WhiteThatIsCutOff) {
-  const Outcome outcome = outcome_of({.contrast = {80, 200}, .exposure = {1.3, 2.2}}, 6, 5);
+  const Outcome outcome = make_outcome({.contrast = {80, 200}, .exposure = {1.3, 2.2}}, 6, 5);
   EXPECT_GE(outcome.recall(), 0.85);  // 0.88 here
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, BentEdges) {
-  const Outcome outcome = outcome_of({.distortion = {0.3, 0.35}}, 5, 6);
+  const Outcome outcome = make_outcome({.distortion = {0.3, 0.35}}, 5, 6);
   EXPECT_GE(outcome.recall(), 0.99);
   EXPECT_LT(outcome.normalised, 3);  // above 5 were edges taken for straight
 }
 
 TEST(CornersOfACamera, FaintBoardsBeforeStrongTexture) {
-  const Outcome outcome = outcome_of(
+  const Outcome outcome = make_outcome(
       {.width = 1600, .height = 1200, .cell = {40, 50}, .contrast = {45, 55}, .ground = Ground::texture}, 1, 7);
   EXPECT_GE(outcome.recall(), 0.97);
 }

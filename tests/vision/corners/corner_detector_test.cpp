@@ -41,7 +41,7 @@ TEST(CornerDetector, LeavesOutCornersAtTheBorderAndNeverReadsOutside) {
   std::mt19937 random(1);
   for (double u = -2; u < 24; u += 1.7)
     for (double v = -2; v < 24; v += 2.3) {
-      const auto view = corner_images::view_of({u, v}, 10, 0.3, 0.5, 0.4);
+      const auto view = corner_images::find_view({u, v}, 10, 0.3, 0.5, 0.4);
       const Image image = corner_images::render(22, 23, corner_images::marker(view, {}, true), 1, 2, random);
       for (const Corner& corner : detect_corners(image)) {
         EXPECT_GT(corner.position.x(), 4);
@@ -84,7 +84,7 @@ TEST(CornerDetector, ReportsContrastAndEdges) {
   for (const double spin : {0.1, 0.8, 1.5, 2.6}) {
     corner_images::Light light;
     light.black = 60, light.white = 180;
-    const auto view = corner_images::view_of({32.2, 31.7}, 14, 0, 0, spin);
+    const auto view = corner_images::find_view({32.2, 31.7}, 14, 0, 0, spin);
     const Image image = corner_images::render(65, 65, corner_images::marker(view, light), 1, 3, random);
     const auto corner = refine_corner(image, {32, 32});
     ASSERT_TRUE(corner);

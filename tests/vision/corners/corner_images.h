@@ -28,19 +28,19 @@ inline Image as_image(const cv::Mat& mat) {
 /// What a camera sees, without noise and not rounded: the scene (9 points in each of 16 parts of a pixel, no two in a
 /// row or column) blurred by the lens and averaged over the pixel. Blurring whole pixels instead would skew the edges.
 inline cv::Mat exact_image(int width, int height, const Scene& scene, double blur) {
-  constexpr int kFine = 4, kPoints = 9;
-  cv::Mat fine(kFine * height, kFine * width, CV_32F);
+  constexpr int fine_steps = 4, points_in_all = 9;
+  cv::Mat fine(fine_steps * height, fine_steps * width, CV_32F);
   for (int y = 0; y < fine.rows; ++y)
     for (int x = 0; x < fine.cols; ++x) {
       double sum = 0;
-      for (int i = 0; i < kPoints; ++i)
-        sum +=
-            scene((x + (i + 0.5) / kPoints) / kFine - 0.5, (y + ((2 * i + 5) % kPoints + 0.5) / kPoints) / kFine - 0.5);
-      fine.at<float>(y, x) = static_cast<float>(sum / kPoints);
+      for (int i = 0; i < points_in_all; ++i)
+        sum += scene((x + (i + 0.5) / points_in_all) / fine_steps - 0.5,
+                     (y + ((2 * i + 5) % points_in_all + 0.5) / points_in_all) / fine_steps - 0.5);
+      fine.at<float>(y, x) = static_cast<float>(sum / points_in_all);
     }
   if (blur > 0) {
-    const int size = 2 * static_cast<int>(std::ceil(4 * blur * kFine)) + 1;
-    cv::GaussianBlur(fine, fine, {size, size}, blur * kFine, blur * kFine, cv::BORDER_REPLICATE);
+    const int size = 2 * static_cast<int>(std::ceil(4 * blur * fine_steps)) + 1;
+    cv::GaussianBlur(fine, fine, {size, size}, blur * fine_steps, blur * fine_steps, cv::BORDER_REPLICATE);
   }
   cv::Mat exact;
   cv::resize(fine, exact, {width, height}, 0, 0, cv::INTER_AREA);
@@ -71,8 +71,8 @@ struct View {
 };
 
 /// `tilt`: rad, between the plane's normal and the view; `turn`: rad, of the axis of the tilt; `spin`: rad, in plane.
-inline View view_of(const Eigen::Vector2d& corner, double cell, double tilt, double turn, double spin,
-                    double focal = 600) {
+inline View find_view(const Eigen::Vector2d& corner, double cell, double tilt, double turn, double spin,
+                      double focal = 600) {
   const Eigen::Vector3d axis(std::cos(turn), std::sin(turn), 0);
   const Eigen::Matrix3d rotation =
       (Eigen::AngleAxisd(tilt, axis) * Eigen::AngleAxisd(spin, Eigen::Vector3d::UnitZ())).toRotationMatrix();

@@ -57,7 +57,7 @@ std::vector<Suspect> crowd(double own, double pitch = 20) {
   return all;
 }
 
-std::vector<Candidate> candidates_of(const std::vector<Suspect>& suspects) {
+std::vector<Candidate> list_candidates(const std::vector<Suspect>& suspects) {
   std::vector<Candidate> candidates;
   for (const Suspect& suspect : suspects) candidates.push_back(suspect.candidate);
   return candidates;
@@ -65,7 +65,7 @@ std::vector<Candidate> candidates_of(const std::vector<Suspect>& suspects) {
 
 TEST(Weigh, CornersOfABoardSpeakForEachOther) {
   std::vector<Suspect> board = crowd(0.5);
-  SaddleField field(140, 140, candidates_of(board));
+  SaddleField field(140, 140, list_candidates(board));
   weigh(board, field);
   for (const Suspect& suspect : board) EXPECT_GT(suspect.log_odds, 1);
 }
@@ -73,12 +73,12 @@ TEST(Weigh, CornersOfABoardSpeakForEachOther) {
 TEST(Weigh, AmongSaddlesThatAreNoneACornerMustShowMore) {
   std::vector<Suspect> texture = crowd(-6);
   texture[12].own = texture[12].log_odds = 2;  // the one in the middle
-  SaddleField field(140, 140, candidates_of(texture));
+  SaddleField field(140, 140, list_candidates(texture));
   weigh(texture, field);
-  EXPECT_LT(texture[12].log_odds, kLeastLogOdds);
+  EXPECT_LT(texture[12].log_odds, least_log_odds);
   texture[12].own = texture[12].log_odds = 8;
   weigh(texture, field);
-  EXPECT_GT(texture[12].log_odds, kLeastLogOdds);
+  EXPECT_GT(texture[12].log_odds, least_log_odds);
 }
 
 TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
@@ -122,27 +122,27 @@ TEST(BoardSigns, CountAllThatAreNearWhereverTheyLie) {
 
 TEST(Weigh, ABoardsCornersNeedNotAllBeFound) {
   std::vector<Suspect> board = crowd(1, 15);
-  std::vector<Candidate> candidates = candidates_of(board);
+  std::vector<Candidate> candidates = list_candidates(board);
   for (const Suspect& suspect : board)  // as many again that no fit took
     candidates.push_back({suspect.position + Eigen::Vector2d(7, 7), 5, true});
   SaddleField field(140, 140, candidates);
   auto texture = board;
   weigh(texture, field);
-  EXPECT_LT(texture[12].log_odds, kLeastLogOdds);
+  EXPECT_LT(texture[12].log_odds, least_log_odds);
   for (Suspect& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
   weigh(board, field);
-  EXPECT_GT(board[12].log_odds, kLeastLogOdds);
+  EXPECT_GT(board[12].log_odds, least_log_odds);
 }
 
 TEST(CornerLogOdds, RiseWithTheDiscAndFallWithBlurSigmaSkewAndWhatTheModelLeaves) {
   CornerFit fit;
   fit.model.half_contrast = -50, fit.model.blur = 1.5, fit.radius = 7, fit.noise = 5, fit.model.edges = {0.3, 1.8};
   fit.covariance = 0.01 * Eigen::Matrix2d::Identity();
-  const double own = corner_log_odds(signs_of(fit, 3));
+  const double own = corner_log_odds(find_signs(fit, 3));
   const auto changed = [&](const auto& change) {
     CornerFit other = fit;
     change(other);
-    return corner_log_odds(signs_of(other, 3));
+    return corner_log_odds(find_signs(other, 3));
   };
   EXPECT_GT(changed([](CornerFit& f) { f.radius = 9; }), own);
   EXPECT_LT(changed([](CornerFit& f) { f.model.blur = 2; }), own);

@@ -28,7 +28,7 @@ TEST(CornerMosaic, KnowsWhereColourFiltersAreBlind) {
     const auto cross = cross_structure(image, truth, 20);
     const auto fit = cross ? fit_corner(image, truth, *cross, 0.5) : std::nullopt;
     const auto system = fit ? smoothed_odd_system(image, *fit) : std::nullopt;
-    const auto last = system ? last_step(*system, habits_of({&*system, 1})) : std::nullopt;
+    const auto last = system ? last_step(*system, learn_habits({&*system, 1})) : std::nullopt;
     if (!last) continue;
     const Eigen::Vector2d error = fit->model.position + last->move - truth;
     normalised += error.dot(last->covariance.inverse() * error), ++count;

@@ -14,13 +14,14 @@ namespace handsight::corner_images {
 
 /// Standard deviations that a false alarm must be away: 0.6 in a million places, as many as the detector reports in a
 /// megapixel of photographs.
-constexpr double kFalseAlarm = 4.86;
+constexpr double false_alarm = 4.86;
 
 struct OracleVerdict {
-  bool is_told = false;  // likelihood ratio of the pixels, true picture against the best rival, beyond a false alarm's
-  double apart = 0;      // standard deviations, of the true picture from the best rival
-  double sigma = 0;      // px an axis, of the position by Cramer and Rao, with everything else about corner, light and
-                         // shadow unknown
+  bool is_reported =
+      false;         // likelihood ratio of the pixels, true picture against the best rival, beyond a false alarm's
+  double apart = 0;  // standard deviations, of the true picture from the best rival
+  double sigma = 0;  // px an axis, of the position by Cramer and Rao, with everything else about corner, light and
+                     // shadow unknown
 };
 
 namespace oracle_detail {
@@ -81,10 +82,10 @@ void each_rival(const Pixels& pixels, const std::array<Eigen::Vector2d, 2>& norm
   const auto step_at = [&](const Eigen::Vector2d& normal, double offset, Eigen::Index n) {
     return std::erf(M_SQRT1_2 * (normal.dot(pixels.at[static_cast<std::size_t>(n)]) - offset) / width);
   };
-  constexpr int kDirections = 24;
-  for (int k = 0; k < kDirections; ++k)
+  constexpr int direction_count = 24;
+  for (int k = 0; k < direction_count; ++k)
     for (double offset = -most; offset <= most; offset += 0.5) {
-      const double angle = M_PI * k / kDirections;
+      const double angle = M_PI * k / direction_count;
       for (Eigen::Index n = 0; n < count; ++n) functions(n, 1) = step_at({std::cos(angle), std::sin(angle)}, offset, n);
       act(best_of(pixels, functions));
     }
@@ -121,7 +122,7 @@ inline double value_at(const Numbers& numbers, const Eigen::Vector2d& at) {
 
 // px an axis. What the detector takes as known beforehand of light and shadows is known here too.
 inline double sigma_with_all_unknown(const Pixels& pixels, const Numbers& numbers, bool has_shadow, double noise) {
-  constexpr double kShade = 0.003, kSoftness = 0.5;  // 1/px, px
+  constexpr double shade_slope = 0.003, softness_px = 0.5;  // 1/px, px
   const int unknowns = has_shadow ? 13 : 9;
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
   for (const Eigen::Vector2d& at : pixels.at) {
@@ -134,8 +135,8 @@ inline double sigma_with_all_unknown(const Pixels& pixels, const Numbers& number
     }
     information += slope * slope.transpose() / (noise * noise);
   }
-  information(7, 7) += 1 / (kShade * kShade), information(8, 8) += 1 / (kShade * kShade);
-  if (has_shadow) information(12, 12) += 1 / (kSoftness * kSoftness);
+  information(7, 7) += 1 / (shade_slope * shade_slope), information(8, 8) += 1 / (shade_slope * shade_slope);
+  if (has_shadow) information(12, 12) += 1 / (softness_px * softness_px);
   const Eigen::MatrixXd covariance = information.inverse();
   return std::sqrt(std::max(0.5 * (covariance(0, 0) + covariance(1, 1)), 0.0));
 }
@@ -146,19 +147,19 @@ inline double sigma_with_all_unknown(const Pixels& pixels, const Numbers& number
 /// quarter cells, which alone tell: what lies beyond belongs to the neighbours. The sigma is over the 2 x 2 cells.
 inline OracleVerdict ask_oracle(const Picture& picture, const TrueCorner& corner) {
   using namespace oracle_detail;
-  constexpr double kShadowReach = 14;  // px: one that is farther is none
+  constexpr double shadow_reach = 14;  // px: one that is farther is none
   const Pixels own = pixels_round(picture, corner, 0.5);
   if (own.at.size() < 6) return {};
   const double noise =
       std::max(std::sqrt((own.seen - own.exact).squaredNorm() / static_cast<double>(own.at.size())), 0.3);
   const auto normals = normals_at(picture, corner);
   const double width = width_of(picture);
-  OracleVerdict verdict{.is_told = true, .apart = 1e9};
+  OracleVerdict verdict{.is_reported = true, .apart = 1e9};
   each_rival(own, normals, width, [&](const Eigen::VectorXd& rival) {
     const double apart = (own.exact - rival).norm() / noise;
     const double ratio =
         0.5 * ((own.seen - rival).squaredNorm() - (own.seen - own.exact).squaredNorm()) / (noise * noise);
-    verdict.is_told &= ratio > -0.5 * apart * apart + kFalseAlarm * apart;
+    verdict.is_reported &= ratio > -0.5 * apart * apart + false_alarm * apart;
     verdict.apart = std::min(verdict.apart, apart);
   });
   Eigen::MatrixXd cross(static_cast<Eigen::Index>(own.at.size()), 2);
@@ -169,7 +170,7 @@ inline OracleVerdict ask_oracle(const Picture& picture, const TrueCorner& corner
   }
   const Eigen::Vector2d levels = cross.colPivHouseholderQr().solve(own.exact);
   const ShadowLine shadow = picture.shadow(corner);
-  const bool has_shadow = shadow.depth > 0 && std::abs(shadow.distance) < kShadowReach;
+  const bool has_shadow = shadow.depth > 0 && std::abs(shadow.distance) < shadow_reach;
   Numbers numbers;
   numbers << 0, 0, std::atan2(normals[0].y(), normals[0].x()), std::atan2(normals[1].y(), normals[1].x()), width,
       levels, 0, 0, shadow.direction, shadow.distance, has_shadow ? shadow.depth : 0,

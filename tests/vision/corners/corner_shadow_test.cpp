@@ -26,7 +26,7 @@ Beside marker_beside_shadow(double shade, double distance, double angle, unsigne
   light.black = 40, light.white = 200, light.shade = shade;
   light.shade_distance = distance, light.shade_angle = angle;
   const Eigen::Vector2d corner = Eigen::Vector2d(32, 32) + fixture::drawn_2([&] { return half(random); });
-  const auto view = corner_images::view_of(corner, 16, 0.3, 1, 0.4 + 0.3 * seed);
+  const auto view = corner_images::find_view(corner, 16, 0.3, 1, 0.4 + 0.3 * seed);
   return {corner, corner_images::render(65, 65, corner_images::marker(view, light), 1.2, 2, random)};
 }
 
@@ -127,19 +127,19 @@ TEST(EvaluateBesideShadow, HasTheDerivativesOfItsResiduals) {
   model.half_contrast = 70, model.shadow = {0.7, 1.5, 0.5, 1.5};
   const auto at = [&](const CornerModel& here) {
     auto patch = std::make_unique<CornerPatch>();
-    gather(beside.image, pixel_of(beside.corner), 7, *patch);
+    gather(beside.image, nearest_pixel(beside.corner), 7, *patch);
     evaluate(here, 6, 0, patch->count, *patch);
     return patch;
   };
   const auto here = at(model);
   const auto compare = [&](const CornerPatch::Row& row, double share, const auto& change) {
-    constexpr double kStep = 2e-3;
+    constexpr double step_size = 2e-3;
     CornerModel more = model, less = model;
-    change(more, kStep), change(less, -kStep);
+    change(more, step_size), change(less, -step_size);
     const auto after = at(more), before = at(less);
     double apart = 0, all = 0;
     for (int n = 0; n < pixels_in_disc(4); ++n) {  // inside of the rim, which moves with the position
-      const double slope = (before->residual[n] - after->residual[n]) / (2 * kStep);
+      const double slope = (before->residual[n] - after->residual[n]) / (2 * step_size);
       apart += (slope - row[n]) * (slope - row[n]), all += slope * slope;
     }
     EXPECT_LT(std::sqrt(apart / all), share);

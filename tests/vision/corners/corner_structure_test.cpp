@@ -31,20 +31,20 @@ TEST(CrossStructure, FourSectorsSuitACornerWhateverItsBlurAndAngle) {
 }
 
 TEST(CrossStructure, WhatIsNoSectorsIsMisfit) {
-  const auto misfit_of = [](const auto& wave) {
+  const auto compute_misfit = [](const auto& wave) {
     CrossStructure cross;
     cross.edges = {0, M_PI / 2};
-    for (int i = 0; i < CrossStructure::kDirections; ++i)
-      cross.profile[i] = static_cast<float>(130 + 70 * wave(M_PI * i / CrossStructure::kDirections));
+    for (int i = 0; i < CrossStructure::direction_count; ++i)
+      cross.profile[i] = static_cast<float>(130 + 70 * wave(M_PI * i / CrossStructure::direction_count));
     return sector_misfit(cross);
   };
   const auto blurred = [](double angle) { return std::erf(1.6 * std::sin(angle)) * std::erf(1.6 * std::cos(angle)); };
-  EXPECT_LT(misfit_of(blurred), 0.06);
-  EXPECT_GT(misfit_of([&](double angle) { return blurred(angle) + 0.4 * std::sin(6 * angle); }), 0.15);
-  EXPECT_GT(misfit_of([&](double angle) { return blurred(angle) * (angle < 0.8 ? 0.1 : 1.0); }), 0.15);
+  EXPECT_LT(compute_misfit(blurred), 0.06);
+  EXPECT_GT(compute_misfit([&](double angle) { return blurred(angle) + 0.4 * std::sin(6 * angle); }), 0.15);
+  EXPECT_GT(compute_misfit([&](double angle) { return blurred(angle) * (angle < 0.8 ? 0.1 : 1.0); }), 0.15);
 }
 
-// Where some blur leaves little enough no other needs to be tried; where none does the least is told.
+// Where some blur leaves little enough no other needs to be tried; where none does the least is reported.
 TEST(SectorMisfit, EndsWhereItIsEnough) {
   for (const double blur : {0.7, 1.2, 2.0, 2.6}) {
     const auto cross = cross_structure(sectors({200, 60, 60, 200}, 0.4, 1.5, blur), {32, 32}, 20);

@@ -38,7 +38,7 @@ inline Sample draw(const Variety& variety, std::mt19937& random) {
   const double corner_v = 32 + uniform(-0.5, 0.5), corner_u = 32 + uniform(-0.5, 0.5);
   const Eigen::Vector2d corner(corner_u, corner_v);
   const double cell = within(variety.cell), tilt = uniform(0, variety.tilt), turn = uniform(0, 2 * M_PI);
-  sample.view = view_of(corner, cell, tilt, turn, uniform(0, 2 * M_PI));
+  sample.view = find_view(corner, cell, tilt, turn, uniform(0, 2 * M_PI));
   sample.contrast = within(variety.contrast), sample.blur = within(variety.blur), sample.noise = within(variety.noise);
   Light& light = sample.light;
   light.black = uniform(20, 235 - sample.contrast), light.white = light.black + sample.contrast;
@@ -53,7 +53,7 @@ inline Sample draw(const Variety& variety, std::mt19937& random) {
 /// image itself: its neighbours' blur, its shadow, its marker's border and the rounding to grey levels are in it. Over
 /// the pixels of the 2 x 2 cells.
 inline Eigen::Matrix2d rendered_bound(const Sample& sample, bool board) {
-  constexpr double kStep = 0.1;  // px
+  constexpr double step_size = 0.1;  // px
   const auto moved = [&](double du, double dv) {
     View view = sample.view;
     Eigen::Matrix3d back = Eigen::Matrix3d::Identity();
@@ -61,13 +61,13 @@ inline Eigen::Matrix2d rendered_bound(const Sample& sample, bool board) {
     view.cells_from_image = view.cells_from_image * back;  // the light stays where it is
     return exact_image(65, 65, marker(view, sample.light, board), sample.blur);
   };
-  const cv::Mat by_u = moved(kStep, 0) - moved(-kStep, 0), by_v = moved(0, kStep) - moved(0, -kStep);
+  const cv::Mat by_u = moved(step_size, 0) - moved(-step_size, 0), by_v = moved(0, step_size) - moved(0, -step_size);
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   for (int v = 0; v < 65; ++v)
     for (int u = 0; u < 65; ++u) {
       const Eigen::Vector2d at = sample.view.cells(u, v);
       if (std::abs(at.x()) > 1 || std::abs(at.y()) > 1) continue;
-      const Eigen::Vector2d j = Eigen::Vector2d(by_u.at<float>(v, u), by_v.at<float>(v, u)) / (2 * kStep);
+      const Eigen::Vector2d j = Eigen::Vector2d(by_u.at<float>(v, u), by_v.at<float>(v, u)) / (2 * step_size);
       information += j * j.transpose() / (sample.noise * sample.noise + 1 / 12.0);
     }
   return information.inverse();
@@ -82,31 +82,31 @@ struct Fixture {
 };
 
 inline Fixture fixture(const Eigen::Vector2d& corner, double blur, double noise, double cell, std::mt19937& random) {
-  constexpr int kSize = 45, kSamples = 8;
+  constexpr int size_px = 45, sample_count = 8;
   const auto odd_cell = [&](double at, double origin) {
     return static_cast<int>(std::floor((at - origin) / cell)) & 1;
   };
-  cv::Mat mat(kSize, kSize, CV_32F);
-  for (int v = 0; v < kSize; ++v)
-    for (int u = 0; u < kSize; ++u) {
+  cv::Mat mat(size_px, size_px, CV_32F);
+  for (int v = 0; v < size_px; ++v)
+    for (int u = 0; u < size_px; ++u) {
       int white = 0;
-      for (int i = 0; i < kSamples * kSamples; ++i)
-        white += odd_cell(u + (i % kSamples + 0.5) / kSamples - 0.5, corner.x()) ^
-                 odd_cell(v + (i / kSamples + 0.5) / kSamples - 0.5, corner.y());
-      mat.at<float>(v, u) = std::round(30 + 200.f * static_cast<float>(white) / (kSamples * kSamples));
+      for (int i = 0; i < sample_count * sample_count; ++i)
+        white += odd_cell(u + (i % sample_count + 0.5) / sample_count - 0.5, corner.x()) ^
+                 odd_cell(v + (i / sample_count + 0.5) / sample_count - 0.5, corner.y());
+      mat.at<float>(v, u) = std::round(30 + 200.f * static_cast<float>(white) / (sample_count * sample_count));
     }
   if (blur > 0) {
     const int size = 2 * static_cast<int>(std::ceil(3 * blur)) + 1;
     cv::GaussianBlur(mat, mat, {size, size}, blur, blur, cv::BORDER_REPLICATE);
   }
   std::normal_distribution<double> normal(0, 1);
-  Image image(kSize, kSize);
-  for (int v = 0; v < kSize; ++v)
-    for (int u = 0; u < kSize; ++u) {
+  Image image(size_px, size_px);
+  for (int v = 0; v < size_px; ++v)
+    for (int u = 0; u < size_px; ++u) {
       const double value = mat.at<float>(v, u) + (noise > 0 ? noise * normal(random) : 0.0);
       image.row(v)[u] = static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
     }
-  return {image, corner, (corner.array() * kSamples).round() / kSamples};
+  return {image, corner, (corner.array() * sample_count).round() / sample_count};
 }
 
 /// The corner refined by OpenCV from the same start: window 11 x 11, as in OpenCV's own examples.

@@ -87,8 +87,8 @@ TEST(ImageFile, ReadsTheUsualFormats) {
   for (const std::string extension : {".png", ".pgm", ".bmp", ".tiff", ".jpg", ".webp"}) {
     const auto file = folder.path / ("a" + extension);
     write(file, encoded(extension, as_mat(image)));
-    const auto told = image_size(read_file(file));
-    ASSERT_TRUE(told && told->width == 61 && told->height == 47) << extension;
+    const auto reported = image_size(read_file(file));
+    ASSERT_TRUE(reported && reported->width == 61 && reported->height == 47) << extension;
     const Image read = read_image(file);
     ASSERT_EQ(read.width, 61) << extension;
     ASSERT_EQ(read.height, 47) << extension;
@@ -152,10 +152,10 @@ TEST(ImageFile, WebPOfEveryKindTellsItsSize) {
       ASSERT_TRUE(cv::imencode(".webp", picture, bytes, {cv::IMWRITE_WEBP_QUALITY, quality}));
       const std::string text(bytes.begin(), bytes.end());
       kinds.insert(text.substr(12, 4));
-      const auto told = image_size(text);
-      ASSERT_TRUE(told) << text.substr(12, 4);
-      EXPECT_EQ(told->width, 61);
-      EXPECT_EQ(told->height, 47);
+      const auto reported = image_size(text);
+      ASSERT_TRUE(reported) << text.substr(12, 4);
+      EXPECT_EQ(reported->width, 61);
+      EXPECT_EQ(reported->height, 47);
       EXPECT_FALSE(is_cut_off(text));
       EXPECT_TRUE(is_cut_off(text.substr(0, text.size() - 20)));
     }

@@ -16,7 +16,7 @@ const Rigid truth{rotation_from_rpy({2.9, 0.2, 0.4}), {0.05, -0.04, 0.9}};
 const double corner_sigma = 0.05;  // px
 
 struct Scene {
-  StereoRig rig = stereo_of(*fixture::stand_session().rig);
+  StereoRig rig = make_stereo(*fixture::stand_session().rig);
   std::vector<Corner> left, right;
   Random random{1};
 

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<Vector3> triangle = {{0, 0, 0}, {0.06, 0, 0}, {0.01, 0.04, 0}};
 
-KnownMarkers known_of(const std::vector<Vector3>& markers, double sigma = 5e-4) {
+KnownMarkers assess_knowledge(const std::vector<Vector3>& markers, double sigma = 5e-4) {
   KnownMarkers known;
   for (const Vector3& x : markers) {
     known.in_body.emplace_back(x);
@@ -33,7 +33,7 @@ std::vector<NumberedPoint> pointed(const std::vector<Vector3>& markers, const st
 TEST(MarkerNumbering, EveryOrderOfATriangleIsKnownByItsSides) {
   std::vector<int> order = {0, 1, 2};
   do {
-    const auto numbers = numbers_by_sides(pointed(triangle, order), known_of(triangle));
+    const auto numbers = numbers_by_sides(pointed(triangle, order), assess_knowledge(triangle));
     if (order == std::vector<int>{0, 1, 2}) {
       EXPECT_FALSE(numbers) << "as they are numbered they agree";
     } else {
@@ -45,26 +45,26 @@ TEST(MarkerNumbering, EveryOrderOfATriangleIsKnownByItsSides) {
 
 TEST(MarkerNumbering, EqualSidesTellNothing) {
   const std::vector<Vector3> isosceles = {{0, 0, 0}, {0.06, 0, 0}, {0.03, 0.02, 0}};
-  const auto numbers = numbers_by_sides(pointed(isosceles, {2, 0, 1}), known_of(isosceles));
+  const auto numbers = numbers_by_sides(pointed(isosceles, {2, 0, 1}), assess_knowledge(isosceles));
   EXPECT_FALSE(numbers) << "two orders fit";
 }
 
 TEST(MarkerNumbering, CornersThatAreNotTheMarkersKeepTheirNumbers) {
   auto points = pointed(triangle, {1, 0, 2});
   points[1].point.x() += 0.03;
-  EXPECT_FALSE(numbers_by_sides(points, known_of(triangle)));
+  EXPECT_FALSE(numbers_by_sides(points, assess_knowledge(triangle)));
 }
 
 TEST(MarkerNumbering, ThreeOfFiveMarkersAreKnownToo) {
   const std::vector<Vector3> five = {
       {0, 0, 0}, {0.06, 0, 0}, {0.01, 0.04, 0}, {-0.03, 0.01, 0.02}, {0.02, -0.05, 0.01}};
-  const auto numbers = numbers_by_sides(pointed(five, {4, 2, 0}), known_of(five));
+  const auto numbers = numbers_by_sides(pointed(five, {4, 2, 0}), assess_knowledge(five));
   ASSERT_TRUE(numbers);
   EXPECT_EQ(*numbers, (std::vector<int>{4, 2, 0}));
 }
 
 TEST(MarkerNumbering, WherePointsAreBadlyKnownTheNumbersStay) {
-  EXPECT_FALSE(numbers_by_sides(pointed(triangle, {1, 0, 2}, 0.02), known_of(triangle)));
+  EXPECT_FALSE(numbers_by_sides(pointed(triangle, {1, 0, 2}, 0.02), assess_knowledge(triangle)));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST_P(Bills, FromTheProofToTheReport) {
   const QString stop = button->text();
   ASSERT_TRUE(desk.wait([&] { return button->text() != stop; }, 300000));
   ASSERT_TRUE(explain.is_settled());
-  desk.wait([&] { return desk.window.bench().diagnosing.certainty() != nullptr; });
+  desk.wait([&] { return desk.window.workbench().diagnosing.inclusion_probabilities() != nullptr; });
   QTest::qWait(3000);
   photo.take("bill_" + name);
   desk.key(Qt::Key_5, Qt::ControlModifier);

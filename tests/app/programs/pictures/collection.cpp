@@ -17,7 +17,7 @@ TEST(Pictures, OfACollection) {
   Photographer photo{desk};
   ASSERT_TRUE(desk.window.open(QString::fromStdString(two_hands(folder.path).string())));
   ASSERT_TRUE(desk.settle());
-  desk.window.bench().selection.select_observation(57);
+  desk.window.workbench().selection.select_observation(57);
   take_each_workspace(desk, photo, "both");
   if (testing::Test::HasFatalFailure()) return;
   desk.key(Qt::Key_4, Qt::ControlModifier);

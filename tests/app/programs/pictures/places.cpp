@@ -16,7 +16,7 @@ namespace {
 std::filesystem::path bent_session(const std::filesystem::path& folder, bool is_distance) {
   const auto copy = copy_of_sample(folder, "hidden_2");
   const Session like = read_session(copy);
-  const Problem problem = make_problem(like, chain_of(like), {}, {});
+  const Problem problem = make_problem(like, make_chain(like), {}, {});
   const Rigid& mount = like.mount.mount_from_sensor;
   const PlaceFormula place = is_distance ? distance_formula(problem, tcp_places(problem), mount)
                                          : image_formula(problem, tcp_places(problem), mount, 0);

@@ -14,7 +14,7 @@ TEST(Pictures, OfTouches) {
   Photographer photo{desk};
   ASSERT_TRUE(desk.window.open(HANDSIGHT_SOURCE_DIR "/sample_sessions/probe_and_plate"));
   ASSERT_TRUE(desk.settle());
-  desk.window.bench().selection.select_observation(20);
+  desk.window.workbench().selection.select_observation(20);
   take_each_workspace(desk, photo, "touch");
 }
 

@@ -38,7 +38,7 @@ TEST(Pictures, OfTheComparison) {
   ASSERT_TRUE(desk.settle());
   const auto compare = [&](const std::filesystem::path& other) {
     desk.window.compare_with(QString::fromStdString(other.string()));
-    return desk.wait([&] { return !desk.window.bench().explaining.is_busy(); }, 120000);
+    return desk.wait([&] { return !desk.window.workbench().explaining.is_busy(); }, 120000);
   };
   ASSERT_TRUE(compare(before));
   auto* tabs = desk.find<QTabWidget>("compare_tabs");
@@ -73,7 +73,7 @@ TEST(Pictures, OfWhatAnotherProgramWrote) {
   const auto session = copy_of_sample(folder.path, "hidden_2");
   ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
-  desk.window.bench().exclude({1, 2, 5});
+  desk.window.workbench().exclude({1, 2, 5});
   Session there = read_session(session);
   for (const std::size_t i : {1U, 2U, 5U, 9U}) {
     there.observations[i].decision = i == 2 ? Decision::rejected : Decision::excluded;

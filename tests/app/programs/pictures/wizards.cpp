@@ -90,16 +90,16 @@ TEST(Pictures, OfTheWizardOfFilesAtWork) {
   desk.find<QLineEdit>("files_title")->setText("Monday");
   desk.find<QLineEdit>("files_out")->setText(QString::fromStdString((folder.path / "monday").string()));
   take("files_ready");
-  desk.window.bench().background.hold(true);
+  desk.window.workbench().background.hold(true);
   desk.press_button("files_make");
   take("files_working");
   desk.press_button("files_stop");
   take("files_stopping");
-  desk.window.bench().background.hold(false);
+  desk.window.workbench().background.hold(false);
   ASSERT_TRUE(desk.wait([&] { return !desk.find<QWidget>("files_stop")->isVisible(); }));
   take("files_stopped");
   desk.press_button("files_make");
-  ASSERT_TRUE(desk.wait([&] { return !desk.window.bench().background.is_busy(); }));
+  ASSERT_TRUE(desk.wait([&] { return !desk.window.workbench().background.is_busy(); }));
   take("files_made");
   static_cast<QDialog*>(wizard)->reject();
 }

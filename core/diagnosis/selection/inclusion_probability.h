@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How sure the names of a model are, what else may be there, and what that leaves open of its predictions: the average
+// over models (Hoeting, Madigan, Raftery and Volinsky 1999, Bayesian model averaging).
+#pragma once
+
+#include "diagnosis/verdict/diagnosis.h"
+#include "estimation/report/model_uncertainty.h"
+
+namespace handsight {
+
+/// A name of the catalogue, an own effect or a curve.
+struct InclusionProbability {
+  std::string id;
+  std::vector<std::string> where;  // places that are likelier than not where it is there; else its likeliest
+  double probability = 0;          // that it is there
+  bool is_in_model = false;
+  /// Of the model's: ids of what could do the same to the measurements on these poses.
+  std::vector<std::string> indistinguishable_from = {};
+};
+
+/// A name that is not in the model and yet likely.
+struct LikelyName {
+  InclusionProbability name;
+  std::vector<EffectTerm> estimated;  // the model's estimated terms, then its own, to first order
+};
+
+struct InclusionProbabilities {
+  std::vector<InclusionProbability> names;  // of the model first, the surest first; others from `least_reported` on
+  std::vector<LikelyName> likely;           // from `least_likely` on, the likeliest first
+  ModelUncertainty model_uncertainty;
+
+  static constexpr double least_reported = 0.05, least_likely = 0.8;
+};
+
+/// Of the estimated terms from `first` on, and of all of the catalogue that could stand beside or in the place of them.
+/// To first order about the model's answer; each name has odds of 1 to 7 before the measurements, its places share
+/// them, sizes are those of the evidence (others no larger than plausible). What begins at some observation may
+/// go, but does not come. `goes_on` is asked now and then; false gives nothing, and so does a fit with markers that are
+/// held where no shape is known.
+InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size_t first,
+                                               const std::function<bool()>& goes_on);
+
+}  // namespace handsight

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/pruning.h"
+
+#include <algorithm>
+#include <set>
+
+#include "diagnosis/ranking/curves.h"
+#include "diagnosis/ranking/refitting.h"
+#include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/exchange.h"
+#include "diagnosis/verdict/diagnosis.h"
+
+namespace handsight {
+namespace {
+
+constexpr int most_groups_each_time = 4;  // exchanges are looked for after every addition up to here
+constexpr double clearly_better = 2;      // ln: for another form of a curve
+
+/// What the squares would grow by, in units of the noise and to first order, if the terms from `first` to `last` of
+/// the estimated ones were 0 and all else followed.
+double squares_without(const Fit& fit, const FitOptions& options, std::size_t first, std::size_t last, double noise) {
+  const Problem& problem = fit.problem;
+  const std::size_t held = options.effects.size();
+  std::vector<Eigen::Index> theirs, others;
+  for (Eigen::Index c = 0; c < problem.columns(); ++c) {
+    const Eigen::Index effect = c - problem.effect_column();
+    const std::size_t term = effect < 0 ? 0 : problem.columns_of_effects[static_cast<std::size_t>(effect)].term - held;
+    (effect >= 0 && term >= first && term < last ? theirs : others).push_back(c);
+  }
+  const Eigen::MatrixXd& h = fit.solution.normal.information;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(problem.columns());
+  all.tail(problem.effect_count()) = estimate(fit).effects;
+  const Eigen::VectorXd value = all(theirs);
+  const Eigen::VectorXd shared = h(others, theirs) * value;
+  const double squares = value.dot(h(theirs, theirs) * value) - shared.dot(pseudo_inverse(h(others, others)) * shared);
+  return squares / (noise * noise);
+}
+
+class Upkeep {
+ public:
+  Upkeep(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
+      : session_(session), options_(options), most_(most), change_(change) {}
+
+  void run() {
+    drop_what_is_no_longer_needed();
+    thin_out();
+    if (group_count() <= most_groups_each_time) exchange_names();
+    look_for_forms_again();
+  }
+
+ private:
+  const std::vector<EffectTerm>& terms() const { return change_.model->model_options.estimated; }
+
+  bool goes_on() {
+    if (options_.on_progress && !options_.on_progress(0.97)) change_.stopped = true;
+    return !change_.stopped;
+  }
+
+  std::vector<EffectTerm> group(std::size_t first, std::size_t last) const {
+    return {terms().begin() + static_cast<std::ptrdiff_t>(first), terms().begin() + static_cast<std::ptrdiff_t>(last)};
+  }
+
+  FitOptions options_without(std::size_t first, std::size_t last, const NoiseModel& by) const {
+    FitOptions o = change_.model->model_options;
+    set_quick(by, o);
+    o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                      o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
+    return o;
+  }
+
+  int group_count() const {
+    int count = 0;
+    for (std::size_t first = options_.estimated.size(); first < terms().size(); first = end_of_group(terms(), first))
+      ++count;
+    return count;
+  }
+
+  /// The model without these terms, fitted on the same points, and the options that go on from there.
+  std::pair<CleanFit, FitOptions> fitted_without(std::size_t first, std::size_t last, const NoiseModel& by) const {
+    const Session& points = change_.model->model.session;
+    FitOptions o = options_without(first, last, by);
+    CleanFit without{points, fit(points, o), {}};
+    for (std::size_t t = 0; t < o.estimated.size(); ++t)
+      o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
+    return {std::move(without), std::move(o)};
+  }
+
+  /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
+  bool take(Diagnosis next, const std::string& removed) {
+    change_.stopped = change_.stopped || next.stopped;
+    if (next.stopped || held_out_error(next) > most_) return false;
+    ImprovementStep& step = change_.steps.back();
+    const ImprovementStep now = find_step(next);
+    step.fitted = now.fitted;
+    step.held_out = now.held_out;
+    step.noise = now.noise;
+    if (!removed.empty()) step.removed += (step.removed.empty() ? "" : ", ") + removed;
+    change_.model = std::move(next);
+    return true;
+  }
+
+  /// Everything added before the last step must still be worth its parameters.
+  void drop_what_is_no_longer_needed() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      if (last == terms().size() || !drop(first, last)) first = last;
+    }
+  }
+
+  bool drop(std::size_t first, std::size_t last) {
+    const Diagnosis& d = *change_.model;
+    const Fit& with = d.model.fit;
+    const std::vector<EffectTerm> dropped = group(first, last);
+    const NoiseModel by = noise_model(with);
+    // To first order it cannot be said by how much a large effect is needed, but that it is.
+    if (squares_without(with, d.model_options, first, last, by.noise) > 10 * d.threshold + 100) return false;
+    const FitOptions o = options_without(first, last, by);
+    const Fit without = fit(d.model.session, o);
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : d.threshold;
+    if (gained >= least - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
+    return take(diagnosed_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
+  }
+
+  /// Places of an effect that say nothing any more beside what was added since go: they let the others wander.
+  void thin_out() {
+    Fit model = change_.model->model.fit;
+    FitOptions o = change_.model->model_options;
+    const NoiseModel by = noise_model(model);
+    set_quick(by, o);
+    for (std::size_t t = options_.estimated.size(); t < o.estimated.size() && goes_on();) {
+      const auto fewer = is_one_of_several(o.estimated, t) ? without_place(model, o, t, by) : std::nullopt;
+      if (!fewer) {
+        ++t;
+        continue;
+      }
+      o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(t));
+      for (std::size_t k = 0; k < o.estimated.size(); ++k) o.estimated[k] = fewer->effects[o.effects.size() + k].term;
+      model = *fewer;
+    }
+    if (o.estimated.size() == terms().size() || change_.stopped) return;
+    const double most = std::min(most_, as_good * held_out_error(*change_.model));
+    Diagnosis next = diagnosed_from(session_, options_, o.estimated, estimate(model), most);
+    if (held_out_error(next) <= most) take(std::move(next), "");
+  }
+
+  static bool is_one_of_several(const std::vector<EffectTerm>& all, std::size_t t) {
+    return (t > 0 && all[t - 1].id == all[t].id) || (t + 1 < all.size() && all[t + 1].id == all[t].id);
+  }
+
+  /// The fit without one place; nothing where the place is worth its numbers.
+  std::optional<Fit> without_place(const Fit& with, const FitOptions& options, std::size_t place,
+                                   const NoiseModel& by) const {
+    const double numbers = static_cast<double>(options.estimated[place].values.size());
+    if (squares_without(with, options, place, place + 1, by.noise) > 2 * numbers + 4) return std::nullopt;
+    FitOptions fewer = options;
+    fewer.estimated.erase(fewer.estimated.begin() + static_cast<std::ptrdiff_t>(place));
+    fewer.start = estimate(with);
+    Fit without = fit(change_.model->model.session, fewer);
+    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
+                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    if (!without.converged() || gained > worth_a_place) return std::nullopt;
+    return without;
+  }
+
+  /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
+  void exchange_names() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      if (last == terms().size() && !is_curve(terms()[first])) return;
+      const std::string removed = terms()[first].id;
+      const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
+      // A name that has gone does not come back for the one that came: they would take turns for ever.
+      if (exchange && !change_.stopped && !gone_.contains(exchange->id) &&
+          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start, most_),
+               removed)) {
+        ImprovementStep& step = change_.steps.back();
+        step.exchanged.push_back(exchange->id);
+        gone_.insert(removed);
+        continue;  // the next group has moved here; the new name stands last
+      }
+      first = last;
+    }
+  }
+
+  /// With other terms beside it, a curve may have another form, and a slip another moment.
+  void look_for_forms_again() {
+    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+      const std::size_t last = end_of_group(terms(), first);
+      const bool is_earlier = last < terms().size();
+      if (is_earlier && is_curve(terms()[first])) look_for_curve(first, last);
+      if (is_earlier && slip_order(group(first, last))) look_for_moment(first, last);
+      first = last;
+    }
+  }
+
+  void look_for_moment(std::size_t first, std::size_t last) {
+    const NoiseModel by = noise_model(change_.model->model.fit);
+    const std::vector<EffectTerm> present = group(first, last);
+    const auto [without, o] = fitted_without(first, last, by);
+    const std::vector<EffectTerm> other = with_best_orders(without, present, by);
+    if (slip_order(other) == slip_order(present) || !goes_on()) return;
+    const double before = compute_ln_evidence(without, by);
+    const Refit now = refit_with(without, o, present, by, before), then = refit_with(without, o, other, by, before);
+    if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, last, then);
+  }
+
+  /// The terms from `first` to `last` by those that a refit without them has added.
+  void replace(std::size_t first, std::size_t last, const Refit& refit) {
+    std::vector<EffectTerm> all = terms();
+    const std::vector<EffectTerm> fitted = list_terms(refit.fit);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
+               fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
+    take(diagnosed_from(session_, options_, all, std::nullopt, most_), "");
+  }
+
+  void look_for_curve(std::size_t first, std::size_t last) {
+    const NoiseModel by = noise_model(change_.model->model.fit);
+    const std::vector<EffectTerm> present = group(first, last);
+    const auto [without, o] = fitted_without(first, last, by);
+    Candidates none;
+    none.problem = with_motions(without.fit.problem);
+    none.base_effects = none.problem.effect_count();
+    const LinearModel linear = linear_model(none.problem, estimate(without.fit), none.base_effects, by.noise);
+    const std::vector<Variable> variables = list_variables(none.problem, estimate(without.fit));
+    const Ranking ranking = rank(linear, by.knowledge, none, variables);
+    if (ranking.empirical_errors.empty() || !goes_on()) return;
+    const WhitenedModel w = whiten(linear, ranking.empirical_errors.front().repeatability, by.knowledge);
+    const auto found =
+        find_curve(w, by.knowledge, none.problem, variables, ranking.empirical_errors, present.front().id);
+    if (!found || formula_text(*found->term.own->definition) == formula_text(*present.front().own->definition)) return;
+    const double before = compute_ln_evidence(without, by);
+    const Refit now = refit_with(without, o, present, by, before),
+                other = refit_with(without, o, {found->term}, by, before);
+    // Both were chosen in as many ways.
+    if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better)
+      replace(first, last, other);
+  }
+
+  const Session& session_;
+  const ImprovementOptions& options_;
+  double most_;
+  ModelChange& change_;
+  std::set<std::string> gone_;  // names that were exchanged for others
+};
+
+}  // namespace
+
+Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
+                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
+                         const std::optional<double>& most) {
+  DiagnosisOptions o;
+  o.most_held_out = most;
+  o.effects = options.effects;
+  o.estimated = estimated;
+  o.start = start;
+  o.with_curves = options.with_curves;
+  o.with_held_out = options.with_held_out;
+  o.with_regions = false;  // worked out where a change is judged by them
+  o.on_progress = options.on_progress;
+  o.on_iteration = options.on_iteration;
+  return diagnose(session, o);
+}
+
+std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
+  std::size_t last = first + 1;
+  while (last < terms.size() && terms[last].id == terms[first].id) ++last;
+  return last;
+}
+
+void prune(const Session& session, const ImprovementOptions& options, double most, ModelChange& change) {
+  Upkeep(session, options, most, change).run();
+}
+
+}  // namespace handsight
