@@ -14,7 +14,7 @@ namespace {
 
 /// "lens" is no effect but two of them.
 QString change_heading(const std::string& id, const std::vector<std::string>& where) {
-  return id == "lens" ? QObject::tr("the lenses") : term_effect(id, where);
+  return id == "lens" ? QObject::tr("the lenses") : effect_text(id, where);
 }
 
 /// Lengths in mm, angles in degrees: what people compare with a ruler.
@@ -36,7 +36,7 @@ QString number_name(const std::string& name) {
   const std::size_t of = head.find(" of ");
   const std::vector<std::string> where =
       of == std::string::npos ? std::vector<std::string>{} : std::vector<std::string>{head.substr(of + 4)};
-  return QObject::tr("%1: %2").arg(term_effect(head.substr(0, of), where), number_title(name.substr(colon + 2)));
+  return QObject::tr("%1: %2").arg(effect_text(head.substr(0, of), where), number_title(name.substr(colon + 2)));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ QString times_text(double times) {
 
 std::optional<Wave> wave_of(const EffectTerm& term, const Robot& robot) {
   const Effect& effect = term_effect(term);
-  const std::string joint = place_name(effect, term.joint, robot);
+  const std::string joint = place_name(effect, term.place, robot);
   if (joint.empty() || !effect.is_unnamed() || effect.definition->moves.size() != 1) return std::nullopt;
   const DefinedMove& move = effect.definition->moves.front();
   static const QRegularExpression form("^sine\\*sin\\(([0-9.]+)\\*q(_\\w+)?\\) \\+ cosine\\*cos\\(\\1\\*q(_\\w+)?\\)$");
@@ -124,7 +124,7 @@ QString make_title(const EffectTerm& term, const Robot& robot) {
     const QString text = QObject::tr("An error of %1 that repeats %2 a turn").arg(wave->joint, wave->times);
     return wave->amplitude.isEmpty() ? text : QObject::tr("%1 (± %2)").arg(text, wave->amplitude);
   }
-  if (effect.is_unnamed()) return curve_title(*effect.definition, place_name(effect, term.joint, robot), robot);
+  if (effect.is_unnamed()) return curve_title(*effect.definition, place_name(effect, term.place, robot), robot);
   return effect.title.empty() ? QString::fromStdString(effect.id) : translated(effect.title);
 }
 
@@ -136,7 +136,7 @@ QString display_name(const std::vector<EffectTerm>& terms, const Session& sessio
 }
 
 QString display_name(const DiagnosisCandidate& c, const Session& session) {
-  return c.terms.empty() ? term_effect(c.id, c.where) : display_name(c.terms, session);
+  return c.terms.empty() ? effect_text(c.id, c.where) : display_name(c.terms, session);
 }
 
 }  // namespace handsight::app

@@ -208,8 +208,8 @@ Edit Document::edit_of_reading(const std::string& effect, const std::optional<Ro
   const RobotReading* known = find_reading(effect);
   if (!known && !reading) return {};
   if (known && reading && *known == *reading) return {};
-  Edit edit{.sentence = reading ? tr("measured for %1").arg(term_effect(effect, {}))
-                                : tr("forgot what was measured for %1").arg(term_effect(effect, {}))};
+  Edit edit{.sentence = reading ? tr("measured for %1").arg(effect_text(effect, {}))
+                                : tr("forgot what was measured for %1").arg(effect_text(effect, {}))};
   edit.reading = ReadingEdit{effect, known ? std::optional(*known) : std::nullopt, reading};
   return edit;
 }

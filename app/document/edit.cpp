@@ -95,7 +95,7 @@ bool same_definition(const EffectTerm& a, const EffectTerm& b) {
 }
 
 bool same_term(const EffectTerm& a, const EffectTerm& b) {
-  if (a.id != b.id || a.joint != b.joint || a.values != b.values || !same_definition(a, b)) return false;
+  if (a.id != b.id || a.place != b.place || a.values != b.values || !same_definition(a, b)) return false;
   return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
 }
 
@@ -120,7 +120,7 @@ Observation parse_observation(const Json& json) {
 Json terms_json(const std::vector<EffectTerm>& terms) {
   Json list = Json::array();
   for (const EffectTerm& t : terms) {
-    list.push_back({{"id", t.id}, {"place", t.joint}, {"values", t.values}});
+    list.push_back({{"id", t.id}, {"place", t.place}, {"values", t.values}});
     if (holds_a_number(t)) list.back()["held"] = std::vector<int>(t.held.begin(), t.held.end());
     if (t.own && t.own->definition) list.back()["definition"] = effect_definition_text(*t.own->definition);
   }

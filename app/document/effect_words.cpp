@@ -62,13 +62,13 @@ QString places_text(const std::vector<std::string>& where) {
   return QObject::tr("%1 and %2").arg(names.join(", "), last);
 }
 
-QString term_effect(const std::string& id, const std::vector<std::string>& where) {
+QString effect_text(const std::string& id, const std::vector<std::string>& where) {
   return of_places(within_sentence(effect_title(id)), where);
 }
 
 QString list_effects(const std::string& ids) {
   QStringList names;
-  for (const QString& id : QString::fromStdString(ids).split(", ")) names << term_effect(id.toStdString(), {});
+  for (const QString& id : QString::fromStdString(ids).split(", ")) names << effect_text(id.toStdString(), {});
   return names.join(", ");
 }
 

@@ -36,7 +36,7 @@ QString place_text(const std::string& place);
 QString places_text(const std::vector<std::string>& where);
 
 /// "joint elasticity of arm_2 and arm_4", within a sentence.
-QString term_effect(const std::string& id, const std::vector<std::string>& where);
+QString effect_text(const std::string& id, const std::vector<std::string>& where);
 /// "mount drift, joint elasticity" of the ids of several, as `improve` joins them.
 QString list_effects(const std::string& ids);
 

@@ -101,7 +101,7 @@ std::optional<NumberPlace> find_number(ModelSettings& settings, const std::strin
 }
 
 ShownUnit shown_unit_of(const Document& document, const NumberPlace& n) {
-  return shown_unit(unit_at(term_effect(*n.term), n.parameter, n.term->joint, document.session().robot));
+  return shown_unit(unit_at(term_effect(*n.term), n.parameter, n.term->place, document.session().robot));
 }
 
 bool holds_all(const EffectTerm& term) {

@@ -82,7 +82,7 @@ void check_places(const Session& session, const ModelSettings& settings) {
     for (const EffectTerm& term : *terms) {
       const Effect& effect = term_effect(term);
       const std::vector<int> places = effect_places(effect, chain);
-      if (std::find(places.begin(), places.end(), term.joint) == places.end())
+      if (std::find(places.begin(), places.end(), term.place) == places.end())
         throw InputError(
             message("The model has the effect {} at a place that this robot does not have; untick it.", effect.title));
     }

@@ -82,7 +82,7 @@ QString verdict_in_words(const Knowledge& known) {
   if (!known.settled) return translated(verdict_text(known.diagnosis->verdict));
   const QString odds = odds_text(std::log(std::max(known.settled->odds, 1.0)));
   if (!known.settled->id.empty())
-    return QObject::tr("%1, %2").arg(term_effect(known.settled->id, known.settled->where), odds);
+    return QObject::tr("%1, %2").arg(effect_text(known.settled->id, known.settled->where), odds);
   return known.settled->odds > 1 ? QObject::tr("nothing that these poses can show, %1").arg(odds)
                                  : QObject::tr("nothing is sure yet");
 }
@@ -92,7 +92,7 @@ std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
   if (!known.diagnosis) return causes;
   for (const DiagnosisCandidate& c : known.diagnosis->candidates) {
     if (c.id.empty() || c.unnamed || c.terms.empty()) continue;
-    causes.push_back({term_effect(c.id, c.where),
+    causes.push_back({effect_text(c.id, c.where),
                       c.ln_bayes_factor > 0 ? odds_text(c.ln_bayes_factor) : QObject::tr("less likely than none")});
     if (causes.size() == causes_shown) break;
   }
@@ -104,7 +104,7 @@ QString end_text(const ExperimentResult& result) {
     return translated(result.reason);
   const QString cause =
       QObject::tr("What was asked for is reached: what is missing is %1, %2.")
-          .arg(term_effect(result.settled->id, result.settled->where), odds_text(std::log(result.settled->odds)));
+          .arg(effect_text(result.settled->id, result.settled->where), odds_text(std::log(result.settled->odds)));
   return result.known.hand_limit ? QObject::tr("%1 The hand is known to %2 mm (95 %).")
                                        .arg(cause, short_number(1e3 * *result.known.hand_limit))
                                  : cause;

@@ -43,7 +43,7 @@ std::string find_key(const RecheckNumber& n) { return n.what + ':' + n.where + '
 
 QString display_name(const RecheckNumber& n) {
   return QStringLiteral("%1: %2").arg(
-      term_effect(n.what, n.where.empty() ? std::vector<std::string>() : std::vector{n.where}), number_title(n.name));
+      effect_text(n.what, n.where.empty() ? std::vector<std::string>() : std::vector{n.where}), number_title(n.name));
 }
 
 /// Looks at each observation as it comes, and writes the log. In the run's thread.

@@ -122,7 +122,7 @@ QString AddingOn::reported_at_the_end() const {
                           : tr("Stopped by itself: %1, and nothing is left that would help."))
                          .arg(done.join(", "));
   QStringList stand_ins;
-  for (const StandIn& s : story.stands_in) stand_ins << term_effect(s.id, s.where);
+  for (const StandIn& s : story.stands_in) stand_ins << effect_text(s.id, s.where);
   // First what is to be doubted: where there is little room the rest is cut off.
   if (stand_ins.isEmpty()) return sentence;
   return tr("Larger than robots are built, so it stands in for another cause: %1.").arg(stand_ins.join(", ")) + ' ' +

@@ -24,18 +24,18 @@ void ExplainWorkspace::open_what_if(const QString& id, int place) {
         if (c.id == effect->id && !c.terms.empty())
           for (std::size_t i = 0; i < what_if_places_.size(); ++i)
             for (const EffectTerm& term : c.terms)
-              if (term.joint == what_if_places_[i].joint) {
+              if (term.place == what_if_places_[i].place) {
                 for (std::size_t p = 0; p < term.values.size(); ++p)
                   if (effect->parameters[p].is_choice) what_if_places_[i].values[p] = term.values[p];
-                if (term.joint == c.terms.front().joint) place = static_cast<int>(i);
+                if (term.place == c.terms.front().place) place = static_cast<int>(i);
               }
   }
   what_if_place_ = place;
   what_if_view_.effect = effect_view(residuals->views, {what_if_places_[static_cast<std::size_t>(place)]});
   what_if_view_.numbers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(what_if_view_.effect.numbers.size()));
-  widgets::WhatIfState state{.id = id, .title = term_effect(effect->id, {})};
+  widgets::WhatIfState state{.id = id, .title = effect_text(effect->id, {})};
   for (const EffectTerm& term : what_if_places_)
-    if (const std::string name = place_name(*effect, term.joint, session.robot); !name.empty())
+    if (const std::string name = place_name(*effect, term.place, session.robot); !name.empty())
       state.places.push_back(place_text(name));
   state.place = place;
   for (std::size_t i = 0; i < what_if_view_.effect.numbers.size(); ++i) {
@@ -73,7 +73,7 @@ void ExplainWorkspace::slide_what_if(double value) {
   const auto at = static_cast<std::size_t>(what_if_parameter_);
   const double scale = shown_unit(effect.parameters[what_if_view_.effect.numbers[at].parameter].unit).scale;
   what_if_view_.numbers[static_cast<Eigen::Index>(at)] = value / scale;
-  try_numbers(what_if_view_, what_if_view_.numbers, term_effect(what_if_id_, {}));
+  try_numbers(what_if_view_, what_if_view_.numbers, effect_text(what_if_id_, {}));
   const ResidualViews& views = workbench_.diagnosing.residuals()->views;
   const double left = rms_left(views, what_if_view_.effect, what_if_view_.numbers);
   ResidualSize reported = size_of_error(left, !workbench_.document.session().is_tracker(), views.noise_model.noise);

@@ -326,7 +326,7 @@ QString ExplainWorkspace::title_of_candidate(const std::string& id) const {
   if (const auto d = workbench_.diagnosing.diagnosis())
     for (const DiagnosisCandidate& c : d->candidates)
       if (find_id(c) == id) return display_name(c, workbench_.document.session());
-  return term_effect(id, {});
+  return effect_text(id, {});
 }
 
 void ExplainWorkspace::try_numbers(const CandidateView& view, const Eigen::VectorXd& numbers, const QString& name) {

@@ -215,7 +215,7 @@ void FailingPane::find_next_shows() {
   for (const PlotKey& key : places_)
     if (residuals_ && lead && !shows_.contains(key)) {
       shows_[key] =
-          shows_there(key, *residuals_, workbench_.diagnosing, lead->id) ? term_effect(lead->id, {}) : QString();
+          shows_there(key, *residuals_, workbench_.diagnosing, lead->id) ? effect_text(lead->id, {}) : QString();
       return;
     }
   shows_timer_.stop();

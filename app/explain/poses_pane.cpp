@@ -109,7 +109,7 @@ void PosesPane::plan_for(const std::string& id) {
     for (const DiagnosisCandidate& c : diagnosis->candidates)
       if (c.id == id && !c.indistinguishable_from.empty()) {
         rival = c.indistinguishable_from.front();
-        what = tr("tell %1 from %2").arg(term_effect(id, c.where), term_effect(rival, {}));
+        what = tr("tell %1 from %2").arg(effect_text(id, c.where), effect_text(rival, {}));
         for (const DiagnosisCandidate& other : diagnosis->candidates)
           if (other.id == rival) options.between = CompetingEffects{id, rival, c.terms, other.terms};
       }

@@ -20,7 +20,7 @@ std::filesystem::path truth_file(const Session& session) { return session.file.p
 
 EffectTerm& term_at(std::vector<EffectTerm>& terms, const Effect& effect, int place) {
   for (EffectTerm& t : terms)
-    if (t.id == effect.id && t.joint == place) return t;
+    if (t.id == effect.id && t.place == place) return t;
   return terms.emplace_back(EffectTerm{effect.id, place, std::vector<double>(effect.parameters.size(), 0.0)});
 }
 
@@ -47,7 +47,7 @@ void read_effect(const XmlNode& node, const Session& session, std::vector<Effect
 
 const FittedEffect* found_for(const EffectTerm& hidden, const Fit& fit) {
   for (const FittedEffect& f : fit.effects)
-    if (f.term.id == hidden.id && f.term.joint == hidden.joint) return &f;
+    if (f.term.id == hidden.id && f.term.place == hidden.place) return &f;
   return nullptr;
 }
 
@@ -59,12 +59,12 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
                   std::vector<widgets::TruthRow>& rows) {
   const Effect& effect = *find_effect(hidden.id);
   const FittedEffect* found = found_for(hidden, fit);
-  const std::string place = place_name(effect, hidden.joint, session.robot);
+  const std::string place = place_name(effect, hidden.place, session.robot);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
     const EffectParameter& parameter = effect.parameters[p];
-    const ShownUnit unit = shown_unit(unit_at(effect, p, hidden.joint, session.robot));
+    const ShownUnit unit = shown_unit(unit_at(effect, p, hidden.place, session.robot));
     widgets::TruthRow row;
-    row.what = place.empty() ? term_effect(hidden.id, {}) : place_text(place);
+    row.what = place.empty() ? effect_text(hidden.id, {}) : place_text(place);
     row.parameter = number_title(parameter.name);
     row.unit = unit.unit;
     row.hidden = unit.scale * hidden.values[p];
@@ -89,7 +89,7 @@ void compare_term(const Session& session, const EffectTerm& hidden, const Fit& f
 bool is_curve_at(const EffectTerm& term, const std::string& joint, const Session& session) {
   const Effect& effect = term_effect(term);
   if (!effect.is_unnamed()) return false;
-  if (place_name(effect, term.joint, session.robot) == joint) return true;
+  if (place_name(effect, term.place, session.robot) == joint) return true;
   return std::any_of(effect.definition->moves.begin(), effect.definition->moves.end(), [&](const DefinedMove& m) {
     return m.formula.find("q_" + formula_name(joint)) != std::string::npos;
   });
@@ -99,15 +99,15 @@ void add_what_was_not_hidden(const Session& session, const Truth& truth, const F
                              std::vector<widgets::TruthRow>& rows) {
   for (const FittedEffect& f : fit.effects) {
     const bool is_hidden = std::any_of(truth.effects.begin(), truth.effects.end(), [&](const EffectTerm& t) {
-      return t.id == f.term.id && t.joint == f.term.joint;
+      return t.id == f.term.id && t.place == f.term.place;
     });
     const bool is_curve = std::any_of(truth.curves.begin(), truth.curves.end(),
                                       [&](const auto& curve) { return is_curve_at(f.term, curve.first, session); });
     if (is_hidden || is_curve) continue;
     const Effect& effect = term_effect(f.term);
-    const std::string place = place_name(effect, f.term.joint, session.robot);
+    const std::string place = place_name(effect, f.term.place, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
+      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.place, session.robot));
       widgets::TruthRow row;
       row.what = display_name({f.term}, session);
       row.parameter = number_title(effect.parameters[p].name);
@@ -126,9 +126,9 @@ QString hidden_text(const Session& session, const Truth& truth) {
   for (const std::string& id : list_ids(truth.effects)) {
     std::vector<std::string> where;
     for (const EffectTerm& t : truth.effects)
-      if (const std::string place = place_name(*find_effect(id), t.joint, session.robot); t.id == id && !place.empty())
+      if (const std::string place = place_name(*find_effect(id), t.place, session.robot); t.id == id && !place.empty())
         where.push_back(place);
-    parts << term_effect(id, where);
+    parts << effect_text(id, where);
   }
   for (const auto& [joint, formula] : truth.curves)
     parts << QObject::tr("a curve without a name in %1, %2 rad")

@@ -132,7 +132,7 @@ void WatchingPane::refresh_rows() {
       continue;
     }
     if (!row.version) {
-      const QString name = term_effect(row.refusal->id, row.refusal->where);
+      const QString name = effect_text(row.refusal->id, row.refusal->where);
       state.versions.push_back({.name = name, .is_refused = true, .reason = row.refusal->reason});
       entries.push_back({.name = name, .detail = row.refusal->reason, .is_refused = true});
       continue;

@@ -49,9 +49,9 @@ std::vector<MotionLine> effect_lines(const Session& session, const Fit& fit) {
   std::vector<MotionLine> lines;
   for (const FittedEffect& f : fit.effects) {
     const Effect& effect = term_effect(f.term);
-    const std::string place = place_name(effect, f.term.joint, session.robot);
+    const std::string place = place_name(effect, f.term.place, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.joint, session.robot));
+      const ShownUnit unit = shown_unit(unit_at(effect, p, f.term.place, session.robot));
       const bool is_held = !(f.sigmas[p] > 0);
       const QStringList parts =
           widgets::with_sigma_text(unit.scale * f.term.values[p],

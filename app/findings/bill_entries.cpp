@@ -12,7 +12,7 @@ namespace handsight::app {
 namespace {
 
 QString cause_of(const BillRow& row, const Fit& fit) {
-  QString name = term_effect(row.id, row.where);
+  QString name = effect_text(row.id, row.where);
   if (row.unnamed)
     for (const FittedEffect& f : fit.effects)
       if (f.term.id == row.id) name = make_title(f.term, fit.problem.source->chain.robot);
@@ -30,7 +30,7 @@ QString reported_text(const BillRow& row) {
   if (!row.indistinguishable_from || row.held) return {};
   if (row.indistinguishable_from->empty()) return QObject::tr("told from all others");
   QStringList others;
-  for (const std::string& id : *row.indistinguishable_from) others << term_effect(id, {});
+  for (const std::string& id : *row.indistinguishable_from) others << effect_text(id, {});
   return QObject::tr("not told from %1").arg(others.join(", "));
 }
 

@@ -78,7 +78,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const
   card.sizes = effect_parameters(workbench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
   QStringList others;
-  for (const std::string& id : c.indistinguishable_from) others << term_effect(id, {});
+  for (const std::string& id : c.indistinguishable_from) others << effect_text(id, {});
   card.indistinguishable_from = others.join(", ");
   card.can_show_poses = !others.isEmpty();
   card.check = translated(effect.check);
@@ -245,7 +245,7 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& workbench, const Mo
       row.reason = translated(effect.visibility);
     } else if (!candidate->indistinguishable_from.empty()) {
       row.verdict = EffectVerdict::same_as;
-      row.same_as = term_effect(candidate->indistinguishable_from.front(), {});
+      row.same_as = effect_text(candidate->indistinguishable_from.front(), {});
       row.reason = QObject::tr("On these poses both do the same to the images.");
     } else {
       row.verdict = EffectVerdict::no_sign;

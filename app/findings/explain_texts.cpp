@@ -71,7 +71,7 @@ namespace {
 using widgets::SessionState;
 
 std::optional<widgets::ErrorAttribution> shown(const ErrorAttribution& attribution, bool in_pixels) {
-  if (attribution.letter == 0) return std::nullopt;
+  if (attribution.cause == ErrorCause::none) return std::nullopt;
   return widgets::ErrorAttribution{attribution.cameras, attribution.body, attribution.robot, !in_pixels};
 }
 
@@ -93,7 +93,7 @@ QString adequate_sentence(const Diagnosis& d, const Told& t) {
   const std::vector<EffectTerm> seen = list_terms(d.model.fit);
   for (const std::string& id : d.invisible)
     if (std::none_of(seen.begin(), seen.end(), [&](const EffectTerm& term) { return term.id == id; }))
-      unseen << term_effect(id, {});
+      unseen << effect_text(id, {});
   constexpr qsizetype most = 3;
   if (unseen.size() > most) unseen = unseen.mid(0, most) << QObject::tr("%1 more").arg(unseen.size() - most);
   if (!unseen.isEmpty()) text += ' ' + QObject::tr("These poses could not show: %1.").arg(unseen.join(", "));
@@ -152,7 +152,7 @@ QString what_is_left_follows(const Diagnosis& d) {
 /// What no robot is built like is said wherever it is in the model.
 QString stand_in_sentence(const Story& story) {
   QStringList names;
-  for (const StandIn& one : story.stands_in) names << term_effect(one.id, one.where);
+  for (const StandIn& one : story.stands_in) names << effect_text(one.id, one.where);
   if (names.isEmpty()) return {};
   return QObject::tr("No robot is built so, it stands in for another cause: %1.").arg(names.join("; "));
 }
@@ -186,7 +186,7 @@ QString missing_sentence(const ModelVersion& model, const Story& story, const Di
            misses;
   if (story.state == StoryState::ambiguous)
     return QObject::tr("%1 or %2: on these poses they look the same.")
-               .arg(name.left(1).toUpper() + name.mid(1), term_effect(lead.indistinguishable_from.front(), {})) +
+               .arg(name.left(1).toUpper() + name.mid(1), effect_text(lead.indistinguishable_from.front(), {})) +
            ' ' + misses;
   return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
 }

@@ -87,12 +87,12 @@ std::optional<widgets::ErrorAttribution> shown_attribution(const Workbench& work
   const bool of_tracker = workbench.document.session().is_tracker();
   if (workbench.document.session().is_touch()) return std::nullopt;
   const ErrorAttribution& own = row.attribution;
-  switch (own.letter) {
-    case 'C':
+  switch (own.cause) {
+    case ErrorCause::cameras:
       return widgets::ErrorAttribution{1, 0, 0, of_tracker};
-    case 'B':
+    case ErrorCause::body:
       return widgets::ErrorAttribution{own.cameras, own.body + own.robot, 0, of_tracker};
-    case 'R': {
+    case ErrorCause::robot: {
       const ErrorAttribution b = workbench.attribute_error(row);
       return widgets::ErrorAttribution{b.cameras, b.body, b.robot, of_tracker};
     }
@@ -104,11 +104,11 @@ std::optional<widgets::ErrorAttribution> shown_attribution(const Workbench& work
 namespace {
 
 /// What the hand's place alone would put on the robot, and the session's cause puts elsewhere.
-QString in_the_light_of_the_cause(const Workbench& workbench, char letter) {
+QString in_the_light_of_the_cause(const Workbench& workbench, ErrorCause at_fault) {
   const StoryCause& cause = workbench.story().causes.front();
-  const QString name = term_effect(cause.id, cause.where);
+  const QString name = effect_text(cause.id, cause.where);
   const bool in_pixels = workbench.document.session().rig.has_value();
-  return (letter == 'B'
+  return (at_fault == ErrorCause::body
               ? QObject::tr("The marker body, as in the whole session: what is missing (%1) explains most of it. ")
           : in_pixels ? QObject::tr("The cameras, as in the whole session: what is missing (%1) explains most of it. ")
                       : QObject::tr("The tracker, as in the whole session: what is missing (%1) explains most of it. "))
@@ -141,25 +141,25 @@ QString attribution_sentence(const Workbench& workbench, const InspectionRow* ro
   }
   if (!row->ratio) return QObject::tr("The noise is not known, so nothing can be said about this observation.");
   QString text;
-  const char letter = workbench.attribute_error(*row).letter;
-  switch (row->attribution.letter) {
-    case 'C':
+  const ErrorCause cause = workbench.attribute_error(*row).cause;
+  switch (row->attribution.cause) {
+    case ErrorCause::cameras:
       text = in_pixels ? QObject::tr("The cameras: the two images do not agree with each other. ")
                        : QObject::tr("The tracker: its points do not agree with each other. ");
       break;
-    case 'B':
+    case ErrorCause::body:
       text = QObject::tr("The marker body: the markers are not where they sit on the hand. ");
       break;
-    case 'R':
-      text = letter == 'R' ? QObject::tr("The robot: the hand is not where the joints say. ")
-                           : in_the_light_of_the_cause(workbench, letter);
+    case ErrorCause::robot:
+      text = cause == ErrorCause::robot ? QObject::tr("The robot: the hand is not where the joints say. ")
+                                        : in_the_light_of_the_cause(workbench, cause);
       break;
     default:
       text = QObject::tr("Agrees with the model down to the noise. ");
   }
   if (!row->what_would_mend.empty())
     text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));
-  if (row->smallest_visible && row->attribution.letter != 'R')
+  if (row->smallest_visible && row->attribution.cause != ErrorCause::robot)
     text += QObject::tr(" An error of one corner under %1 here could not be seen.")
                 .arg(in_pixels ? QObject::tr("%1 px").arg(widgets::fixed_text(*row->smallest_visible, 1))
                                : QObject::tr("%1 mm").arg(widgets::fixed_text(1e3 * *row->smallest_visible, 1)));

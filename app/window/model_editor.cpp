@@ -15,7 +15,7 @@ void ModelEditor::tick(const QString& id, bool in_model) {
       if (c.id == name && !c.terms.empty()) return perform(with_effect(workbench_.document, c.terms));
   const std::int64_t revision = workbench_.document.revision();
   workbench_.jobs.start<std::vector<EffectTerm>>(
-      "places", tr("Looking where %1 would act").arg(term_effect(name, {})),
+      "places", tr("Looking where %1 would act").arg(effect_text(name, {})),
       [session = workbench_.document.shared_session(), settings = workbench_.document.settings(), name](JobControl&) {
         return best_places(*session, settings, name);
       },
@@ -23,7 +23,7 @@ void ModelEditor::tick(const QString& id, bool in_model) {
         if (revision != workbench_.document.revision()) return;
         if (terms.empty())
           emit workbench_.document.noticed(
-              tr("Not added: %1 has no place in this session.").arg(term_effect(name, {})));
+              tr("Not added: %1 has no place in this session.").arg(effect_text(name, {})));
         workbench_.document.perform(with_effect(workbench_.document, terms));
       },
       [this](const QString& sentence) { emit workbench_.document.noticed(sentence); });

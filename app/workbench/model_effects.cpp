@@ -83,7 +83,7 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
     if (model && model->fit && !shown.is_held)
       for (EffectTerm& term : terms)
         for (const FittedEffect& fitted : model->fit->effects)
-          if (fitted.term.id == term.id && fitted.term.joint == term.joint) {
+          if (fitted.term.id == term.id && fitted.term.place == term.place) {
             for (std::size_t p = 0; p < term.values.size(); ++p)
               if (is_free(e, term, p)) term.values[p] = fitted.term.values[p];  // those that are held may be newer
             sigmas.push_back(fitted.sigmas);
@@ -135,10 +135,10 @@ std::vector<widgets::ModelParameter> effect_parameters(const Session& session, c
   std::vector<widgets::ModelParameter> list;
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const Effect& effect = term_effect(terms[t]);
-    const QString of = place_text(place_name(effect, terms[t].joint, session.robot));
+    const QString of = place_text(place_name(effect, terms[t].place, session.robot));
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& number = effect.parameters[p];
-      const ShownUnit unit = shown_unit(unit_at(effect, p, terms[t].joint, session.robot));
+      const ShownUnit unit = shown_unit(unit_at(effect, p, terms[t].place, session.robot));
       widgets::ModelParameter row{.of = of, .name = number_title(number.name), .unit = unit.unit};
       row.value = unit.scale * terms[t].values[p];
       row.is_choice = number.is_choice;

@@ -90,7 +90,7 @@ std::vector<BillRow> Workbench::make_bill(const ModelVersionPointer& model) cons
 /// What is an observation's own fault (its images, its markers) stays so, whatever all of them lack.
 ErrorAttribution Workbench::attribute_error(const InspectionRow& row) const {
   const auto diagnosis = find_diagnosis(document.shown_model());
-  if (row.attribution.letter != 'R' || !diagnosis || story().causes.empty()) return row.attribution;
+  if (row.attribution.cause != ErrorCause::robot || !diagnosis || story().causes.empty()) return row.attribution;
   return attribution_by_finding(row.attribution, *diagnosis, refused_now(refused, document));
 }
 

@@ -61,7 +61,7 @@ std::vector<std::string> list_number_units(const std::vector<EffectTerm>& terms,
   std::vector<std::string> units;
   for (const EffectTerm& t : terms)
     for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!term_effect(t).parameters[p].is_choice) units.push_back(unit_at(term_effect(t), p, t.joint, robot));
+      if (!term_effect(t).parameters[p].is_choice) units.push_back(unit_at(term_effect(t), p, t.place, robot));
   return units;
 }
 
@@ -83,7 +83,7 @@ Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms
                    size_text(v, sigma, 3, degrees, "degrees"));
   if (id == "marker_slip")
     return message("Of the markers {} alone slipped, by {}", unit.where, size_text(v, sigma, 0, 1e3, "mm"));
-  const std::string own_unit = unit_at(term_effect(terms.front()), 0, terms.front().joint, chain.robot);
+  const std::string own_unit = unit_at(term_effect(terms.front()), 0, terms.front().place, chain.robot);
   if (id == "joint_offset") {
     const bool slides = own_unit == "m";
     const double scale = slides ? 1e3 : degrees;

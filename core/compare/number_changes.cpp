@@ -34,14 +34,14 @@ void add_effects(std::vector<NumberChange>& all, const Robot& robot, const std::
   for (const EffectTerm& t : a) {
     Eigen::Index first_b = 0;
     for (const EffectTerm& o : b) {
-      if (o.id == t.id && o.joint == t.joint)
+      if (o.id == t.id && o.place == t.place)
         for (std::size_t p = 0; p < t.values.size(); ++p) {
           const Effect& e = term_effect(t);
-          const std::string where = place_name(e, t.joint, robot);
+          const std::string where = place_name(e, t.place, robot);
           const auto i = static_cast<Eigen::Index>(p);
           if (!e.parameters[p].is_choice)
             add_number(all, fmt::format("{}{}: {}", t.id, where.empty() ? "" : " of " + where, e.parameters[p].name),
-                       unit_at(e, p, t.joint, robot).c_str(), t.values[p], o.values[p],
+                       unit_at(e, p, t.place, robot).c_str(), t.values[p], o.values[p],
                        variance_a[first_a + i] + variance_b[first_b + i]);
         }
       first_b += static_cast<Eigen::Index>(o.values.size());

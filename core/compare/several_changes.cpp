@@ -33,7 +33,7 @@ void SeveralComparer::list_units() {
       const EffectTerm& term = own.terms.front();
       const Owner owner = find_owner(term_effect(term));
       const auto [at, is_new] =
-          known.emplace(std::tuple{term.id, term.joint, owner, sides_.sides[k].number(owner)}, units_.size());
+          known.emplace(std::tuple{term.id, term.place, owner, sides_.sides[k].number(owner)}, units_.size());
       if (is_new) units_.push_back({own.group, own.where, std::vector<int>(of_sides_.size(), -1), {}});
       SeveralUnit& unit = units_[at->second];
       if (!unit.who.empty() && list_numbers(find_unit(unit.who.front(), at->second)) != list_numbers(own)) continue;

@@ -47,7 +47,7 @@ void number_effects(SeveralSides& all) {
       const EffectTerm& term = side.problem.terms[c.term];
       const Owner owner = find_owner(term_effect(term));
       const int whose = owner == Owner::session ? static_cast<int>(k) : side.number(owner);
-      const auto [at, is_new] = known.emplace(NumberKey{term.id, term.joint, c.parameter, owner, whose},
+      const auto [at, is_new] = known.emplace(NumberKey{term.id, term.place, c.parameter, owner, whose},
                                               static_cast<Eigen::Index>(all.effects.size()));
       if (is_new)
         all.effects.push_back({term.id, c.parameter, c.sigma, all.is_wide && side.effects.size() >= reported});

@@ -26,7 +26,7 @@ std::vector<EffectTerm> lacking_effects(const Problem& model) {
     if (!may_be_shared(effect)) return;
     for (const int place : effect_places(effect, model.source->chain))
       if (std::none_of(model.terms.begin(), model.terms.end(),
-                       [&](const EffectTerm& t) { return t.id == effect.id && t.joint == place; }))
+                       [&](const EffectTerm& t) { return t.id == effect.id && t.place == place; }))
         terms.push_back(term_of(effect, place, own));
   };
   for (const Effect* effect : catalogue_beside(model.source->own_effects)) offer(*effect, nullptr);

@@ -196,7 +196,7 @@ bool is_finite(const Sites& s) {
 int count_markers(const std::vector<EffectTerm>& terms) {
   int count = 0;
   for (const EffectTerm& term : terms)
-    if (term_effect(term).scope == EffectScope::marker) count = std::max(count, term.joint + 1);
+    if (term_effect(term).scope == EffectScope::marker) count = std::max(count, term.place + 1);
   return count;
 }
 
@@ -206,7 +206,7 @@ Sites moved_sites(const ObservationState& c, const std::vector<EffectTerm>& term
                        Vector3::Zero());
   if (terms.empty()) return sites;
   sites.robot.joints.resize(c.chain->robot.joints.size());
-  for (const EffectTerm& term : terms) term_effect(term).move(c, term.joint, term.values, sites);
+  for (const EffectTerm& term : terms) term_effect(term).move(c, term.place, term.values, sites);
   return sites;
 }
 

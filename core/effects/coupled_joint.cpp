@@ -51,7 +51,7 @@ std::optional<int> coupled_joint(const Chain& chain, int joint, int before) {
 
 std::optional<int> coupled_joint(const Chain& chain, const EffectTerm& term) {
   if (term.id != "joint_coupling") return std::nullopt;
-  return coupled_joint(chain, term.joint, static_cast<int>(std::lround(term.values.at(1))));
+  return coupled_joint(chain, term.place, static_cast<int>(std::lround(term.values.at(1))));
 }
 
 }  // namespace handsight

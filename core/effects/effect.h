@@ -86,7 +86,7 @@ const Effect* find_effect(const std::string& id, const OwnEffects& own);
 /// One effect at one place with values for its parameters, in the order of Effect::parameters.
 struct EffectTerm {
   std::string id;
-  int joint = -1;  // the place: index into robot.joints, the marker, camera, tag's number or part; -1 for the session
+  int place = -1;  // index into robot.joints, the marker, camera, tag's number or part; -1 for the session
   std::vector<double> values;
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does

@@ -99,7 +99,7 @@ Found effect_for(const std::string& id, const OwnEffects& own) {
 
 std::size_t term_for(const Found& found, int place, std::vector<EffectTerm>& terms) {
   for (std::size_t t = 0; t < terms.size(); ++t)
-    if (terms[t].id == found.effect->id && terms[t].joint == place) return t;
+    if (terms[t].id == found.effect->id && terms[t].place == place) return t;
   terms.push_back(term_of(*found.effect, place, found.own));
   return terms.size() - 1;
 }

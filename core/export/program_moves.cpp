@@ -85,7 +85,7 @@ class Writer {
 
   void add(const EffectTerm& term) {
     const Effect& effect = term_effect(term);
-    const std::string where = place_name(effect, term.joint, robot_.chain.robot);
+    const std::string where = place_name(effect, term.place, robot_.chain.robot);
     of_ = effect.id + (where.empty() ? "" : " of " + where);
     const std::size_t before = program_.moves.size();
     if (effect.definition) {
@@ -118,10 +118,10 @@ class Writer {
           push(target_of("angle", place_[j]), formula(f, effect, term, static_cast<int>(j)));
       return;
     }
-    const int at = locate(term.joint);
+    const int at = locate(term.place);
     if (moves_one_joint(effect) && at < 0) return;  // of a joint that the hand does not depend on
     const std::string target = target_of(f.site, at);
-    if (!target.empty()) push(target, formula(f, effect, term, term.joint));
+    if (!target.empty()) push(target, formula(f, effect, term, term.place));
   }
 
   /// With the parameters' values in it, and variables as the program calls them.

@@ -52,7 +52,7 @@ EffectTerm term_for(const ModelEffect& e, const Session& session, const Chain& c
 ModelEffect effect_for(const EffectTerm& term, const Robot& robot, bool is_estimated) {
   const Effect& effect = term_effect(term);
   return {term.id,
-          place_name(effect, term.joint, robot),
+          place_name(effect, term.place, robot),
           term.values,
           is_estimated,
           std::vector<bool>(term.held.begin(), term.held.end()),

@@ -51,8 +51,8 @@ Merge merged(const SessionEdit& own, const Session* here, Session theirs);
 /// The session with one collision decided for what was done here. Not for What::session.
 void take_mine(const Collision& collision, Session& session);
 
-/// What makes one session of the other, where it can be said: observations that changed their labels or decision, and
-/// new ones. Nothing where more differs.
+/// What makes one session of the other, where it can be said: observations that changed their labels or decision,
+/// and new ones. Nothing where more differs.
 std::optional<SessionEdit> edit_between(const Session& from, const Session& to);
 
 }  // namespace handsight

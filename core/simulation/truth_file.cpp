@@ -34,13 +34,13 @@ void add_effects(tinyxml2::XMLElement& parent, const SimulatedSession& simulated
     element->SetAttribute("id", term.id.c_str());
     for (std::size_t p = 0; p < term.values.size(); ++p) {
       tinyxml2::XMLElement* parameter = element->InsertNewChildElement("parameter");
-      if (term.joint >= 0)
+      if (term.place >= 0)
         parameter->SetAttribute("of", effect->scope == EffectScope::marker
-                                          ? std::to_string(term.joint).c_str()
-                                          : place_name(*effect, term.joint, simulated.session.robot).c_str());
+                                          ? std::to_string(term.place).c_str()
+                                          : place_name(*effect, term.place, simulated.session.robot).c_str());
       parameter->SetAttribute("name", effect->parameters[p].name.c_str());
       parameter->SetAttribute("value", format_number(term.values[p]).c_str());
-      parameter->SetAttribute("unit", unit_at(*effect, p, term.joint, simulated.session.robot).c_str());
+      parameter->SetAttribute("unit", unit_at(*effect, p, term.place, simulated.session.robot).c_str());
     }
   }
 }

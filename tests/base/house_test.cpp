@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The house is in order: of the folders of core, widgets and app, and of their rooms, each uses only those above it,
-// each is described in its CMakeLists.txt, none is too full to be found through, and no sources include each other in a
-// circle.
+// each is described in its CMakeLists.txt, none is too full to be found through, and no sources include each other in
+// a circle.
 #include <gtest/gtest.h>
 
 #include <algorithm>

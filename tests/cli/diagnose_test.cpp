@@ -78,6 +78,9 @@ void expect_keys(const Json& d, bool tracker) {
   expect_sentence(d["reason"]);
   for (const std::string key : {"rms", "held_out_rms", "noise"})
     EXPECT_TRUE(d.contains(key + "_pixel") && d.contains(key + "_m")) << key;
+  for (const auto& [name, older] :
+       {std::pair{"error_attribution", "blame"}, {"place_repeatability_m", "place_scatter_m"}})
+    EXPECT_EQ(d.at(name), d.at(older));
   double last = INFINITY;
   for (const Json& c : d["candidates"]) {
     expect_candidate_keys(c, tracker);

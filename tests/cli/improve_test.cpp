@@ -306,6 +306,7 @@ TEST_F(Improve, TheExportIsTheLastModelBitForBit) {
 
 TEST_F(Improve, TheFitOfWhatItAddedIsTheSame) {
   const Json improved = run(sample_session("hidden_1")).json();
+  EXPECT_EQ(improved.at("inclusion_probabilities"), improved.at("certainty")) << "its older name";
   const CliResult fitted = run_cli(folder.path, {"fit", sample_session("hidden_1").string(), "--effects",
                                                  "encoder_eccentricity:axis_2", "--json", "-"});
   ASSERT_EQ(fitted.exit_code, 0) << fitted.errors;

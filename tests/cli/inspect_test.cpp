@@ -36,6 +36,7 @@ TEST_F(InspectCommand, RejectedObservationsAreLookedAtAgainAndEachHasItsOwnFault
   const auto json = result.json();
   EXPECT_EQ(json["observations"], 100);
   ASSERT_EQ(json["per_observation"].size(), 100U);
+  EXPECT_EQ(json.at("error_attribution"), json.at("blame")) << "its older name";
   const std::map<int, std::string> at_fault{{58, "robot"}, {75, "body"}, {98, "cameras"}};
   for (const auto& o : json["per_observation"]) {
     const int id = o["id"];

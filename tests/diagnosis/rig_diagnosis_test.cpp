@@ -89,7 +89,7 @@ TEST(RigDiagnosis, AWrongPointIsThatCameras) {
   const std::vector<ObservationAttribution> all = attribute_observations(s, clean.fit);
   for (const ObservationAttribution& b : all)
     if (b.id == o.id) {
-      EXPECT_EQ(b.attribution.letter, 'C');
+      EXPECT_EQ(b.attribution.cause, ErrorCause::cameras);
       EXPECT_EQ(b.change.camera, wrong->camera);
       EXPECT_NE(change_text(b.change, &*s.rig).find(s.rig->at(wrong->camera).name + " image"), std::string::npos);
     }

@@ -218,7 +218,7 @@ TEST(EffectText, IsReadWithItsPlaceAndValue) {
   add_effect_value("joint_elasticity:a2.compliance=1e-4", robot, terms);
   add_effect_value("joint_elasticity:a3.compliance=2.5e-5", robot, terms);
   ASSERT_EQ(terms.size(), 2u);
-  EXPECT_EQ(terms[0].joint, 1);
+  EXPECT_EQ(terms[0].place, 1);
   EXPECT_EQ(terms[1].values, std::vector<double>{2.5e-5});
 }
 

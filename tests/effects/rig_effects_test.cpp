@@ -60,7 +60,7 @@ TEST(RigEffects, MoveTheirOwnCameraAlone) {
     add_effect_value(text, s.robot, terms, own);
   ASSERT_EQ(terms.size(), 3u);
   const Rig moved = moved_rig(*s.rig, moved_sites(states_at(chain, Eigen::VectorXd::Zero(6)), terms));
-  EXPECT_EQ(place_name(term_effect(terms[0]), terms[0].joint, s.robot), "cam_2");
+  EXPECT_EQ(place_name(term_effect(terms[0]), terms[0].place, s.robot), "cam_2");
   EXPECT_NEAR(moved.at(2).camera_from_first.translation.x(), s.rig->at(2).camera_from_first.translation.x() + 1e-3,
               1e-15);
   EXPECT_EQ(moved.at(1).camera_from_first.translation, s.rig->at(1).camera_from_first.translation);

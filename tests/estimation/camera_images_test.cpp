@@ -80,7 +80,7 @@ std::vector<double> true_values(const SimulatedSession& s, const Session& sessio
     double value = 0;
     for (int c = 0; c < session.rig->count(); ++c)
       for (const CameraNumber& number : camera_numbers(session.rig->at(c).camera)) {
-        const bool is_it = effect.scope == EffectScope::camera ? fitted.term.joint == c && p.name == number.name
+        const bool is_it = effect.scope == EffectScope::camera ? fitted.term.place == c && p.name == number.name
                                                                : p.name == session.rig->at(c).name + "_" + number.name;
         if (is_it) value = s.true_rig->at(c).camera.*number.value - session.rig->at(c).camera.*number.value;
       }

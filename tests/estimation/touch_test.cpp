@@ -216,7 +216,7 @@ TEST(Touch, WhatIsHiddenIsNamed) {
   const Improvement m = improve(b.session);
   ASSERT_FALSE(m.last.model.fit.effects.empty());
   EXPECT_EQ(m.last.model.fit.effects.front().term.id, "joint_offset");
-  EXPECT_EQ(m.last.model.fit.effects.front().term.joint, find_joint(b.session.robot, "a3"));
+  EXPECT_EQ(m.last.model.fit.effects.front().term.place, find_joint(b.session.robot, "a3"));
   EXPECT_EQ(m.last.model.fit.effects.size(), 1U);
 }
 

@@ -24,7 +24,7 @@ void write_down(CalibratedRobot& robot) {
     CalibrationEffect written{e.id, {}};
     for (std::size_t p = 0; p < t.values.size(); ++p)
       written.parameters.push_back(
-          {place_name(e, t.joint, robot.chain.robot), e.parameters[p].name, t.values[p], 1e-5, e.parameters[p].unit});
+          {place_name(e, t.place, robot.chain.robot), e.parameters[p].name, t.values[p], 1e-5, e.parameters[p].unit});
     robot.calibration.effects.push_back(written);
     if (e.definition && std::none_of(robot.calibration.definitions.begin(), robot.calibration.definitions.end(),
                                      [&](const EffectDefinition& d) { return d.id == e.id; }))

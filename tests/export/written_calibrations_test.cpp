@@ -54,7 +54,7 @@ FitOptions drawn_options(const Chain& chain, int observations, std::mt19937_64& 
 
 std::string list_names(const FitOptions& options) {
   std::string names;
-  for (const EffectTerm& t : options.estimated) names += fmt::format(" {}@{}", t.id, t.joint);
+  for (const EffectTerm& t : options.estimated) names += fmt::format(" {}@{}", t.id, t.place);
   return names;
 }
 

@@ -35,12 +35,12 @@ TEST(Model, IsTheEnginesTerms) {
   const ModelTerms terms = list_terms(model, session);
   ASSERT_EQ(terms.held.size(), 1U);
   EXPECT_EQ(terms.held[0].id, "joint_offset");
-  EXPECT_EQ(terms.held[0].joint, find_joint(session.robot, session.joints[1]));
+  EXPECT_EQ(terms.held[0].place, find_joint(session.robot, session.joints[1]));
   EXPECT_THAT(terms.held[0].values, ElementsAre(0.01));
   ASSERT_EQ(terms.estimated.size(), 3U);
-  EXPECT_EQ(terms.estimated[0].joint, find_joint(session.robot, session.joints[2]));
-  EXPECT_EQ(terms.estimated[1].joint, 1);
-  EXPECT_EQ(terms.estimated[2].joint, -1);
+  EXPECT_EQ(terms.estimated[0].place, find_joint(session.robot, session.joints[2]));
+  EXPECT_EQ(terms.estimated[1].place, 1);
+  EXPECT_EQ(terms.estimated[2].place, -1);
   for (const EffectTerm& term : terms.estimated) {
     EXPECT_EQ(term.values.size(), term_effect(term).parameters.size()) << term.id;
     for (const double value : term.values) EXPECT_EQ(value, 0) << term.id;
@@ -78,7 +78,7 @@ TEST(Model, TakesEveryEffectOfTheCatalogueWhereverItMaySit) {
     ASSERT_EQ(back.estimated.size(), all.estimated.size());
     for (std::size_t i = 0; i < back.estimated.size(); ++i) {
       EXPECT_EQ(back.estimated[i].id, all.estimated[i].id);
-      EXPECT_EQ(back.estimated[i].joint, all.estimated[i].joint) << back.estimated[i].id;
+      EXPECT_EQ(back.estimated[i].place, all.estimated[i].place) << back.estimated[i].id;
     }
   }
 }
@@ -96,7 +96,7 @@ TEST(Model, KeepsACurveThatTheSessionDoesNotDefine) {
   ASSERT_EQ(back.estimated.size(), 1U);
   ASSERT_TRUE(back.estimated[0].own);
   EXPECT_EQ(back.estimated[0].own->definition->moves[0].formula, "size*sin(q)");
-  EXPECT_EQ(back.estimated[0].joint, terms.estimated[0].joint);
+  EXPECT_EQ(back.estimated[0].place, terms.estimated[0].place);
 }
 
 TEST(Model, RefusesWhatCannotBe) {

@@ -61,7 +61,7 @@ Days drawn_days(std::uint64_t seed, int count, const std::string& kind, int mode
   const std::vector<EffectTerm> change = drawn_change(kind, chain, random);
   Days days;
   days.id = kind == "nothing" ? "" : kind;
-  if (!change.empty()) days.where = place_name(term_effect(change.front()), change.front().joint, like.robot);
+  if (!change.empty()) days.where = place_name(term_effect(change.front()), change.front().place, like.robot);
   const int first = 1 + static_cast<int>(random() % static_cast<unsigned>(count - 1));
   const bool alone = random() % 2;
   o.observations = count * observations;

@@ -154,7 +154,7 @@ struct Tally {
 bool names(const Improvement& m, const World& w, int& wrong) {
   bool right = false;
   for (const FittedEffect& e : m.last.model.fit.effects) {
-    const std::string place = place_name(term_effect(e.term), e.term.joint, m.last.model.session.robot);
+    const std::string place = place_name(term_effect(e.term), e.term.place, m.last.model.session.robot);
     const bool is_it = e.term.id == w.id && place == w.place;
     right = right || is_it;
     wrong += !is_it;
@@ -232,7 +232,7 @@ void run(const std::string& kind, std::uint64_t seed, Tally& t) {
   t.ratio.push_back(ratio);
   std::string reported;
   for (const FittedEffect& e : together.last.model.fit.effects)
-    reported += fmt::format(" {}:{}", e.term.id, place_name(term_effect(e.term), e.term.joint, s.robot));
+    reported += fmt::format(" {}:{}", e.term.id, place_name(term_effect(e.term), e.term.place, s.robot));
   fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id,
              w.place, is_named, reported, any, 1e3 * of_all, 1e3 * of_one);
   if (!is_named && !w.hidden.empty()) look_at_miss(s, w, together, t);
@@ -276,7 +276,7 @@ void measure_time(int count, std::uint64_t seed) {
   const double of_improve = processor_seconds([&] {
     const Improvement m = improve(s);
     for (const FittedEffect& e : m.last.model.fit.effects)
-      names += " " + e.term.id + ":" + place_name(term_effect(e.term), e.term.joint, s.robot);
+      names += " " + e.term.id + ":" + place_name(term_effect(e.term), e.term.place, s.robot);
   });
   fmt::print(
       "2000 observations in 5 sessions, time of a processor: fit {:.1f} ms, errors held out by folds, regions and "

@@ -55,7 +55,7 @@ Hidden hidden_robot(int robot, std::uint64_t seed, const std::string& kind) {
   Hidden h;
   for (const char* id : {"joint_offset", "joint_elasticity", "encoder_eccentricity"})
     for (const EffectTerm& t : random_terms(*find_effect(id), chain, random))
-      if (is_between(chain, t.joint)) h.effects.push_back(t);
+      if (is_between(chain, t.place)) h.effects.push_back(t);
   std::uniform_real_distribution<double> uniform(0.5, 1.5);
   Curve curve;
   curve.joint = chain.joints[chain.joints.size() - 2 - random() % 3];

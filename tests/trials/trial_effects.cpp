@@ -54,7 +54,7 @@ int effect_trials(const Arguments& a) {
         const bool at_joint = e.scope == EffectScope::joint && o.effects.size() == 1;
         const bool joint =
             is_first && std::count(best.where.begin(), best.where.end(),
-                                   at_joint ? like.robot.joints[static_cast<std::size_t>(o.effects[0].joint)].name
+                                   at_joint ? like.robot.joints[static_cast<std::size_t>(o.effects[0].place)].name
                                             : std::string()) > 0;
         std::size_t bin = 0;
         while (lambda >= edges[bin + 1]) ++bin;

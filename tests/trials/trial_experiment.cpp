@@ -318,7 +318,7 @@ void try_changes(int count, std::uint64_t first) {
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
       tally[2] += last->changed && last->what == term.id &&
-                          (term.joint < 0 || last->where == place_name(term_effect(term), term.joint, chain.robot))
+                          (term.place < 0 || last->where == place_name(term_effect(term), term.place, chain.robot))
                       ? 1
                       : 0;
     }

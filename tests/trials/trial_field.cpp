@@ -90,7 +90,7 @@ std::vector<EffectTerm> hidden(const std::string& kind, const Session& like, con
 /// The values are added to those of the same effect at the same place.
 void add_to(std::vector<EffectTerm>& terms, const EffectTerm& more) {
   for (EffectTerm& t : terms)
-    if (t.id == more.id && t.joint == more.joint) {
+    if (t.id == more.id && t.place == more.place) {
       for (std::size_t p = 0; p < t.values.size(); ++p) t.values[p] += more.values[p];
       return;
     }
@@ -174,7 +174,7 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   w.effects = hidden(kind, like, o, draw);
   for (const EffectTerm& t : w.effects) w.dominant.insert(t.id);
   // Where the first joint sits and where a mount is that is held are one and the same.
-  const bool is_first = !w.effects.empty() && w.effects.front().joint ==
+  const bool is_first = !w.effects.empty() && w.effects.front().place ==
                                                   effect_places(*find_effect("joint_offset"), make_chain(like)).front();
   if (!like.mount.estimate && is_first) w.dominant.insert("camera_mount");
   if (kind != "scatter" && kind != "regions")

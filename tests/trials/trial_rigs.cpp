@@ -118,7 +118,7 @@ void diagnose_all(int count, std::uint64_t first) {
         o.noise = noise;
         o.declare_noise = false;
         EffectTerm term = effect_terms(id, chain, own).front();
-        term.joint = places[static_cast<std::size_t>(random.uniform(0, static_cast<double>(places.size()) - 1e-9))];
+        term.place = places[static_cast<std::size_t>(random.uniform(0, static_cast<double>(places.size()) - 1e-9))];
         for (std::size_t p = 0; p < term.values.size(); ++p)
           term.values[p] = prior_sigma(effect.parameters[p], chain) * random.gaussian();
         o.effects = {term};
@@ -133,7 +133,7 @@ void diagnose_all(int count, std::uint64_t first) {
         t.first += is_first;
         t.named +=
             is_first || std::count(best.indistinguishable_from.begin(), best.indistinguishable_from.end(), id) > 0;
-        const std::string where = place_name(effect, term.joint, like.robot);
+        const std::string where = place_name(effect, term.place, like.robot);
         t.place += is_first && std::count(best.where.begin(), best.where.end(), where) > 0;
         if (!is_first) fmt::print("  seed {} {} at {}: {} first\n", o.seed, id, where, best.id);
       }

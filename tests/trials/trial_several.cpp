@@ -60,7 +60,7 @@ std::vector<std::string> list_ids(const std::vector<EffectTerm>& terms) {
 
 const EffectTerm* same_place(const EffectTerm& term, const std::vector<EffectTerm>& list) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const EffectTerm& t) {
-    if (t.id != term.id || t.joint != term.joint) return false;
+    if (t.id != term.id || t.place != term.place) return false;
     const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (effect.parameters[p].is_choice && t.values[p] != term.values[p]) return false;

@@ -87,7 +87,7 @@ void coverage(const std::string& kind, int seeds, int touches, std::uint64_t fir
     Session s = made.session;
     blur_places(s, random);
     FitOptions o;
-    for (const EffectTerm& t : truth) o.estimated.push_back(term_of(term_effect(t), t.joint));
+    for (const EffectTerm& t : truth) o.estimated.push_back(term_of(term_effect(t), t.place));
     try {
       const Fit f = fit(s, o);
       not_converged += !f.converged();
@@ -244,7 +244,7 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
       equal += !is_it && is_twin;
       if (!is_it)
         fmt::print("  {} at {} seed {}: {} is first{}; all told: {}\n", id,
-                   like.robot.joints[static_cast<std::size_t>(term->joint)].name, seed, best.id,
+                   like.robot.joints[static_cast<std::size_t>(term->place)].name, seed, best.id,
                    is_twin ? ", said to be the same here" : "", oracle);
       std::fflush(stdout);
     }

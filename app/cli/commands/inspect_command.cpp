@@ -12,6 +12,7 @@
 #include "options/named_effects.h"
 #include "printing/diagnosis_output.h"
 #include "printing/json_values.h"
+#include "printing/reported_json.h"
 #include "vision/image/image_file.h"
 
 namespace handsight::cli {
@@ -89,17 +90,9 @@ std::string read_state(const Observation& o) {
   }
 }
 
-std::string cause_of(const ErrorAttribution& attribution, bool tracker) {
-  switch (attribution.letter) {
-    case 'C':
-      return tracker ? "tracker" : "cameras";
-    case 'B':
-      return "body";
-    case 'R':
-      return "robot";
-    default:
-      return "";
-  }
+std::string at_fault(const ErrorAttribution& attribution, bool tracker) {
+  return tracker && attribution.cause == ErrorCause::cameras ? "tracker"
+                                                             : std::string(error_cause_name(attribution.cause));
 }
 
 std::string size_text(double size, bool tracker) {
@@ -141,8 +134,8 @@ void print(const Inspected& in, int count, const Output& out) {
   out.line(fmt::format("{}: {} observations, {} used", in.session.title.empty() ? "Session" : in.session.title,
                        in.reported.observations, in.reported.used));
   if (!in.all.noise) out.line("The noise is not known: whose fault an error is cannot be said.");
-  if (in.all.attribution.letter != 0)
-    out.line(fmt::format("Blame     robot {} %, marker body {} %, {} {} % of what exceeds the noise",
+  if (in.all.attribution.cause != ErrorCause::none)
+    out.line(fmt::format("Due to    robot {} %, marker body {} %, {} {} % of what exceeds the noise",
                          whole_percent(in.all.attribution.robot), whole_percent(in.all.attribution.body),
                          tracker ? "tracker" : "cameras", whole_percent(in.all.attribution.cameras)));
   out.line();
@@ -152,7 +145,7 @@ void print(const Inspected& in, int count, const Output& out) {
   for (std::size_t i = 0; i < std::min(rows.size(), static_cast<std::size_t>(count)); ++i) {
     const InspectionRow& r = *rows[i];
     const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-    const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.attribution, tracker);
+    const std::string cause = in.is_flipped(r.id) ? "target" : at_fault(r.attribution, tracker);
     std::optional<double> off;
     if (r.tcp_from_tcp_est) off = r.tcp_from_tcp_est->translation.norm();
     out.line(fmt::format("{:>8} {:<9} {:>11} {:>10} {:>9}  {:<18} {}{}", r.id, read_state(o),
@@ -176,7 +169,7 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
   const bool tracker = in.session.is_tracker();
   const Json null = nullptr;
   const Observation& o = in.session.observations[static_cast<std::size_t>(r.index)];
-  const std::string cause = in.is_flipped(r.id) ? "target" : cause_of(r.attribution, tracker);
+  const std::string cause = in.is_flipped(r.id) ? "target" : at_fault(r.attribution, tracker);
   Json worst = nullptr;
   if (r.worst_marker >= 0)
     worst = {{"marker", r.worst_marker},
@@ -194,7 +187,8 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
           {"tcp_from_tcp_est", r.tcp_from_tcp_est ? motion(*r.tcp_from_tcp_est) : null},
           {"worst", worst},
           {"cause", cause.empty() ? null : Json(cause)},
-          {"blame", {{"cameras", r.attribution.cameras}, {"body", r.attribution.body}, {"robot", r.attribution.robot}}},
+          {"error_attribution", attribution_json(r.attribution)},
+          {"blame", attribution_json(r.attribution)},  // its older name
           {"what_would_mend", r.what_would_mend.empty() ? null : Json(r.what_would_mend)},
           {"smallest_visible_pixel", tracker ? null : number(r.smallest_visible)},
           {"smallest_visible_m", tracker ? number(r.smallest_visible) : null},
@@ -204,7 +198,6 @@ Json row_json(const Inspected& in, const InspectionRow& r) {
 Json inspection_json(const Inspected& in) {
   const bool tracker = in.session.is_tracker();
   const Json null = nullptr;
-  const ErrorAttribution& attribution = in.all.attribution;
   Json rows = Json::array(), fresh = Json::array();
   for (const InspectionRow& r : in.all.rows) rows.push_back(row_json(in, r));
   for (const FreshPose& p : in.fresh)
@@ -217,7 +210,8 @@ Json inspection_json(const Inspected& in) {
           {"used", in.reported.used},
           {"noise_pixel", tracker ? null : number(in.all.noise)},
           {"noise_m", tracker ? number(in.all.noise) : null},
-          {"blame", {{"cameras", attribution.cameras}, {"body", attribution.body}, {"robot", attribution.robot}}},
+          {"error_attribution", attribution_json(in.all.attribution)},
+          {"blame", attribution_json(in.all.attribution)},  // its older name
           {"wrong_points", wrong_points_json(in.clean.wrong, in.clean.session)},
           {"lone_observations", lone_json(in.clean.lone)},
           {"flipped_targets", flipped_json(in.flipped)},

@@ -17,6 +17,7 @@
 #include "estimation/fit/undetermined.h"
 #include "fit_output.h"
 #include "json_values.h"
+#include "reported_json.h"
 
 namespace handsight::cli {
 namespace {
@@ -25,13 +26,13 @@ Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
   Json list = Json::array();
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
     const Effect& effect = term_effect(c.terms[t]);
-    const std::string of = place_name(effect, c.terms[t].joint, session.robot);
+    const std::string of = place_name(effect, c.terms[t].place, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       list.push_back({{"of", of.empty() ? Json(nullptr) : Json(of)},
                       {"name", effect.parameters[p].name},
                       {"value", number(c.terms[t].values[p])},
                       {"sigma", number(c.sigmas[t][p])},
-                      {"unit", unit_at(effect, p, c.terms[t].joint, session.robot)},
+                      {"unit", unit_at(effect, p, c.terms[t].place, session.robot)},
                       {"plausible_size", effect.parameters[p].sigma}});
   }
   return list;
@@ -99,18 +100,15 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
   return j;
 }
 
-Json attribution_json(const ErrorAttribution& attribution) {
-  return {{"cameras", attribution.cameras}, {"body", attribution.body}, {"robot", attribution.robot}};
-}
-
 Json observation_json(const ObservationAttribution& o, const Rig* rig) {
   const bool tracker = !rig;
   const Json null = nullptr;
   const std::string change = change_text(o.change, rig);
-  const char* cause = o.attribution.letter == 'C' ? "cameras" : o.attribution.letter == 'B' ? "body" : "robot";
+  const std::string_view cause = error_cause_name(o.attribution.cause);
   return {{"id", o.id},
-          {"blame", attribution_json(o.attribution)},
-          {"cause", o.attribution.letter == 0 ? null : Json(cause)},
+          {"error_attribution", attribution_json(o.attribution)},
+          {"blame", attribution_json(o.attribution)},  // its older name
+          {"cause", cause.empty() ? null : Json(cause)},
           {"single_change", change.empty() ? null : Json(change)},
           {"smallest_visible_pixel", tracker ? null : number(o.smallest_visible)},
           {"smallest_visible_m", tracker ? number(o.smallest_visible) : null}};
@@ -122,7 +120,7 @@ void print_odd_observations(const Output& out, const Diagnosis& d, const Rig* ri
   constexpr int most = 5;
   int odd = 0;
   for (const ObservationAttribution& o : d.observations) {
-    if (o.attribution.letter != 'C' && o.attribution.letter != 'B') continue;
+    if (o.attribution.cause != ErrorCause::cameras && o.attribution.cause != ErrorCause::body) continue;
     if (++odd > most) continue;
     const std::string visible = o.smallest_visible
                                     ? fmt::format(" (an error under {} here could not be seen)",
@@ -215,8 +213,8 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   const std::string repeatability = d.verdict == Verdict::adequate ? repeatability_text(d.repeatability) : "";
   out.line(fmt::format("Error     {}{}{}", error_line(story.error), story.error.noise ? "" : "; noise unknown",
                        repeatability.empty() ? "" : "; scatter as of " + repeatability));
-  if (d.attribution.letter != 0)
-    out.line(fmt::format("Blame     robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
+  if (d.attribution.cause != ErrorCause::none)
+    out.line(fmt::format("Due to    robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
                          whole_percent(d.attribution.robot), whole_percent(d.attribution.body),
                          whole_percent(d.attribution.cameras)));
   for (const Message& text : undetermined_texts(d.model.fit)) out.line("Note      " + text);
@@ -269,9 +267,11 @@ Json diagnosis_json(const Session& session, const Diagnosis& d) {
          {"held_out_region_mean_m", number(d.report.held_out_region.mean_m)},
          {"noise_pixel", tracker ? null : number(d.noise)},
          {"noise_m", tracker ? number(d.noise) : null},
-         {"blame", attribution_json(d.attribution)},
+         {"error_attribution", attribution_json(d.attribution)},
+         {"blame", attribution_json(d.attribution)},  // its older name
          {"joint_repeatability_rad", d.repeatability.joints},
-         {"place_scatter_m", d.repeatability.place},
+         {"place_repeatability_m", d.repeatability.place},
+         {"place_scatter_m", d.repeatability.place},  // its older name
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
   j["undetermined"] = undetermined_texts(d.model.fit);

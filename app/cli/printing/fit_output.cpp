@@ -47,11 +47,11 @@ Json parameters_json(const Session& session, const std::vector<FittedEffect>& ef
     const Effect* effect = &term_effect(e.term);
     for (std::size_t p = 0; p < effect->parameters.size(); ++p)
       list.push_back(
-          {{"of", e.term.joint >= 0 ? Json(place_name(*effect, e.term.joint, session.robot)) : Json(nullptr)},
+          {{"of", e.term.place >= 0 ? Json(place_name(*effect, e.term.place, session.robot)) : Json(nullptr)},
            {"name", effect->parameters[p].name},
            {"value", e.term.values[p]},
            {"sigma", number(e.sigmas[p])},
-           {"unit", unit_at(*effect, p, e.term.joint, session.robot)}});
+           {"unit", unit_at(*effect, p, e.term.place, session.robot)}});
   }
   return list;
 }
@@ -83,12 +83,12 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
   out.line("Effects in the model");
   for (const FittedEffect& e : fit.effects) {
     const Effect& effect = term_effect(e.term);
-    const std::string place = place_name(effect, e.term.joint, session.robot);
+    const std::string place = place_name(effect, e.term.place, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
                            e.term.values[p],
                            e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
-                           unit_at(effect, p, e.term.joint, session.robot)));
+                           unit_at(effect, p, e.term.place, session.robot)));
   }
 }
 

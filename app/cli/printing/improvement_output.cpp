@@ -136,7 +136,8 @@ Json improvement_json(const Session& session, const Improvement& m) {
                      {"hand_m", number(row.hand_m)}});
   j["worth"] = worth;
   j["bill"] = bill_json(m.bill);
-  j["certainty"] = inclusion_probabilities_json(m.inclusion_probabilities);
+  j["inclusion_probabilities"] = inclusion_probabilities_json(m.inclusion_probabilities);
+  j["certainty"] = j["inclusion_probabilities"];  // its older name
   return j;
 }
 

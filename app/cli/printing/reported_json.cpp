@@ -10,6 +10,10 @@ Json check_json(const Session& session, const SessionCheck& check) {
           {"notes", session.notes}};
 }
 
+Json attribution_json(const ErrorAttribution& attribution) {
+  return {{"cameras", attribution.cameras}, {"body", attribution.body}, {"robot", attribution.robot}};
+}
+
 Json prediction_json(const TcpPrediction& p, bool rotation_is_observed) {
   Json sigma = numbers(p.sigma());
   for (std::size_t i = 3; i < 6 && !rotation_is_observed; ++i) sigma[i] = nullptr;

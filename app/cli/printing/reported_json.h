@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks, predictions and corrections as JSON: what the command line writes and the Python module gives.
+// Checks, error attributions, predictions and corrections as JSON: what the command line writes and the Python module gives.
 #pragma once
 
 #include "correct/correction.h"
+#include "diagnosis/attribution/error_attribution.h"
 #include "estimation/report/prediction.h"
 #include "estimation/report/session_check.h"
 #include "json_values.h"
@@ -10,6 +11,9 @@
 namespace handsight::cli {
 
 Json check_json(const Session& session, const SessionCheck& check);
+
+/// Shares of what exceeds the noise, 0 to 1: `cameras`, `body`, `robot`.
+Json attribution_json(const ErrorAttribution& attribution);
 
 /// `rotation_is_observed`: false: rotations have no sigma.
 Json prediction_json(const TcpPrediction& prediction, bool rotation_is_observed);

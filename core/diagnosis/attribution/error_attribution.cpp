@@ -39,6 +39,20 @@ ErrorAttribution shares(double cameras, double body, double robot) {
 
 }  // namespace
 
+std::string_view error_cause_name(ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::none:
+      return "";
+    case ErrorCause::cameras:
+      return "cameras";
+    case ErrorCause::body:
+      return "body";
+    case ErrorCause::robot:
+      return "robot";
+  }
+  return "";
+}
+
 ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {
   ResidualParts parts;
   const Rig* rig = problem.rig_or_null();
@@ -74,20 +88,20 @@ TypicalParts typical_parts(const std::vector<ResidualParts>& used) {
 
 ErrorAttribution attribute_error(const ResidualParts& parts, double noise, const TypicalParts& typical) {
   const auto excess = [&](double squares, int rows) { return std::max(0.0, squares - rows * noise * noise); };
-  char letter = 0;
+  ErrorCause cause = ErrorCause::none;
   // From the inside out: images that do not fit together spoil the body's shape too, and a body out of shape its pose.
   if (exceeds(parts.cameras, parts.camera_rows, noise) &&
       rms(parts.cameras, parts.camera_rows) > beyond * typical.cameras) {
-    letter = 'C';
+    cause = ErrorCause::cameras;
   } else if (exceeds(parts.body, parts.body_rows, noise) && rms(parts.body, parts.body_rows) > beyond * typical.body) {
-    letter = 'B';
+    cause = ErrorCause::body;
   } else if (exceeds(parts.robot, parts.robot_rows, noise)) {
-    letter = 'R';
+    cause = ErrorCause::robot;
   }
-  if (letter == 0) return {};
+  if (cause == ErrorCause::none) return {};
   ErrorAttribution attribution = shares(excess(parts.cameras, parts.camera_rows), excess(parts.body, parts.body_rows),
                                         excess(parts.robot, parts.robot_rows));
-  attribution.letter = letter;
+  attribution.cause = cause;
   return attribution;
 }
 
@@ -107,7 +121,10 @@ ErrorAttribution attribute_error(const std::vector<ResidualParts>& used, double 
   ErrorAttribution attribution =
       shares(excess(sum.cameras, sum.camera_rows), excess(sum.body, sum.body_rows), excess(sum.robot, sum.robot_rows));
   const double largest = std::max({attribution.cameras, attribution.body, attribution.robot});
-  if (largest > 0) attribution.letter = largest == attribution.robot ? 'R' : largest == attribution.body ? 'B' : 'C';
+  if (largest > 0)
+    attribution.cause = largest == attribution.robot  ? ErrorCause::robot
+                        : largest == attribution.body ? ErrorCause::body
+                                                      : ErrorCause::cameras;
   return attribution;
 }
 
@@ -134,7 +151,7 @@ std::vector<ObservationAttribution> attribute_observations(const Session& sessio
     b.id = session.observations[static_cast<std::size_t>(o.index)].id;
     b.parts = parts[i];
     b.attribution = attribute_error(parts[i], *fit.noise, typical);
-    b.change = single_change(problem, o, u, *fit.noise, typical, parts[i], b.attribution.letter);
+    b.change = single_change(problem, o, u, *fit.noise, typical, parts[i], b.attribution.cause);
     b.smallest_visible = smallest_visible(problem, o, u, *fit.noise);
     list.push_back(b);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/message.h"
 #include "diagnosis/outliers/snooping.h"
@@ -31,12 +32,17 @@ struct TypicalParts {
 };
 TypicalParts typical_parts(const std::vector<ResidualParts>& used);
 
+/// Whose fault an error is.
+enum class ErrorCause { none, cameras, body, robot };
+/// "cameras", "body" or "robot", as JSON has it; empty of none.
+std::string_view error_cause_name(ErrorCause cause);
+
 /// Shares of what exceeds the noise (0 to 1, together 1 or all 0): cameras: the images of a marker do not fit
 /// together; body: the markers do not lie to each other as the body's do; robot: the body as a whole is not where the
 /// robot says.
 struct ErrorAttribution {
   double cameras = 0, body = 0, robot = 0;
-  char letter = 0;  // C, B or R: the cause to look at first. 0: nothing stands out of the noise
+  ErrorCause cause = ErrorCause::none;  // to look at first; none: nothing stands out of the noise
 };
 ErrorAttribution attribute_error(const ResidualParts& parts, double noise, const TypicalParts& typical);
 /// Of all observations together.
@@ -53,7 +59,7 @@ struct SingleChange {
   double angle = 0;                  // rad, of pose
 };
 SingleChange single_change(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns, double noise,
-                           const TypicalParts& typical, const ResidualParts& parts, char letter);
+                           const TypicalParts& typical, const ResidualParts& parts, ErrorCause cause);
 /// "Marker 2, right image, 3.4 px further left."; empty of none. `rig` is null in a tracker session.
 Message change_text(const SingleChange& change, const Rig* rig);
 

@@ -28,7 +28,8 @@ std::vector<FreshPose> fresh_poses(const Inspection& inspection) {
     const Vector3& d = row.tcp_from_tcp_est->translation;
     const double squared = d.dot(inverse.solve(d));
     FreshPose pose{.id = row.id, .distance = d.norm(), .is_hit = squared <= limit};
-    pose.is_known_bad = row.at_second_look || row.attribution.letter == 'C' || row.attribution.letter == 'B';
+    pose.is_known_bad =
+        row.at_second_look || row.attribution.cause == ErrorCause::cameras || row.attribution.cause == ErrorCause::body;
     if (squared > 0) pose.allowed = pose.distance * std::sqrt(limit / squared);
     poses.push_back(pose);
   }

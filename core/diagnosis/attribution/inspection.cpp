@@ -193,7 +193,7 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   if (row.noise_of_hand_m) *row.noise_of_hand_m *= *noise;
   row.ratio = *row.rms / *noise;
   row.attribution = attribute_error(parts, *noise, typical);
-  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.attribution.letter);
+  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.attribution.cause);
   row.what_would_mend = change_text(change, problem.rig_or_null());
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }

@@ -90,11 +90,11 @@ Message direction(const Vector2& d) {
 }  // namespace
 
 SingleChange single_change(const Problem& problem, const ProblemObservation& o, const Unknowns& u, double noise,
-                           const TypicalParts& typical, const ResidualParts& parts, char letter) {
+                           const TypicalParts& typical, const ResidualParts& parts, ErrorCause cause) {
   SingleChange change;
-  if (letter == 0) return change;
+  if (cause == ErrorCause::none) return change;
   const Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
-  if (letter == 'R') {
+  if (cause == ErrorCause::robot) {
     if (!parts.sensor_from_body) return change;
     const Rigid motion = inverse(sensor_from_tcp) * *parts.sensor_from_body;
     change.kind = SingleChange::Kind::pose;
@@ -111,7 +111,7 @@ SingleChange single_change(const Problem& problem, const ProblemObservation& o, 
   }
   SingleChange marker = best_marker(problem, o, u, squares);
   if (squares < 9 * usual * usual) return marker;
-  const bool images = letter == 'C';
+  const bool images = cause == ErrorCause::cameras;
   change.kind = images ? SingleChange::Kind::images : SingleChange::Kind::body;
   change.size = images ? rms(parts.cameras, parts.camera_rows) : rms(parts.body, parts.body_rows);
   return change;

@@ -73,7 +73,7 @@ struct Offer {
 };
 
 bool same_unit(const Effect& effect, const EffectTerm& a, const EffectTerm& b) {
-  if (a.id != b.id || a.joint != b.joint) return false;
+  if (a.id != b.id || a.place != b.place) return false;
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)
     if (effect.parameters[p].is_choice && a.values[p] != b.values[p]) return false;
   return true;
@@ -160,7 +160,7 @@ Candidates at_place(const Problem& model, const EffectTerm& term, const std::vec
 Candidates choices_at_place(const Problem& model, const EffectTerm& term, int most_orders) {
   std::vector<std::vector<double>> choices = choices_of(term_effect(term), step_orders(model, most_orders));
   std::erase_if(choices, [&](const std::vector<double>& values) {
-    return !has_choice(term_effect(term), term.joint, values, model.source->chain);
+    return !has_choice(term_effect(term), term.place, values, model.source->chain);
   });
   return at_place(model, term, choices);
 }

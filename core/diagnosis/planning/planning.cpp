@@ -31,7 +31,7 @@ double noise_to_reckon(const Session& session, const Fit& f) {
 
 bool are_same(const std::vector<EffectTerm>& a, const std::vector<EffectTerm>& b) {
   return std::is_permutation(a.begin(), a.end(), b.begin(), b.end(), [](const EffectTerm& x, const EffectTerm& y) {
-    return x.id == y.id && x.joint == y.joint;
+    return x.id == y.id && x.place == y.place;
   });
 }
 
@@ -79,7 +79,7 @@ class Planner {
       for (const EffectTerm& t : *rival)
         for (const auto* model : {&options_.effects, &options_.estimated})
           for (const EffectTerm& m : *model)
-            if (m.id == t.id && m.joint == t.joint)
+            if (m.id == t.id && m.place == t.place)
               throw InputError(
                   message("The effect \"{}\" is to be told from another (--between) and is in the "
                           "model already (--effects); leave it out of one of them.",

@@ -48,7 +48,7 @@ std::vector<Number> list_numbers(Standing& s, const std::vector<EffectTerm>& ter
       if (column < 0) continue;
       const EffectParameter& parameter = effect.parameters[p];
       const double sigma = t < sigmas.size() && p < sigmas[t].size() ? sigmas[t][p] : 0;
-      list.push_back({{t, p, parameter.name, unit_at(effect, p, terms[t].joint, s.problem.source->chain.robot),
+      list.push_back({{t, p, parameter.name, unit_at(effect, p, terms[t].place, s.problem.source->chain.robot),
                        terms[t].values[p], sigma, 0},
                       proof_site(s.problem, terms[t], p),
                       column,
@@ -160,7 +160,7 @@ std::vector<ProofPlot> plots_of(const Session& session, Standing s, const std::v
     const ProofSite& site = group.front().site;
     const EffectTerm& term = terms[group.front().number.term];
     ProofPlot plot;
-    plot.of = place_name(term_effect(term), term.joint, session.robot);
+    plot.of = place_name(term_effect(term), term.place, session.robot);
     plot.quantity = site.quantity, plot.unit = site.unit;
     plot.against = site.against, plot.against_unit = site.against_unit;
     for (const Number& n : group) plot.numbers.push_back(n.number);
@@ -191,7 +191,7 @@ std::optional<std::vector<std::size_t>> places_in(const Problem& p, const std::v
   for (const EffectTerm& term : terms) {
     const Effect& effect = term_effect(term);
     const auto found = std::find_if(p.terms.rbegin(), p.terms.rend(), [&](const EffectTerm& t) {
-      if (t.id != term.id || t.joint != term.joint) return false;
+      if (t.id != term.id || t.place != term.place) return false;
       for (std::size_t i = 0; i < effect.parameters.size(); ++i)
         if (effect.parameters[i].is_choice && t.values[i] != term.values[i]) return false;
       return true;
@@ -236,7 +236,7 @@ std::vector<ProofPlot> make_proof(const Session& session, const Fit& fit, const 
     present.push_back(s.problem.terms[place]);
     sigmas.emplace_back();
     for (const FittedEffect& e : fit.effects)
-      if (e.term.id == present.back().id && e.term.joint == present.back().joint &&
+      if (e.term.id == present.back().id && e.term.place == present.back().place &&
           e.term.values == present.back().values)
         sigmas.back() = e.sigmas;
   }

@@ -72,7 +72,7 @@ Eigen::MatrixXd moved_entries(const Problem& p, const EffectTerm& term, std::siz
   for (std::size_t i = 0; i < p.observations.size(); ++i) {
     Sites sites = unmoved_sites(p.source->chain);
     const auto at = static_cast<std::size_t>(p.observations[i].index);
-    effect.move(p.source->states[at], term.joint, values, sites);
+    effect.move(p.source->states[at], term.place, values, sites);
     const std::vector<Entry> entries = entries_of(sites);
     if (i == 0)
       moved.resize(static_cast<Eigen::Index>(p.observations.size()), static_cast<Eigen::Index>(entries.size()));
@@ -287,10 +287,10 @@ ProofSite proof_site(const Problem& p, const EffectTerm& term, std::size_t param
   }
   if (!site.entry) {
     site.quantity = looked_up(number.name);
-    site.unit = unit_at(effect, parameter, term.joint, p.source->chain.robot);
+    site.unit = unit_at(effect, parameter, term.place, p.source->chain.robot);
     site.share = ones;
   }
-  const Followed by = followed(p, effect, term.joint, site.share);
+  const Followed by = followed(p, effect, term.place, site.share);
   site.against = by.name, site.against_unit = by.unit, site.x = by.values;
   return site;
 }

@@ -34,9 +34,9 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
       if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * prior_sigma(parameter, chain)) continue;
-      const std::string place = place_name(effect, term.joint, chain.robot);
+      const std::string place = place_name(effect, term.place, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
-                                 unit_at(effect, p, term.joint, chain.robot)));
+                                 unit_at(effect, p, term.place, chain.robot)));
     }
   }
   return list;

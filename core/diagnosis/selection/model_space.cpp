@@ -150,7 +150,7 @@ double ModelSpace::worth(const Chosen& chosen) const {
 
 bool ModelSpace::can_come(std::size_t unit, const Chosen& chosen) const {
   return std::none_of(chosen.begin(), chosen.end(), [&](std::size_t c) {
-    return units_[c].name == units_[unit].name && units_[c].term.joint == units_[unit].term.joint;
+    return units_[c].name == units_[unit].name && units_[c].term.place == units_[unit].term.place;
   });
 }
 

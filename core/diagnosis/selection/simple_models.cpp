@@ -65,7 +65,7 @@ bool is_simple(const CandidateEffect& effect, const Problem& model) {
   if (follows_time(one) || (one.id == "target_scale" && !model.rig)) return false;
   std::set<int> joints;
   for (const CandidateUnit& u : effect.units)
-    if (!joints.insert(u.term.joint).second) return false;
+    if (!joints.insert(u.term.place).second) return false;
   return true;
 }
 

@@ -42,7 +42,7 @@ std::vector<std::string> list_places(const std::vector<EffectTerm>& terms, const
   std::vector<std::string> places;
   for (const EffectTerm& term : terms) {
     const Effect& effect = term_effect(term);
-    const std::string place = place_name(effect, term.joint, chain.robot);
+    const std::string place = place_name(effect, term.place, chain.robot);
     if (!place.empty()) places.push_back(place);
     if (effect.id == "joint_coupling")
       if (const auto other = coupled_joint(chain, term))

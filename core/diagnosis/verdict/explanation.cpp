@@ -32,14 +32,14 @@ Message numbers_text(const DiagnosisCandidate& c, const Session& session) {
   int listed_ones = 0;
   for (std::size_t t = 0; t < c.terms.size(); ++t) {
     const Effect& effect = term_effect(c.terms[t]);
-    const std::string place = place_name(effect, c.terms[t].joint, session.robot);
+    const std::string place = place_name(effect, c.terms[t].place, session.robot);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
       if (++listed_ones > 6) return joined(texts) + ", ...";
       const Message name = looked_up(effect.parameters[p].name);
       texts.push_back(message("{} {:.3g} +- {:.1g} {}", place.empty() ? name : message("{} of {}", name, place),
                               c.terms[t].values[p], c.sigmas[t][p],
-                              unit_at(effect, p, c.terms[t].joint, session.robot)));
+                              unit_at(effect, p, c.terms[t].place, session.robot)));
     }
   }
   return joined(texts);
@@ -49,7 +49,7 @@ Message speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
   for (const DiagnosisPattern& p : d.patterns) {
     const bool own = p.against.joint < 0 || c.where.empty();
     for (const EffectTerm& term : c.terms)
-      if (own || term.joint == p.against.joint)
+      if (own || term.place == p.against.joint)
         return message(" The residual \"{}\" follows the {}.", p.residual.name, p.against.name);
   }
   return "";

@@ -92,14 +92,16 @@ const DiagnosisCandidate* finding_of(const Diagnosis& d, const std::set<std::str
 ErrorAttribution attribution_by_finding(const ErrorAttribution& attribution, const Diagnosis& d,
                                         const std::set<std::string>& refused) {
   const DiagnosisCandidate* finding = finding_of(d, refused);
-  if (attribution.letter == 0 || !finding || !is_believable(*finding) || !finding->explained ||
+  if (attribution.cause == ErrorCause::none || !finding || !is_believable(*finding) || !finding->explained ||
       !d.model.fit.problem.source)
     return attribution;
   const double share = std::clamp(*finding->explained, 0.0, 1.0);
   ErrorAttribution b = attribution;
   for (double* part : {&b.cameras, &b.body, &b.robot}) *part *= 1 - share;
   share_of_what_moves(d.model.fit.problem, finding->terms, b) += share;
-  b.letter = b.robot >= std::max(b.cameras, b.body) ? 'R' : b.body >= b.cameras ? 'B' : 'C';
+  b.cause = b.robot >= std::max(b.cameras, b.body) ? ErrorCause::robot
+            : b.body >= b.cameras                  ? ErrorCause::body
+                                                   : ErrorCause::cameras;
   return b;
 }
 

@@ -149,13 +149,13 @@ class Prediction {
     }
     if (!best) return std::nullopt;
     const EffectParameter& p = effect.parameters[numbers[*best].parameter];
-    const std::string place = place_name(effect, c_.terms[numbers[*best].term].joint, chain_.robot);
+    const std::string place = place_name(effect, c_.terms[numbers[*best].term].place, chain_.robot);
     return CheckPrediction{message("The {}{} differs by", looked_up(in_words(p.name)),
                                    place.empty() ? Message() : message(" of {}", place)),
                            "from the model's",
                            value(*best),
                            sigma(*best),
-                           unit_at(effect, numbers[*best].parameter, c_.terms[numbers[*best].term].joint, chain_.robot),
+                           unit_at(effect, numbers[*best].parameter, c_.terms[numbers[*best].term].place, chain_.robot),
                            std::nullopt};
   }
 
@@ -187,15 +187,15 @@ class Prediction {
     double most = 0;
     std::optional<CheckPrediction> best;
     for (const EffectTerm& term : c_.terms) {
-      const auto [from, to] = most_parted(term, seen_range(term.joint));
-      const Reading reading = [&, joint = term.joint, low = from, high = to](const Terms& terms) -> ReadValue {
+      const auto [from, to] = most_parted(term, seen_range(term.place));
+      const Reading reading = [&, joint = term.place, low = from, high = to](const Terms& terms) -> ReadValue {
         return Eigen::VectorXd::Constant(
             1, angle_error(any_pose(), terms, joint, high) - angle_error(any_pose(), terms, joint, low));
       };
       const auto part = predicted(reading, model_, c_);
       if (!part || std::abs(part->value) <= most) continue;
       most = std::abs(part->value);
-      const Joint& j = chain_.robot.joints[static_cast<std::size_t>(term.joint)];
+      const Joint& j = chain_.robot.joints[static_cast<std::size_t>(term.place)];
       const bool slides = j.kind == JointKind::prismatic;
       constexpr double degrees = 57.29577951308232;
       best = CheckPrediction{
@@ -227,7 +227,7 @@ class Prediction {
     double least = 1e300, most = -1e300, at_least = 0, at_most = 0;
     for (int i = 0; i <= steps; ++i) {
       const double q = range.first + (range.second - range.first) * i / steps;
-      const double error = angle_error(any_pose(), {term}, term.joint, q);
+      const double error = angle_error(any_pose(), {term}, term.place, q);
       if (error < least) least = error, at_least = q;
       if (error > most) most = error, at_most = q;
     }

@@ -27,7 +27,7 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
     if (!back && !is_too_large(f.term, chain)) continue;
     auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
     if (same == list.end()) same = list.insert(list.end(), StandIn{.id = f.term.id});
-    const std::string place = place_name(term_effect(f.term), f.term.joint, chain.robot);
+    const std::string place = place_name(term_effect(f.term), f.term.place, chain.robot);
     if (!place.empty()) same->where.push_back(place);
     same->pushes_back = same->pushes_back || back;
   }

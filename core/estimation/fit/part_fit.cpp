@@ -63,12 +63,12 @@ class PartTerms {
     const Effect& effect = term_effect(term);
     if (effect.scope == EffectScope::part) return add_of_part(t, effect);
     if (effect.scope == EffectScope::marker) {
-      const int marker = term.joint - part_.first_marker;
+      const int marker = term.place - part_.first_marker;
       if (marker >= 0 && marker < part_.marker_count) put(effect.id, marker, list_numbers(t), effect);
       return;
     }
     if (effect.scope == EffectScope::camera && several_rigs_) return add_of_camera(t, effect);
-    put(effect.id, term.joint, list_numbers(t), effect);
+    put(effect.id, term.place, list_numbers(t), effect);
   }
 
   /// Where the effect acts in this part it is that of the whole session, or of the joint that it moves.
@@ -81,7 +81,7 @@ class PartTerms {
     for (std::size_t p = 0; p < values.size(); ++p)
       if (!effect.parameters[p].is_choice) values[p] = 1;
     Sites sites = unmoved_sites(fit_.problem.source->chain);
-    effect.move(c, term.joint, values, sites);
+    effect.move(c, term.place, values, sites);
     if (!moves_anything(sites)) return;
     constexpr std::string_view changed = "_changed";
     if (!effect.id.ends_with(changed)) return put(effect.id, -1, list_numbers(t), effect);
@@ -95,7 +95,7 @@ class PartTerms {
 
   /// Of a rig by itself: two cameras have one effect, whose numbers are those of the first, then of the second.
   void add_of_camera(std::size_t t, const Effect& effect) {
-    const int camera = fit_.problem.terms[t].joint - part_.first_camera;
+    const int camera = fit_.problem.terms[t].place - part_.first_camera;
     if (camera < 0 || camera >= part_.camera_count) return;
     const std::vector<PartNumber> numbers = list_numbers(t);
     if (part_.camera_count != 2) return put(effect.id, camera, numbers, effect);
@@ -116,7 +116,7 @@ class PartTerms {
           of_all.scope != EffectScope::session)
         numbers[p].value -= part_.first_order;
     for (PartTerm& known : terms)
-      if (known.term.id == id && known.term.joint == place && same_choices(*effect, known, numbers))
+      if (known.term.id == id && known.term.place == place && same_choices(*effect, known, numbers))
         return add_to(*effect, numbers, known);
     PartTerm one{term_of(*effect, place, own != own_effects_.end() ? *own : nullptr), numbers};
     terms.push_back(std::move(one));

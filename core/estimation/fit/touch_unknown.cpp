@@ -90,7 +90,7 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   for (Eigen::Index i = 0; i < count; ++i) {
     const double all = information(first + i, first + i);
     if (all - by_others(i, i) <= least_share * std::max(all, 1e-300))
-      names.push_back(chain.robot.joints[static_cast<std::size_t>(zeros[static_cast<std::size_t>(i)].joint)].name);
+      names.push_back(chain.robot.joints[static_cast<std::size_t>(zeros[static_cast<std::size_t>(i)].place)].name);
   }
   return names;
 }

@@ -29,8 +29,8 @@ class MovedSites {
       : problem_(&problem), all_(unmoved_sites(problem.source->chain)), unit_(all_) {
     for (const EffectTerm& term : problem.terms) {
       effects_.push_back(&term_effect(term));
-      if (effects_.back()->scope == EffectScope::marker && term.joint >= static_cast<int>(all_.markers.size()))
-        all_.markers.resize(static_cast<std::size_t>(term.joint + 1), Vector3::Zero());
+      if (effects_.back()->scope == EffectScope::marker && term.place >= static_cast<int>(all_.markers.size()))
+        all_.markers.resize(static_cast<std::size_t>(term.place + 1), Vector3::Zero());
     }
     unit_.markers = all_.markers;
     if (problem.terms.empty()) all_.robot.joints.clear();
@@ -40,7 +40,7 @@ class MovedSites {
   const Sites& by_all(const ObservationState& c) {
     clear(all_);
     for (std::size_t t = 0; t < effects_.size(); ++t)
-      effects_[t]->move(c, problem_->terms[t].joint, problem_->terms[t].values, all_);
+      effects_[t]->move(c, problem_->terms[t].place, problem_->terms[t].values, all_);
     return all_;
   }
 
@@ -56,8 +56,8 @@ class MovedSites {
     for (std::size_t p = 0; p < values_.size(); ++p)
       if (effect.parameters[p].is_choice) values_[p] = term.values[p];
     values_[column.parameter] = 1;
-    effect.move(c, term.joint, values_, unit_);
-    joint_ = moves_one_joint(effect) ? term.joint : -1;
+    effect.move(c, term.place, values_, unit_);
+    joint_ = moves_one_joint(effect) ? term.place : -1;
     return unit_;
   }
 

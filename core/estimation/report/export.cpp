@@ -30,7 +30,7 @@ std::vector<std::vector<std::size_t>> terms_by_element(const std::vector<EffectT
       elements.emplace_back();
     }
     std::size_t earlier = 0;  // terms of the effect at the same place
-    for (std::size_t s = 0; s < t; ++s) earlier += all[s].id == term.id && all[s].joint == term.joint;
+    for (std::size_t s = 0; s < t; ++s) earlier += all[s].id == term.id && all[s].place == term.place;
     if (elements[found].size() <= earlier) elements[found].resize(earlier + 1);
     elements[found][earlier].push_back(t);
   }
@@ -57,11 +57,11 @@ WrittenTerms written(const std::vector<EffectTerm>& terms, const std::vector<dou
       const auto is_reported = [&](const EffectDefinition& d) { return d.id == effect.id; };
       if (effect.definition && std::none_of(definitions.begin(), definitions.end(), is_reported))
         definitions.push_back(*effect.definition);
-      const std::string of = place_name(effect, terms[t].joint, robot);
+      const std::string of = place_name(effect, terms[t].place, robot);
       for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
         const Eigen::Index number = first_of_term[t] + static_cast<Eigen::Index>(p);
         one.parameters.push_back({of, effect.parameters[p].name, terms[t].values[p],
-                                  sigmas[static_cast<std::size_t>(number)], unit_at(effect, p, terms[t].joint, robot)});
+                                  sigmas[static_cast<std::size_t>(number)], unit_at(effect, p, terms[t].place, robot)});
         w.number_of.push_back(number);
       }
     }
@@ -125,7 +125,7 @@ namespace {
 
 /// The same effect at the same place, with the same choices?
 bool is_same(const EffectTerm& a, const EffectTerm& b) {
-  if (a.id != b.id || a.joint != b.joint || a.values.size() != b.values.size()) return false;
+  if (a.id != b.id || a.place != b.place || a.values.size() != b.values.size()) return false;
   const Effect& effect = term_effect(a);
   for (std::size_t p = 0; p < a.values.size(); ++p)
     if (effect.parameters[p].is_choice && a.values[p] != b.values[p]) return false;

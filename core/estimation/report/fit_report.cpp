@@ -237,7 +237,7 @@ Eigen::VectorXd not_displaced(const Target& target, const std::vector<EffectTerm
   Eigen::VectorXd firm = Eigen::VectorXd::Ones(point_count(target));
   for (const EffectTerm& term : terms)
     for (std::size_t k = 0; term.id == "tag_placement" && k < target.ids.size(); ++k)
-      if (target.ids[k] == term.joint) firm.segment<4>(4 * static_cast<Eigen::Index>(k)).setZero();
+      if (target.ids[k] == term.place) firm.segment<4>(4 * static_cast<Eigen::Index>(k)).setZero();
   return firm;
 }
 

@@ -33,7 +33,7 @@ bool is_reported_elsewhere(const EffectTerm& term, const Chain& chain, int part)
   if (!moves_one_joint(effect)) return false;
   return std::any_of(chain.parts.begin(), chain.parts.end(), [&](const Chain& other) {
     const std::vector<int> places = other.part == part ? std::vector<int>() : effect_places(effect, other);
-    return std::find(places.begin(), places.end(), term.joint) != places.end();
+    return std::find(places.begin(), places.end(), term.place) != places.end();
   });
 }
 

@@ -131,7 +131,8 @@ std::vector<int> list_regions(const Problem& problem) {
   if (problem.observations.empty()) return {};
   const Eigen::MatrixXd features = posture_features(problem);
   if (problem.source->chain.parts.empty()) return clusters_of(features);
-  // A region is one of its own session: mount and body of a session that is left out as a whole would be told by none.
+  // A region is one of its own session: mount and body of a session that is left out as a whole would be told by
+  // none.
   std::vector<int> regions(problem.observations.size(), 0);
   for (const Chain& part : problem.source->chain.parts) {
     std::vector<Eigen::Index> rows;

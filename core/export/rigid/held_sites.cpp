@@ -72,7 +72,7 @@ std::string list_numbers(const EffectTerm& term, const Robot& robot) {
   std::string text;
   for (std::size_t p = 0; p < term.values.size(); ++p)
     text += fmt::format("{}{} {:.4g} {}", p ? ", " : "", effect.parameters[p].name, term.values[p],
-                        unit_at(effect, p, term.joint, robot));
+                        unit_at(effect, p, term.place, robot));
   return text;
 }
 
@@ -99,7 +99,7 @@ HeldSites held_sites(const CalibratedRobot& robot) {
     const bool is_constant = is_the_same_everywhere(robot.chain, term);
     if (is_constant) constant.push_back(term);
     if (is_constant && !has_more_than_is_held(moved_sites(c, {term}))) continue;
-    const std::string where = place_name(term_effect(term), term.joint, robot.chain.robot);
+    const std::string where = place_name(term_effect(term), term.place, robot.chain.robot);
     held.left_out.push_back(message("{}{} ({})", term.id, where.empty() ? Message() : message(" of {}", where),
                                     shortened(list_numbers(term, robot.chain.robot), 300)));
   }

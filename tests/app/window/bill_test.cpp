@@ -92,7 +92,7 @@ TEST_F(Bill, TheProofOfWhatLeadsIsShownFromTheStart) {
   desk.press_button("tab_patterns");
   ASSERT_FALSE(is_proof());
   ASSERT_EQ(page()->plots().size(), 9U);
-  const QString lead = app::term_effect(reported.story().lead()->id, {});
+  const QString lead = app::effect_text(reported.story().lead()->id, {});
   QTest::qWait(500);  // what shows there comes plot by plot
   for (const auto& plot : page()->plots())
     EXPECT_TRUE(plot.shows.isEmpty() || plot.shows == lead)
@@ -107,7 +107,7 @@ TEST_F(Bill, WhereNoNameLeadsThePatternsNameNone) {
   if (is_proof()) desk.press_button("tab_patterns");
   for (const auto& plot : page()->plots())
     for (const Effect& effect : catalogue())
-      EXPECT_FALSE(plot.shows.contains(app::term_effect(effect.id, {}))) << plot.shows.toStdString();
+      EXPECT_FALSE(plot.shows.contains(app::effect_text(effect.id, {}))) << plot.shows.toStdString();
 }
 
 /// Fault 6: what was sorted by what the last model left is no order of what the first one fails at.

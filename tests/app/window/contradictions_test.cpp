@@ -77,7 +77,7 @@ TEST_F(Contradictions, OnTheWayDownNothingAgreesThatDoesNot) {
   const double ratio = reported.story().error.ratio().value_or(0);
   if (ratio > most_that_agrees) EXPECT_FALSE(said.join('\n').contains("nothing is missing any more"));
   for (const StandIn& one : reported.story().stands_in)
-    EXPECT_TRUE(explain.verdict().sentence.contains(app::term_effect(one.id, one.where)))
+    EXPECT_TRUE(explain.verdict().sentence.contains(app::effect_text(one.id, one.where)))
         << "what stands in is said in the sentence: " << explain.verdict().sentence.toStdString();
 }
 
@@ -121,7 +121,7 @@ TEST_F(Contradictions, InspectBlamesWhatExplainBlames) {
     inspect.click_row(row);
     const InspectionRow* shown = desk.window.workbench().selected_row();
     ASSERT_NE(shown, nullptr);
-    if (shown->attribution.letter != 'R') continue;
+    if (shown->attribution.cause != ErrorCause::robot) continue;
     const auto& bar = desk.find<widgets::AttributionBar>("blame")->attribution();
     ASSERT_TRUE(bar);
     ++all;

@@ -35,7 +35,7 @@ class Explain : public testing::Test {
   std::set<std::string> effects_in_the_model() {
     std::set<std::string> list;
     for (const FittedEffect& f : desk.document().model()->fit->effects)
-      list.insert(f.term.id + " " + place_name(term_effect(f.term), f.term.joint, desk.document().session().robot));
+      list.insert(f.term.id + " " + place_name(term_effect(f.term), f.term.place, desk.document().session().robot));
     return list;
   }
   static std::set<std::string> list_effects(const nlohmann::json& fit) {

@@ -29,7 +29,7 @@ TEST(Findings, OddsHaveTwoDigits) {
 }
 
 TEST(Findings, AllJointsOfAnArmAreNamed) {
-  EXPECT_EQ(app::term_effect("backlash", {"a_1", "a_2", "a_3", "a_4", "a_5", "a_6", "a_7"}),
+  EXPECT_EQ(app::effect_text("backlash", {"a_1", "a_2", "a_3", "a_4", "a_5", "a_6", "a_7"}),
             "backlash of a_1, a_2, a_3, a_4, a_5, a_6 and a_7");
 }
 

@@ -107,10 +107,10 @@ TEST(Language, SentencesOfTheCoreAreTranslatedWithWhatIsPutIn) {
   EXPECT_EQ(app::translated(message("excluded: {}", std::string("left"))), "ausgeschlossen: left")
       << "what a user has written is no word of the table";
   EXPECT_EQ(app::translated(Message("what nobody has translated")), "what nobody has translated");
-  EXPECT_EQ(app::term_effect("joint_elasticity", {"arm_2", "time"}), "Gelenkelastizität von arm_2 und time")
+  EXPECT_EQ(app::effect_text("joint_elasticity", {"arm_2", "time"}), "Gelenkelastizität von arm_2 und time")
       << "joints keep their names";
   QCoreApplication::removeTranslator(&german);
-  EXPECT_EQ(app::term_effect("joint_elasticity", {"arm_2"}), "joint elasticity of arm_2");
+  EXPECT_EQ(app::effect_text("joint_elasticity", {"arm_2"}), "joint elasticity of arm_2");
 }
 
 TEST(Language, ANumberHasTheMarkOfTheLanguageAndATextKeepsItsPoints) {

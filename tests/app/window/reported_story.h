@@ -67,7 +67,7 @@ struct Told {
     }
     if (!lead) EXPECT_FALSE(v.sentence.contains("Most likely missing")) << v.sentence.toStdString();
     for (const StandIn& one : story().stands_in)
-      EXPECT_TRUE(v.sentence.contains(app::term_effect(one.id, one.where))) << v.sentence.toStdString();
+      EXPECT_TRUE(v.sentence.contains(app::effect_text(one.id, one.where))) << v.sentence.toStdString();
   }
 
   void expect_header() {
@@ -120,7 +120,7 @@ struct Told {
 
   void expect_attribution() {
     const auto& shown = explain.verdict().attribution;
-    ASSERT_EQ(shown.has_value(), story().attribution.letter != 0);
+    ASSERT_EQ(shown.has_value(), story().attribution.cause != ErrorCause::none);
     if (!shown) return;
     EXPECT_NEAR(shown->cameras, story().attribution.cameras, 1e-9);
     EXPECT_NEAR(shown->body, story().attribution.body, 1e-9);

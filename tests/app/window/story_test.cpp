@@ -134,18 +134,20 @@ TEST_F(Story, TheThreeBadPosesOfAHundredAreFoundWithTheRightBlame) {
   inspect.table()->set_filter(widgets::RowFilter::rejected);
   const auto shown = inspect.table()->shown();
   EXPECT_EQ(std::set(shown.begin(), shown.end()), (std::set<std::int64_t>{58, 75, 98}));
-  const std::map<std::int64_t, char> truth = {{58, 'R'}, {75, 'B'}, {98, 'C'}};
+  const std::map<std::int64_t, ErrorCause> truth = {
+      {58, ErrorCause::robot}, {75, ErrorCause::body}, {98, ErrorCause::cameras}};
   for (int row = 0; row < 3; ++row) {
     inspect.click_row(row);
     const std::int64_t id = *desk.window.workbench().selection.current().observation;
     ASSERT_NE(desk.window.workbench().selected_row(), nullptr) << id;
-    EXPECT_EQ(desk.window.workbench().selected_row()->attribution.letter, truth.at(id)) << id;
+    EXPECT_EQ(desk.window.workbench().selected_row()->attribution.cause, truth.at(id)) << id;
     const auto& bar = desk.find<widgets::AttributionBar>("blame")->attribution();
     ASSERT_TRUE(bar) << id;
-    const std::map<char, double> shares = {{'C', bar->cameras}, {'B', bar->body}, {'R', bar->robot}};
-    for (const auto& [letter, share] : shares)
+    const std::map<ErrorCause, double> shares = {
+        {ErrorCause::cameras, bar->cameras}, {ErrorCause::body, bar->body}, {ErrorCause::robot, bar->robot}};
+    for (const auto& [cause, share] : shares)
       EXPECT_LE(share, shares.at(truth.at(id)))
-          << id << ": the bar blames " << letter << " more than the sentence does";
+          << id << ": the bar blames " << error_cause_name(cause) << " more than the sentence does";
   }
 }
 

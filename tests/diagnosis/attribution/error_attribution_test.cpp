@@ -35,7 +35,7 @@ Sighting& seen_by_both(Observation& o) {
 TEST(ErrorAttribution, NobodyIsToBlameForNoise) {
   const Session session = measured(0.2);
   for (const ObservationAttribution& b : attribute_observations(session, fit(session))) {
-    EXPECT_EQ(b.attribution.letter, 0) << b.id;
+    EXPECT_EQ(b.attribution.cause, ErrorCause::none) << b.id;
     EXPECT_EQ(b.change.kind, SingleChange::Kind::none);
     ASSERT_TRUE(b.smallest_visible.has_value());
     EXPECT_GT(*b.smallest_visible, 1);  // 5.5 sigma of a corner that nothing else takes up
@@ -49,7 +49,7 @@ TEST(ErrorAttribution, AWrongCornerIsTheCamerasAndSaysWhereItBelongs) {
   const int marker = s.marker;
   seen_by(s, 1)->pixel += Vector2(1, 9);
   const ObservationAttribution b = of(attribute_observations(session, right), session.observations[7].id);
-  EXPECT_EQ(b.attribution.letter, 'C');
+  EXPECT_EQ(b.attribution.cause, ErrorCause::cameras);
   EXPECT_GT(b.attribution.cameras, b.attribution.robot);
   EXPECT_EQ(b.change.kind, SingleChange::Kind::corner);
   EXPECT_EQ(b.change.marker, marker);
@@ -74,7 +74,7 @@ TEST(ErrorAttribution, AMarkerThatMovedIsTheBodysAndSaysByHowMuch) {
   see(s, 1, project(session.rig->at(1).camera, Vector3(session.rig->at(1).camera_from_first * x)));
   const ObservationAttribution b =
       of(attribute_observations(session, right), session.observations[static_cast<std::size_t>(o.index)].id);
-  EXPECT_EQ(b.attribution.letter, 'B');
+  EXPECT_EQ(b.attribution.cause, ErrorCause::body);
   EXPECT_EQ(b.change.kind, SingleChange::Kind::marker);
   EXPECT_GT(b.change.size, 0.003);
   EXPECT_LT(b.change.size, 0.02);
@@ -85,7 +85,7 @@ TEST(ErrorAttribution, ASlippedJointIsTheRobots) {
   const Fit right = fit(session);
   session.observations[5].position[1] += 0.02;
   const ObservationAttribution b = of(attribute_observations(session, right), session.observations[5].id);
-  EXPECT_EQ(b.attribution.letter, 'R');
+  EXPECT_EQ(b.attribution.cause, ErrorCause::robot);
   EXPECT_GT(b.attribution.robot, 0.9);
   EXPECT_EQ(b.change.kind, SingleChange::Kind::pose);
   EXPECT_NEAR(b.change.angle, 0.02, 0.004);
@@ -100,7 +100,7 @@ TEST(ErrorAttribution, OfAWholeSessionIsTheRobotsWhereAnEffectIsMissing) {
   std::vector<ResidualParts> parts;
   for (const ObservationAttribution& b : attribute_observations(session, fit(session))) parts.push_back(b.parts);
   const ErrorAttribution whole = attribute_error(parts, 0.2);
-  EXPECT_EQ(whole.letter, 'R');
+  EXPECT_EQ(whole.cause, ErrorCause::robot);
   EXPECT_GT(whole.robot, 0.8);
   EXPECT_NEAR(whole.robot + whole.body + whole.cameras, 1, 1e-12);
 }
@@ -114,10 +114,10 @@ TEST(ErrorAttribution, OfASessionFollowsWhatTheDiagnosisFound) {
   const Session session = simulate_session(fixture::stand_session(), o).session;
   std::vector<ResidualParts> parts;
   for (const ObservationAttribution& b : attribute_observations(session, fit(session))) parts.push_back(b.parts);
-  EXPECT_EQ(attribute_error(parts, 0.2).letter, 'R') << "as far as residuals alone say";
+  EXPECT_EQ(attribute_error(parts, 0.2).cause, ErrorCause::robot) << "as far as residuals alone say";
   const Diagnosis d = diagnose(session);
   ASSERT_EQ(d.candidates.front().id, "lens_distortion");
-  EXPECT_EQ(d.attribution.letter, 'C');
+  EXPECT_EQ(d.attribution.cause, ErrorCause::cameras);
   EXPECT_GT(d.attribution.cameras, 0.8);
   EXPECT_NEAR(d.attribution.robot + d.attribution.body + d.attribution.cameras, 1, 1e-12);
 }

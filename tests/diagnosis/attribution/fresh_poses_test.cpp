@@ -57,8 +57,8 @@ TEST(FreshPoses, WhatIsKnownToBeWrongTestsNoModel) {
   for (int i = 0; i < 20; ++i) inspection.rows.push_back(hand.row(i, true));
   for (int i = 20; i < 24; ++i) inspection.rows.push_back(hand.row(i, false, 100));
   inspection.rows[20].at_second_look = true;
-  inspection.rows[21].attribution.letter = 'C';
-  inspection.rows[22].attribution.letter = 'B';
+  inspection.rows[21].attribution.cause = ErrorCause::cameras;
+  inspection.rows[22].attribution.cause = ErrorCause::body;
   const auto poses = fresh_poses(inspection);
   ASSERT_EQ(poses.size(), 4U);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(poses[static_cast<std::size_t>(i)].is_known_bad) << i;

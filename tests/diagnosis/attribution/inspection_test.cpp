@@ -129,11 +129,11 @@ TEST(InspectionTest, TheThreeBadPosesHaveTheRightBlame) {
     EXPECT_TRUE(row(id).at_second_look) << id;
     EXPECT_FALSE(row(id).what_would_mend.empty()) << id;
   }
-  EXPECT_EQ(row(58).attribution.letter, 'R') << "a joint reading that is off: " << row(58).what_would_mend;
-  EXPECT_EQ(row(75).attribution.letter, 'B') << "a marker that moved: " << row(75).what_would_mend;
-  EXPECT_EQ(row(98).attribution.letter, 'C') << "images of two moments: " << row(98).what_would_mend;
+  EXPECT_EQ(row(58).attribution.cause, ErrorCause::robot) << "a joint reading that is off: " << row(58).what_would_mend;
+  EXPECT_EQ(row(75).attribution.cause, ErrorCause::body) << "a marker that moved: " << row(75).what_would_mend;
+  EXPECT_EQ(row(98).attribution.cause, ErrorCause::cameras) << "images of two moments: " << row(98).what_would_mend;
   // The arm sags: the others miss too, and that is the robot's fault.
-  EXPECT_EQ(row(10).attribution.letter, 'R');
+  EXPECT_EQ(row(10).attribution.cause, ErrorCause::robot);
 }
 
 TEST(InspectionTest, NothingStandsOutWhereNothingIsHidden) {
@@ -142,7 +142,7 @@ TEST(InspectionTest, NothingStandsOutWhereNothingIsHidden) {
   for (const InspectionRow& row : model.all.rows) {
     ASSERT_TRUE(row.ratio.has_value());
     EXPECT_LT(*row.ratio, 2);
-    EXPECT_EQ(row.attribution.letter, 0) << row.id;
+    EXPECT_EQ(row.attribution.cause, ErrorCause::none) << row.id;
     EXPECT_TRUE(row.what_would_mend.empty());
   }
 }
@@ -155,7 +155,7 @@ TEST(InspectionTest, AWrongCornerIsNamedWithWhereItShouldBe) {
   o.decision = Decision::excluded;  // so that it cannot bend the fit
   const Fitted model = fitted(s);
   const InspectionRow& row = model.all.rows[4];
-  EXPECT_EQ(row.attribution.letter, 'C');
+  EXPECT_EQ(row.attribution.cause, ErrorCause::cameras);
   EXPECT_GT(row.attribution.cameras, 0.5);
   EXPECT_EQ(row.worst_marker, marker);
   EXPECT_EQ(row.worst_camera, 1);

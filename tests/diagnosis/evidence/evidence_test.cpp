@@ -41,7 +41,7 @@ Bench workbench(std::uint64_t seed, int observations = 20) {
 const CandidateUnit& find_unit(const Candidates& c, const std::string& id, int place) {
   for (const CandidateEffect& e : c.effects)
     for (const CandidateUnit& u : e.units)
-      if (e.effect->id == id && u.term.joint == place) return u;
+      if (e.effect->id == id && u.term.place == place) return u;
   throw std::runtime_error("no such unit");
 }
 

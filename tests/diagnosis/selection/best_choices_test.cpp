@@ -26,9 +26,9 @@ TEST(BestChoices, EveryMarkersOwnMomentIsFoundHoweverManyThereAre) {
   const Session session = simulated({slip}, 3, 24, like);
   const std::vector<EffectTerm> settled = best_choices(session, effect_terms("marker_slip", make_chain(session)));
   ASSERT_EQ(settled.size(), 40u);
-  EXPECT_EQ(settled[7].joint, slip.joint);
+  EXPECT_EQ(settled[7].place, slip.place);
   EXPECT_EQ(moment_of(settled[7]), 13);
-  for (const EffectTerm& t : settled) EXPECT_GT(moment_of(t), 0) << "marker " << t.joint;
+  for (const EffectTerm& t : settled) EXPECT_GT(moment_of(t), 0) << "marker " << t.place;
 }
 
 /// Without an observation after it there is no moment at which a marker could have slipped.

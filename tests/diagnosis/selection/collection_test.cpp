@@ -27,7 +27,7 @@ SimulationOptions simulation(std::uint64_t seed) {
 std::vector<std::string> list_names(const Improvement& m) {
   std::vector<std::string> names;
   for (const FittedEffect& e : m.last.model.fit.effects)
-    names.push_back(e.term.id + " " + place_name(term_effect(e.term), e.term.joint, m.last.model.session.robot));
+    names.push_back(e.term.id + " " + place_name(term_effect(e.term), e.term.place, m.last.model.session.robot));
   return names;
 }
 

@@ -27,7 +27,7 @@ TEST(BetterName, TakesThePlaceOfOneThatStandsInForIt) {
   ASSERT_TRUE(exchange);
   EXPECT_EQ(exchange->id, "joint_scale");
   ASSERT_EQ(exchange->terms.size(), 1u);
-  EXPECT_EQ(exchange->terms[0].joint, 1);
+  EXPECT_EQ(exchange->terms[0].place, 1);
   EXPECT_NEAR(exchange->terms[0].values[0], 3e-3, 3e-4);
   ASSERT_EQ(exchange->options.estimated.size(), 1u) << "the old name is gone";
   EXPECT_EQ(exchange->options.estimated[0].id, "joint_scale");

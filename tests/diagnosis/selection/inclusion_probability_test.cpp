@@ -110,7 +110,7 @@ TEST(InclusionProbabilities, ANameThatIsLackingIsLikelyAtItsPlace) {
   EXPECT_EQ(c.likely.front().name.id, "joint_scale");
   EXPECT_THAT(c.likely.front().name.where, testing::ElementsAre("a3"));
   const EffectTerm& found = c.likely.front().estimated.back();
-  EXPECT_EQ(found.joint, 2);
+  EXPECT_EQ(found.place, 2);
   EXPECT_NEAR(found.values[0], 1e-3, 2e-4);
 }
 

@@ -40,8 +40,8 @@ TEST(ModelAlternative, SeveralComeForOneThatStoodInForThem) {
   ASSERT_EQ(found.size(), hidden.size());
   for (const EffectTerm& truth : hidden) {
     const auto same = std::find_if(found.begin(), found.end(),
-                                   [&](const EffectTerm& t) { return t.id == truth.id && t.joint == truth.joint; });
-    ASSERT_NE(same, found.end()) << truth.id << ' ' << truth.joint;
+                                   [&](const EffectTerm& t) { return t.id == truth.id && t.place == truth.place; });
+    ASSERT_NE(same, found.end()) << truth.id << ' ' << truth.place;
     for (std::size_t p = 0; p < truth.values.size(); ++p) EXPECT_NEAR(same->values[p], truth.values[p], 6e-4) << p;
   }
 }
@@ -56,7 +56,7 @@ TEST(ModelAlternative, PlacesThatSayNothingGoAndTheNameStays) {
   EXPECT_THAT(other->gone, IsEmpty());
   EXPECT_THAT(other->come, IsEmpty());
   ASSERT_EQ(other->options.estimated.size(), 1U);
-  EXPECT_EQ(other->options.estimated[0].joint, 2);
+  EXPECT_EQ(other->options.estimated[0].place, 2);
 }
 
 TEST(ModelAlternative, WhatTheUserPutThereStays) {
@@ -68,7 +68,7 @@ TEST(ModelAlternative, WhatTheUserPutThereStays) {
   ASSERT_TRUE(other);
   for (std::size_t t = 0; t < own; ++t) {
     EXPECT_EQ(other->options.estimated[t].id, "joint_scale");
-    EXPECT_EQ(other->options.estimated[t].joint, terms[t].joint);
+    EXPECT_EQ(other->options.estimated[t].place, terms[t].place);
   }
 }
 

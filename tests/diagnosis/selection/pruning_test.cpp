@@ -40,7 +40,7 @@ TEST(Upkeep, ANameThatExplainsAsMuchMorePlausiblyComesInAndWhatStoodInForItGoes)
   const std::vector<EffectTerm> terms = list_terms(change.model->model.fit);
   std::vector<int> geometry;
   for (const EffectTerm& t : terms)
-    if (t.id == "link_geometry") geometry.push_back(t.joint);
+    if (t.id == "link_geometry") geometry.push_back(t.place);
   EXPECT_EQ(geometry, std::vector<int>{2}) << "the other joints have nothing left to say";
   const EffectTerm& found = terms.back();
   ASSERT_EQ(found.id, "camera_mount");

@@ -168,9 +168,9 @@ TEST_F(StoryOf, ACauseOfTheCamerasIsToBlameWhateverTheResidualsSay) {
   drift.terms[0].values.assign(drift.terms[0].values.size(), 1e-3);
   drift.explained = 0.9;
   const Diagnosis d = diagnosed(Verdict::missing_effect, 8, {drift});
-  const Story s =
-      find_story({.fit = d.model.fit, .report = d.report, .attribution = {0, 0.04, 0.96, 'R'}, .diagnosis = &d});
-  EXPECT_EQ(s.attribution.letter, 'C');
+  const Story s = find_story(
+      {.fit = d.model.fit, .report = d.report, .attribution = {0, 0.04, 0.96, ErrorCause::robot}, .diagnosis = &d});
+  EXPECT_EQ(s.attribution.cause, ErrorCause::cameras);
   EXPECT_NEAR(s.attribution.cameras, 0.9, 1e-9);
 }
 

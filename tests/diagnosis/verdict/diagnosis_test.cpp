@@ -84,7 +84,7 @@ TEST(Diagnosis, TheBestCandidatesFitCanBeFollowed) {
   // It ends at the candidate's numbers.
   Eigen::Index number = best.path.back().unknowns.effects.size() - static_cast<Eigen::Index>(best.covariance.rows());
   for (const EffectTerm& term : best.terms)
-    EXPECT_EQ(term.values[0], best.path.back().unknowns.effects[number++]) << "joint " << term.joint;
+    EXPECT_EQ(term.values[0], best.path.back().unknowns.effects[number++]) << "joint " << term.place;
   EXPECT_EQ(number, best.path.back().unknowns.effects.size());
 }
 

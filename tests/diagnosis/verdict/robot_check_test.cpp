@@ -60,7 +60,7 @@ TEST(RobotCheck, PredictsByHowMuchTheHandDrops) {
   ASSERT_TRUE(c.check && c.check->observation);
   EXPECT_EQ(c.check->unit, "m");
   double of_estimate = 0;
-  for (const EffectTerm& t : c.terms) of_estimate += drop_by_hand(session, *c.check->observation, t.joint, t.values[0]);
+  for (const EffectTerm& t : c.terms) of_estimate += drop_by_hand(session, *c.check->observation, t.place, t.values[0]);
   const double of_truth = drop_by_hand(session, *c.check->observation, 2, 1e-4);
   EXPECT_GT(of_truth, 1e-4);
   EXPECT_NEAR(c.check->value, of_estimate, 0.01 * of_truth);  // second order: springs that follow each other

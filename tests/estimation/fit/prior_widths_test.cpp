@@ -81,7 +81,7 @@ TEST(PriorWidths, WhatIsNotThereKeepsItsPlausibleSize) {
 TEST(PriorWidths, WhatIsNotSeenStaysNarrow) {
   const Fit f = fitted(with_offsets({offset(1, 0.07)}).session, "joint_offset:a2+a6");
   for (const FittedEffect& e : f.effects)
-    if (e.term.joint == 5) EXPECT_LT(std::abs(e.term.values[0]), 0.01);
+    if (e.term.place == 5) EXPECT_LT(std::abs(e.term.values[0]), 0.01);
 }
 
 /// Without declared noise and without what tells it, priors are weighed against what is left, not against a guess.

@@ -125,8 +125,8 @@ TEST(RobotScale, DoesNotCollapseAndTheLinkIsFound) {
   EXPECT_LT(std::abs(f.problem.robot_scale->change), 5e-3) << "a robot of 1.2 m that is 6 mm smaller";
   for (const FittedEffect& e : f.effects)
     for (std::size_t p = 0; p < 2; ++p)
-      EXPECT_LT(std::abs(e.term.values[p] - (e.term.joint == 3 && p == 0 ? 0.004 : 0)), 2e-3)
-          << e.term.joint << ' ' << p << ": no link is off by more than chance makes of it";
+      EXPECT_LT(std::abs(e.term.values[p] - (e.term.place == 3 && p == 0 ? 0.004 : 0)), 2e-3)
+          << e.term.place << ' ' << p << ": no link is off by more than chance makes of it";
   EXPECT_TRUE(std::any_of(f.notes.begin(), f.notes.end(),
                           [](const std::string& n) { return n.find("tells a length") != std::string::npos; }));
 }
@@ -138,7 +138,7 @@ TEST(RobotScale, AnImprovementDoesNotShrinkTheRobot) {
   if (!holds_robot_scale(f.problem)) return;  // no number of the model moves a length
   for (const FittedEffect& e : f.effects)
     if (e.term.id == "link_geometry")
-      for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(std::abs(e.term.values[p]), 0.01) << e.term.joint;
+      for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(std::abs(e.term.values[p]), 0.01) << e.term.place;
 }
 
 }  // namespace

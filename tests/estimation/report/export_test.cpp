@@ -46,9 +46,9 @@ FitOptions drawn_model(const Chain& chain, int observations, std::mt19937_64& ra
 
 std::string list_names(const FitOptions& options) {
   std::string names = "held:";
-  for (const EffectTerm& t : options.effects) names += fmt::format(" {}@{}", t.id, t.joint);
+  for (const EffectTerm& t : options.effects) names += fmt::format(" {}@{}", t.id, t.place);
   names += " estimated:";
-  for (const EffectTerm& t : options.estimated) names += fmt::format(" {}@{}", t.id, t.joint);
+  for (const EffectTerm& t : options.estimated) names += fmt::format(" {}@{}", t.id, t.place);
   return names;
 }
 
