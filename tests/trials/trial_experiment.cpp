@@ -88,15 +88,17 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
 
 /// Poses drawn at random, seen and free, until the cause is settled; how many.
 int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
-  SimulationOptions options = c.truth;
-  options.observations = 4 * most_poses;
-  options.seed = c.truth.seed + 5000000;
-  Session many = simulate_session(c.like, options).session;
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
   for (const Observation& o : make_start(c).observations) poses.push_back(o);
-  for (const Observation& o : many.observations)
-    if (!world.touching(o.position)) poses.push_back(o);
+  SimulationOptions options = c.truth;
+  options.observations = 4 * most_poses;
+  options.seed = c.truth.seed + 5000000;
+  for (int draw = 0; draw < 20 && poses.size() < most_poses + 2; ++draw, options.seed += 1000000) {
+    const Session many = simulate_session(c.like, options).session;
+    for (const Observation& o : many.observations)
+      if (!world.touching(o.position)) poses.push_back(o);
+  }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     poses[k].id = static_cast<std::int64_t>(k);
     poses[k].time = 5.0 * static_cast<double>(k);
