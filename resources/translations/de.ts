@@ -9707,6 +9707,30 @@
         <source>its tags can be read in a mirror only: the images (or the print) are turned over, left for right; undo that where they are recorded</source>
         <translation>seine Tags sind nur gespiegelt zu lesen: die Bilder (oder der Druck) sind seitenverkehrt; hebe das dort auf, wo sie aufgenommen werden</translation>
     </message>
+    <message>
+        <source>The fixture %1 turned by %2 and moved by %3</source>
+        <translation>Die Vorrichtung %1 hat sich um %2 gedreht und um %3 bewegt</translation>
+    </message>
+    <message>
+        <source>The probe slipped on the hand by %1</source>
+        <translation>Der Taster ist auf der Hand um %1 verrutscht</translation>
+    </message>
+    <message>
+        <source>arm and probe are as they were</source>
+        <translation>Arm und Taster sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>arm and fixtures are as they were</source>
+        <translation>Arm und Vorrichtungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>fixtures and probe are as they were</source>
+        <translation>Vorrichtungen und Taster sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>Nothing has changed that these touches show: fixtures, probe and arm are as they were.</source>
+        <translation>Nichts hat sich geändert, was diese Berührungen zeigen: Vorrichtungen, Taster und Arm sind, wie sie waren.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
