@@ -94,6 +94,11 @@ class Driver {
   void look(const DriverRequest& request) {
     if (is_wrong("dies_at_look")) std::_Exit(3);
     if (is_wrong("hangs_at_look")) return;
+    if (request.touch) {
+      TouchAnswer touched = robot_.touch(*request.touch);
+      if (is_wrong("blind")) touched = {.why = "the probe is off"};
+      return say(answer_line(request.id, touched));
+    }
     LookAnswer seen = robot_.look();
     if (is_wrong("blind")) seen = {.why = "the lens is covered"};
     if (is_wrong("no_image") && session_.rig) seen.images = {{session_.rig->at(0).name, "/nowhere/to_be_found.png"}};

@@ -25,8 +25,8 @@ QString why_no_experiment(const Session& session) {
     return QObject::tr("Of this session's robot only the flange's poses are known, and an experiment moves joints.");
   if (session.is_touch())
     return QObject::tr(
-        "This session is of touches. An experiment looks from where nothing is touched; Explain plans "
-        "which posture on which fixture comes next.");
+        "This session is of touches. In the window an experiment looks; handsight-cli experiment touches, and "
+        "Explain plans which posture on which fixture comes next.");
   if (session.observations.empty())
     return QObject::tr("An experiment begins with one observation at least: add it, and it goes on from there.");
   if (const auto need = what_paths_need()) return translated(*need);

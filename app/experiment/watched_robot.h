@@ -37,6 +37,10 @@ class WatchedRobot : public DrivenRobot {
     watch_.looking();
     return robot_.look();
   }
+  TouchAnswer touch(const TouchRequest& request) override {
+    watch_.looking();
+    return robot_.touch(request);
+  }
   void stop() noexcept override {
     robot_.stop();
     watch_.halted();

@@ -72,6 +72,11 @@ Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms
   const std::vector<double>& v = terms.front().values;
   const std::string& id = unit.group;
   const char* const device = chain.rig ? "camera" : "tracker";
+  if (id == "camera_mount" && chain.is_touch)
+    return message("The fixture {} turned by {} and moved by {}", unit.where,
+                   size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));
+  if (id == "body_slip" && chain.is_touch)
+    return message("The probe slipped on the hand by {}", size_text(v, sigma, 0, 1e3, "mm"));
   if (id == "camera_mount")
     return message("The {} turned by {} and moved by {} on its mount", device,
                    size_text(v, sigma, 3, degrees, "degrees"), size_text(v, sigma, 0, 1e3, "mm"));

@@ -13,7 +13,12 @@ constexpr double ln_20 = 2.995732273553991;
 constexpr double in_model_uncertainty = 0.05;  // probability of what is left below which the model is made wider
 constexpr double misses = 1e-3;                // ... below which it is said to miss
 
-const char* rest_text(const std::string& id) {
+const char* rest_text(const std::string& id, bool are_touches) {
+  if (are_touches) {
+    if (id == "camera_mount") return "arm and probe are as they were";
+    if (id == "body_slip" || id == "marker_slip") return "arm and fixtures are as they were";
+    return "fixtures and probe are as they were";
+  }
   if (id == "camera_mount" || id == "stereo_rig" || id == "lens") return "arm and hand are as they were";
   if (id == "body_slip" || id == "marker_slip") return "arm and cameras are as they were";
   return "cameras and markers are as they were";
@@ -46,7 +51,9 @@ void judge(const ComparedSides& sides, Comparison& c) {
   c.threshold = first.threshold;
   if (c.changes.empty() || ln_odds(c.changes.front()) < c.threshold) {
     c.verdict = ComparisonVerdict::unchanged;
-    c.sentence = "Nothing has changed that these poses show: cameras, hand and arm are as they were.";
+    c.sentence = sides.after.problem.source->chain.is_touch
+                     ? Message("Nothing has changed that these touches show: fixtures, probe and arm are as they were.")
+                     : Message("Nothing has changed that these poses show: cameras, hand and arm are as they were.");
     return;
   }
   const Change& best = c.changes.front();
@@ -65,7 +72,7 @@ void judge(const ComparedSides& sides, Comparison& c) {
     c.sentence +=
         message("; or it is {}, which these poses do not tell apart.", fmt::join(c.indistinguishable_from, " or "));
   else
-    c.sentence += message("; {}.", rest_text(best.id));
+    c.sentence += message("; {}.", rest_text(best.id, sides.after.problem.source->chain.is_touch));
 }
 
 std::vector<Eigen::VectorXd> used_positions(const Session& s) {

@@ -34,7 +34,21 @@ Effect at_parts(Effect effect, const Chain& chain, Owner owner, bool is_of_hand)
   return effect;
 }
 
-/// A joint's effect that is another in one part than in the others: what has changed between sessions.
+/// The session that a part is of: fixtures of one are named after it, "SESSION FIXTURE"; of a session by itself, "".
+std::string find_session(const Chain& chain, const Chain& part) {
+  const std::string& name = chain.part_names[static_cast<std::size_t>(part.part)];
+  if (!part.is_fixture) return name;
+  const std::size_t blank = name.rfind(' ');
+  return blank == std::string::npos ? "" : name.substr(0, blank);
+}
+
+bool is_one_session(const Chain& chain) {
+  return std::all_of(chain.parts.begin(), chain.parts.end(), [&](const Chain& part) {
+    return find_session(chain, part) == find_session(chain, chain.parts.front());
+  });
+}
+
+/// A joint's effect that is another in one session than in the others: what has changed between them.
 Effect changed_between(const Effect& of_robot, const Chain& chain) {
   Effect effect = of_robot;
   effect.id = of_robot.id + "_changed";
@@ -43,25 +57,32 @@ Effect changed_between(const Effect& of_robot, const Chain& chain) {
   effect.visibility = "Needs a session before and one after the change. " + of_robot.visibility;
   effect.scope = EffectScope::part;
   struct Place {
-    int part, joint;
+    int session, joint;
   };
   std::vector<Place> places;
-  for (const Chain& part : chain.parts)
+  std::vector<std::string> sessions;
+  std::vector<int> session_of_part;
+  for (const Chain& part : chain.parts) {
+    const std::string name = find_session(chain, part);
+    const auto known = std::find(sessions.begin(), sessions.end(), name);
+    const auto session = static_cast<int>(known - sessions.begin());
+    session_of_part.push_back(session);
+    if (known != sessions.end()) continue;  // another fixture of it
+    sessions.push_back(name);
     for (const int joint : effect_places(of_robot, chain)) {
-      const std::string& name = chain.robot.joints[static_cast<std::size_t>(joint)].name;
+      const std::string& joint_name = chain.robot.joints[static_cast<std::size_t>(joint)].name;
       const auto& own = part.own;
-      const std::string said = of_robot.id + ":" + name;
-      const bool is_asked = std::find(own.begin(), own.end(), said) != own.end() ||
+      const bool is_asked = std::find(own.begin(), own.end(), of_robot.id + ":" + joint_name) != own.end() ||
                             std::find(own.begin(), own.end(), of_robot.id) != own.end();
-      if ((part.part == 0 || part.is_fixture) && !is_asked)
-        continue;  // against the first session, unless that is the one
-      places.push_back({part.part, joint});
-      effect.parts.push_back(chain.part_names[static_cast<std::size_t>(part.part)] + " " + name);
+      if (session == 0 && !is_asked) continue;  // against the first session, unless that is the one
+      places.push_back({session, joint});
+      effect.parts.push_back((name.empty() ? "" : name + " ") + joint_name);
     }
+  }
   effect.move = [=, of_robot_move = of_robot.move](const ObservationState& c, int place, std::span<const double> values,
                                                    Sites& sites) {
     const Place& at = places[static_cast<std::size_t>(place)];
-    if (c.chain->parts.empty() && c.chain->part != at.part) return;
+    if (c.chain->parts.empty() && session_of_part[static_cast<std::size_t>(c.chain->part)] != at.session) return;
     of_robot_move(c, at.joint, values, sites);
   };
   return effect;
@@ -89,7 +110,7 @@ OwnEffects part_effects(const Chain& chain) {
   add(camera_mount(), &Chain::mount);
   add(mount_drift(), &Chain::part);
   add(mount_slip(), &Chain::part);
-  if (chain.is_touch) return all;  // one hand, in one session
+  if (chain.is_touch && is_one_session(chain)) return all;
   add(payload(), &Chain::body);
   add(time_lag(), &Chain::part, true);
   add(body_slip(), &Chain::part, true);
@@ -107,12 +128,15 @@ OwnEffects part_effects(const Chain& chain) {
 
 std::vector<EffectTerm> own_terms(const Chain& chain, const OwnEffects& effects) {
   std::vector<EffectTerm> terms;
-  for (const Chain& part : chain.parts)
+  std::vector<std::string> asked;  // sessions, of which each fixture has the same
+  for (const Chain& part : chain.parts) {
+    if (std::find(asked.begin(), asked.end(), find_session(chain, part)) != asked.end()) continue;
+    asked.push_back(find_session(chain, part));
     for (const std::string& said : part.own) {
       const std::string id = said.substr(0, said.find(':')) + "_changed";
       const std::string joint = said.find(':') == std::string::npos ? "" : said.substr(said.find(':') + 1);
-      const std::string& session = chain.part_names[static_cast<std::size_t>(part.part)];
-      const std::string before_joint = session + " ";
+      const std::string session = find_session(chain, part);
+      const std::string before_joint = session.empty() ? "" : session + " ";
       const std::size_t before = terms.size();
       for (const std::shared_ptr<const Effect>& effect : effects)
         for (std::size_t p = 0; effect->id == id && p < effect->parts.size(); ++p)
@@ -122,6 +146,7 @@ std::vector<EffectTerm> own_terms(const Chain& chain, const OwnEffects& effects)
         throw InputError(
             message("session \"{}\": own=\"{}\" names no joint between its sensor and its TCP.", session, said));
     }
+  }
   return terms;
 }
 

@@ -12,29 +12,34 @@ constexpr int most_tries = 500;
 constexpr double one_face = 0.98;    // of the product of two normals
 constexpr double image_margin = 40;  // px: the whole label stays in the image
 
-struct Span {
-  double lower, upper;
-};
+constexpr double least_slide = 0.1;  // m, half of it: of a sliding joint without limits that hardly moved
 
-Span joint_span(const Session& like, const Joint& joint, Eigen::Index column, double share) {
-  if (like.observations.size() >= 5) {
-    double low = 1e300, high = -1e300;
-    for (const Observation& o : like.observations) {
-      low = std::min(low, o.position[column]);
-      high = std::max(high, o.position[column]);
-    }
-    if (high - low > 0.2) return {low, high};
+JointSpan taken_span(const Session& like, Eigen::Index column) {
+  JointSpan span{1e300, -1e300};
+  for (const Observation& o : like.observations) {
+    span.lower = std::min(span.lower, o.position[column]);
+    span.upper = std::max(span.upper, o.position[column]);
   }
-  double lower = joint.lower, upper = joint.upper;
-  if (lower < -1e29 || upper > 1e29) {
-    lower = -std::numbers::pi;
-    upper = std::numbers::pi;
-  }
-  const double middle = 0.5 * (lower + upper);
-  return {middle + share * (lower - middle), middle + share * (upper - middle)};
+  return span;
 }
 
 }  // namespace
+
+JointSpan joint_span(const Session& like, const Joint& joint, Eigen::Index column, double share) {
+  const bool is_limited = joint.lower >= -1e29 && joint.upper <= 1e29;
+  const std::size_t taken = like.observations.size();
+  const JointSpan span = taken_span(like, column);
+  if (taken >= 5 && span.upper - span.lower > 0.2) return span;
+  if (taken > 0 && !is_limited && joint.kind == JointKind::prismatic) {
+    const double middle = 0.5 * (span.lower + span.upper);
+    const double half = std::max(0.5 * (span.upper - span.lower), least_slide);
+    return {middle - half, middle + half};
+  }
+  const double lower = is_limited ? joint.lower : -std::numbers::pi;
+  const double upper = is_limited ? joint.upper : std::numbers::pi;
+  const double middle = 0.5 * (lower + upper);
+  return {middle + share * (lower - middle), middle + share * (upper - middle)};
+}
 
 PoseSampler::PoseSampler(const Session& like, const Chain& chain, const ShownBody& body,
                          const SimulationOptions& options)
@@ -44,7 +49,7 @@ PoseSampler::PoseSampler(const Session& like, const Chain& chain, const ShownBod
   upper_.resize(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
-    const Span span = joint_span(like, joint, j, options.joint_range);
+    const JointSpan span = joint_span(like, joint, j, options.joint_range);
     lower_[j] = span.lower;
     upper_[j] = span.upper;
   }

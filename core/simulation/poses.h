@@ -23,6 +23,15 @@ inline const Vector3& normal_at(const ShownBody& body, std::size_t marker) {
   return body.normals_in_tcp.empty() ? body.normal_in_tcp : body.normals_in_tcp[marker];
 }
 
+/// What poses of a joint are drawn from, rad (m).
+struct JointSpan {
+  double lower, upper;
+};
+
+/// What `like` took of the joint in its column, where it took much of it; else a share of its limits, or of a turn. Of
+/// a sliding joint without limits, such as a flange's coordinate, what was taken and 100 mm about it at least.
+JointSpan joint_span(const Session& like, const Joint& joint, Eigen::Index column, double share);
+
 /// Joint positions in the order of the chain, each showing every marker to the cameras (of more than two to any two),
 /// of a body of tags all of one face (in a tracker session: any pose). Drawn from a share of the limits, or from the
 /// span of `like`'s observations. Throws InputError where 500 searches in a row find none.

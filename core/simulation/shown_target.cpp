@@ -14,14 +14,15 @@ namespace {
 
 constexpr double board_thickness = 0.004;  // m
 
-Eigen::VectorXd drawn(const Chain& chain, double share, Random& random) {
+/// From the share of the limits; of a sliding joint without any, from what was taken of it.
+Eigen::VectorXd drawn(const Session& like, const Chain& chain, double share, Random& random) {
   Eigen::VectorXd position(static_cast<Eigen::Index>(chain.joints.size()));
   for (Eigen::Index j = 0; j < position.size(); ++j) {
     const Joint& joint = chain.robot.joints[static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)])];
     const bool is_bounded = joint.lower > -1e29 && joint.upper < 1e29;
-    const double lower = is_bounded ? joint.lower : -std::numbers::pi,
-                 upper = is_bounded ? joint.upper : std::numbers::pi;
-    position[j] = 0.5 * (lower + upper) + share * 0.5 * (upper - lower) * random.uniform(-1, 1);
+    JointSpan span{is_bounded ? joint.lower : -std::numbers::pi, is_bounded ? joint.upper : std::numbers::pi};
+    if (!is_bounded && joint.kind == JointKind::prismatic) span = joint_span(like, joint, j, share);
+    position[j] = 0.5 * (span.lower + span.upper) + share * 0.5 * (span.upper - span.lower) * random.uniform(-1, 1);
   }
   return position;
 }
@@ -53,7 +54,7 @@ Rigid place_on_table(const Session& like, const SimulationOptions& options, Rand
   Rigid best;
   double most = -2;
   for (int i = 0; i < 400; ++i) {
-    const ChainEnds ends = chain_ends(chain, drawn(chain, options.joint_range, random));
+    const ChainEnds ends = chain_ends(chain, drawn(like, chain, options.joint_range, random));
     const Rigid tcp_from_sensor = inverse(sensor_from_tcp(ends, like.mount.mount_from_sensor));
     const Vector3 up_in_tcp = ends.root_from_tcp.rotation.transpose() * up;
     const double down = -tcp_from_sensor.rotation.col(2).dot(up_in_tcp);

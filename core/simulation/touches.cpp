@@ -137,6 +137,34 @@ void read_touches(const TouchSimulation& s, std::vector<Observation>& given) {
   }
 }
 
+std::optional<Observation> next_touch(const TouchSimulation& s, const std::vector<Observation>& given) {
+  Observation o = given.back();
+  const auto f = static_cast<std::size_t>(o.part);
+  const Fixture& fixture = s.like.fixtures[f];
+  Next next;
+  next.elapsed = next.duration = o.time - given.front().time;
+  next.order = static_cast<int>(given.size()) - 1;
+  if (given.size() > 1) {
+    const Observation& before = given[given.size() - 2];
+    next.before = states_at(s.chain.parts[static_cast<std::size_t>(before.part)], before.position).sensor;
+  }
+  Random readings = Random(s.options.seed).child(reading_stream + static_cast<std::uint64_t>(next.order));
+  const Eigen::VectorXd error = errors(fixture.kind, touch_sigma(s.like, s.options, f), readings);
+  const TipInFixture tip = [&](const Eigen::VectorXd& q) {
+    return s.place(states_in(s.chain.parts[f], next, q), o.part, 0);
+  };
+  if (reads_a_value(fixture.kind)) {
+    o.sightings = touch_sightings(fixture, 0, held_by(fixture.kind, tip(o.position))[0] + error[0]);
+    return o;
+  }
+  const Limits limits = limits_of(s.chain);
+  const auto touching = touching_posture(tip, fixture.kind, error, o.position, limits.lower, limits.upper);
+  if (!touching) return std::nullopt;
+  o.position = *touching;
+  o.sightings = touch_sightings(fixture, 0, 0);
+  return o;
+}
+
 void declare_touches(const SimulationOptions& options, Session& session) {
   Random random = Random(options.seed).child(distance_stream);
   for (std::size_t f = 0; f < session.fixtures.size(); ++f) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "effects/observation_state.h"
 #include "simulation/random.h"
@@ -31,6 +32,11 @@ std::vector<Observation> simulated_touches(const TouchSimulation& simulation);
 
 /// What is read in postures that are given, which touch what their part says.
 void read_touches(const TouchSimulation& simulation, std::vector<Observation>& given);
+
+/// The last of `given`, whose part says what it touches and whose posture is about right, in the nearest posture in
+/// which the tip truly touches within the noise; a gauge or a length is read where it stands. Nothing where the tip
+/// does not come there.
+std::optional<Observation> next_touch(const TouchSimulation& simulation, const std::vector<Observation>& given);
 
 /// How sure the session says that it is: of readings, and of distances, which are measured anew.
 void declare_touches(const SimulationOptions& options, Session& session);

@@ -5884,8 +5884,8 @@
         <translation>Vom Roboter dieser Sitzung sind nur Flanschposen bekannt, und ein Experiment bewegt Gelenke.</translation>
     </message>
     <message>
-        <source>This session is of touches. An experiment looks from where nothing is touched; Explain plans which posture on which fixture comes next.</source>
-        <translation>Diese Sitzung besteht aus Berührungen. Ein Experiment schaut, ohne etwas zu berühren; Erklären plant, welche Haltung an welcher Aufnahme als Nächstes kommt.</translation>
+        <source>This session is of touches. In the window an experiment looks; handsight-cli experiment touches, and Explain plans which posture on which fixture comes next.</source>
+        <translation>Diese Sitzung besteht aus Berührungen. Im Fenster schaut ein Experiment; handsight-cli experiment berührt, und Erklären plant, welche Haltung an welcher Aufnahme als Nächstes kommt.</translation>
     </message>
     <message>
         <source>An experiment begins with one observation at least: add it, and it goes on from there.</source>
@@ -7618,10 +7618,6 @@
     <message>
         <source>has a place_sigma, expected one only where a place is said and estimate="yes"; a place that is held has none.</source>
         <translation>hat ein place_sigma, erwartet nur, wo ein Ort genannt ist und estimate="yes" steht; ein gehaltener Ort hat keines.</translation>
-    </message>
-    <message>
-        <source>An experiment looks from where nothing is touched, and a touch is made by hand or by a program that feels it; plan tells which posture on which fixture comes next.</source>
-        <translation>Ein Experiment schaut von dort, wo nichts berührt wird, und eine Berührung macht die Hand oder ein Programm, das sie spürt; plan sagt, welche Stellung an welcher Vorrichtung als nächste kommt.</translation>
     </message>
     <message>
         <source>%1: the readings in column %2 (%3) have no unit; write it into the header, "%4 [mm]", "[um]" or "[m]".</source>
@@ -9710,6 +9706,30 @@
     <message>
         <source>its tags can be read in a mirror only: the images (or the print) are turned over, left for right; undo that where they are recorded</source>
         <translation>seine Tags sind nur gespiegelt zu lesen: die Bilder (oder der Druck) sind seitenverkehrt; hebe das dort auf, wo sie aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>The fixture %1 turned by %2 and moved by %3</source>
+        <translation>Die Vorrichtung %1 hat sich um %2 gedreht und um %3 bewegt</translation>
+    </message>
+    <message>
+        <source>The probe slipped on the hand by %1</source>
+        <translation>Der Taster ist auf der Hand um %1 verrutscht</translation>
+    </message>
+    <message>
+        <source>arm and probe are as they were</source>
+        <translation>Arm und Taster sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>arm and fixtures are as they were</source>
+        <translation>Arm und Vorrichtungen sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>fixtures and probe are as they were</source>
+        <translation>Vorrichtungen und Taster sind, wie sie waren</translation>
+    </message>
+    <message>
+        <source>Nothing has changed that these touches show: fixtures, probe and arm are as they were.</source>
+        <translation>Nichts hat sich geändert, was diese Berührungen zeigen: Vorrichtungen, Taster und Arm sind, wie sie waren.</translation>
     </message>
 </context>
 <context>
@@ -12822,6 +12842,50 @@
     <message>
         <source>one of them is several sessions, which `handsight-cli compare COLLECTION` compares with each other</source>
         <translation>eine davon besteht aus mehreren Sitzungen, die `handsight-cli compare SAMMLUNG` miteinander vergleicht</translation>
+    </message>
+    <message>
+        <source>A recheck drives to poses and looks; a session of touches is rechecked by its own touches.</source>
+        <translation>Eine Nachprüfung fährt Posen an und schaut; eine Sitzung aus Berührungen wird durch eigene Berührungen nachgeprüft.</translation>
+    </message>
+    <message>
+        <source>An experiment of touches begins where they can be fitted, and these cannot yet: touch each fixture by hand first, a plane at three places at least (fit says what is lacking).</source>
+        <translation>Ein Experiment aus Berührungen beginnt dort, wo sie sich anpassen lassen, und diese lassen sich noch nicht anpassen: berühre zuerst jede Vorrichtung von Hand, eine Ebene an mindestens drei Stellen (fit sagt, was fehlt).</translation>
+    </message>
+    <message>
+        <source>nothing was touched: %1</source>
+        <translation>nichts berührt: %1</translation>
+    </message>
+    <message>
+        <source>The driver was to touch the fixture %1 and says that it has touched %2.</source>
+        <translation>Der Treiber sollte die Vorrichtung %1 berühren und sagt, er habe %2 berührt.</translation>
+    </message>
+    <message>
+        <source>The driver's touch of %1 has no "value": a length is what it reads there.</source>
+        <translation>Der Berührung von %1 durch den Treiber fehlt "value": eine Länge ist, was er dort abliest.</translation>
+    </message>
+    <message>
+        <source>the tip is %1 mm from where the touched fixture must be (limit %2)</source>
+        <translation>die Spitze ist %1 mm von dort entfernt, wo die berührte Vorrichtung sein muss (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>does not say in "touched" what</source>
+        <translation>sagt in "touched" nicht, was</translation>
+    </message>
+    <message>
+        <source>has a "marker" that is no number of a tip</source>
+        <translation>hat einen "marker", der keine Nummer einer Spitze ist</translation>
+    </message>
+    <message>
+        <source>there is no fixture %1</source>
+        <translation>es gibt keine Vorrichtung %1</translation>
+    </message>
+    <message>
+        <source>it is not said in which posture</source>
+        <translation>es ist nicht gesagt, in welcher Stellung</translation>
+    </message>
+    <message>
+        <source>the tip does not come to %1</source>
+        <translation>die Spitze kommt nicht zu %1</translation>
     </message>
 </context>
 <context>

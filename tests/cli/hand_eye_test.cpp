@@ -106,6 +106,23 @@ TEST_F(HandEyeCommands, PredictTellsWhereTheSensorIsForAPoseOfTheFlange) {
   EXPECT_THAT(predicted.errors, HasSubstr("taken as the robot tells it"));
 }
 
+/// Where the sensor sits stands nowhere in the session: what is simulated like it has it where the fit has it.
+TEST_F(HandEyeCommands, WhatIsSimulatedHasTheSensorWhereTheFitHasIt) {
+  const auto simulated = run_cli(folder.path, {"simulate", "--like", at("s"), "--out", at("like"), "--noise", "1e-5"});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
+  const std::vector<std::string> asked{"--position", "0.4 -0.1 0.5 3.0 0.2 -0.4", "--json", "-"};
+  const auto predicted = [&](const std::string& session) {
+    std::vector<std::string> words{"predict", at(session)};
+    words.insert(words.end(), asked.begin(), asked.end());
+    return run_cli(folder.path, words);
+  };
+  const auto of_it = predicted("like"), of_this = predicted("s");
+  ASSERT_EQ(of_it.exit_code, 0) << of_it.errors;
+  for (std::size_t r = 0; r < 3; ++r)
+    EXPECT_NEAR(of_it.json()[0]["root_from_body_est"][r][3].get<double>(),
+                of_this.json()[0]["root_from_body_est"][r][3].get<double>(), 2e-4);
+}
+
 TEST_F(HandEyeCommands, EffectsMayBeNamedWithCommas) {
   const std::string session = std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/hidden_3";
   const auto apart =

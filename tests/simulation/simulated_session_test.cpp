@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "fixtures/arms.h"
+#include "fixtures/hand_eye.h"
+#include "fixtures/targets.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -194,6 +196,28 @@ TEST(Simulate, UnseenMarkersAreThatShareAndTheOthersStay) {
                 seen_by(all.session.observations[k].sightings[static_cast<std::size_t>(sighting.marker)], 0)->pixel);
     }
   EXPECT_NEAR(static_cast<double>(seen), 480, 40);  // of 600 markers, 4 sigma
+}
+
+/// A flange's coordinates have no limits: its poses are drawn where the session's were.
+TEST(Simulate, AFlangeStaysWhereItWas) {
+  fixture::HandEye h = fixture::hand_eye({});
+  h.session.mount.mount_from_sensor = h.flange_from_camera;
+  SimulationOptions options;
+  options.observations = 20;
+  const auto expect_near = [&](const SimulatedSession& s) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double lower = 1e300, upper = -1e300;
+      for (const Observation& o : h.session.observations)
+        lower = std::min(lower, o.position[axis]), upper = std::max(upper, o.position[axis]);
+      for (const Observation& o : s.session.observations) {
+        EXPECT_GT(o.position[axis], lower - 0.1) << axis;
+        EXPECT_LT(o.position[axis], upper + 0.1) << axis;
+      }
+    }
+  };
+  expect_near(simulate_session(h.session, options));
+  set_target(h.session, fixture::charuco());
+  expect_near(simulate_session(h.session, options));
 }
 
 }  // namespace

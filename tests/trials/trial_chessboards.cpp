@@ -5,6 +5,7 @@
 // images.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
@@ -27,11 +28,15 @@ struct Score {
   int found = 0, wrong = 0;
   long points = 0;
   double squares = 0, normalised = 0, seconds = 0;
+  std::array<double, 3> by_noise{};  // of the normalised squares: below 1, 3 grey levels, above
+  std::array<long, 3> points_by_noise{};
 };
+
+int band_of(double noise) { return noise < 1 ? 0 : noise < 3 ? 1 : 2; }
 
 /// A board is wrong if any of its points is 2.5 px and more from where it is.
 void count(Score& score, const std::vector<Vector2>& points, const std::vector<Vector2>& truth,
-           const std::vector<Eigen::Matrix2d>& covariances = {}) {
+           const std::vector<Eigen::Matrix2d>& covariances = {}, double noise = 0) {
   if (points.size() != truth.size()) return;
   double worst = 0;
   for (std::size_t i = 0; i < points.size(); ++i) worst = std::max(worst, (points[i] - truth[i]).norm());
@@ -43,7 +48,10 @@ void count(Score& score, const std::vector<Vector2>& points, const std::vector<V
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector2 e = points[i] - truth[i];
     ++score.points, score.squares += e.squaredNorm();
-    if (!covariances.empty()) score.normalised += e.dot(covariances[i].inverse() * e);
+    if (covariances.empty()) continue;
+    const double z2 = e.dot(covariances[i].inverse() * e);
+    score.normalised += z2;
+    score.by_noise[band_of(noise)] += z2, ++score.points_by_noise[band_of(noise)];
   }
 }
 
@@ -63,13 +71,13 @@ double timed(const std::function<void()>& run) {
 }
 
 void add(std::vector<Score>& scores, const PreparedTarget& target, const Image& image,
-         const std::vector<Vector2>& truth, bool is_alone) {
+         const std::vector<Vector2>& truth, double noise, bool is_alone) {
   TargetSighting sighting;
   scores[0].seconds += timed([&] { sighting = detect_target(image, target); });
   std::vector<Vector2> points;
   std::vector<Eigen::Matrix2d> covariances;
   for (const TargetPixel& p : sighting.points) points.push_back(p.pixel), covariances.push_back(p.covariance);
-  count(scores[0], points, truth, covariances);
+  count(scores[0], points, truth, covariances, noise);
   if (is_alone) return;
   const cv::Mat grey(image.height, image.width, CV_8U, const_cast<std::uint8_t*>(image.pixels.data()));
   std::vector<cv::Point2f> corners;
@@ -103,7 +111,7 @@ void run(double degrees, int boards, std::uint64_t seed, bool is_alone) {
       const WideView view = placed_wide(board, lens, random);
       const auto truth = wide_truth(board, view, 7);
       if (!truth) continue;
-      add(scores, target, wide_image(board, view, rays), *truth, is_alone);
+      add(scores, target, wide_image(board, view, rays), *truth, view.noise, is_alone);
       ++images, ++of_lens;
     }
   }
@@ -112,6 +120,11 @@ void run(double degrees, int boards, std::uint64_t seed, bool is_alone) {
                images, s.wrong, std::sqrt(s.squares / std::max(s.points, 1L)),
                s.normalised > 0 ? fmt::format("{:.2f}", s.normalised / static_cast<double>(s.points)) : "-",
                1e3 * s.seconds / images);
+  for (int b = 0; b < 3; ++b)
+    if (scores[0].points_by_noise[b] > 0)
+      fmt::print("         noise {:<18} z^2 {:.2f} of {} points\n", std::array{"below 1", "1 to 3", "above 3"}[b],
+                 scores[0].by_noise[b] / static_cast<double>(scores[0].points_by_noise[b]),
+                 scores[0].points_by_noise[b]);
   std::fflush(stdout);
 }
 

@@ -41,13 +41,14 @@ struct Case {
   std::string hidden;
 };
 
-Case drawn_case(int robot, std::uint64_t seed) {
+Case drawn_case(int number, std::uint64_t seed) {
+  const int robot = number % 3;
   std::mt19937_64 random(seed);
   Case c{trials::robot_session(robot, seed), {}, "none"};
   c.truth.seed = seed;
   c.truth.noise = trials::sigma;
   const char* causes[] = {"joint_offset", "joint_elasticity", "joint_scale", "encoder_eccentricity", "none", "curve"};
-  const std::string cause = causes[seed % 6];
+  const std::string cause = causes[number / 3 % 6];
   c.hidden = cause;
   const Chain chain = make_chain(c.like);
   if (cause == "curve") {
@@ -87,15 +88,17 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
 
 /// Poses drawn at random, seen and free, until the cause is settled; how many.
 int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
-  SimulationOptions options = c.truth;
-  options.observations = 4 * most_poses;
-  options.seed = c.truth.seed + 5000000;
-  Session many = simulate_session(c.like, options).session;
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
   for (const Observation& o : make_start(c).observations) poses.push_back(o);
-  for (const Observation& o : many.observations)
-    if (!world.touching(o.position)) poses.push_back(o);
+  SimulationOptions options = c.truth;
+  options.observations = 4 * most_poses;
+  options.seed = c.truth.seed + 5000000;
+  for (int draw = 0; draw < 20 && poses.size() < most_poses + 2; ++draw, options.seed += 1000000) {
+    const Session many = simulate_session(c.like, options).session;
+    for (const Observation& o : many.observations)
+      if (!world.touching(o.position)) poses.push_back(o);
+  }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     poses[k].id = static_cast<std::int64_t>(k);
     poses[k].time = 5.0 * static_cast<double>(k);
@@ -103,11 +106,17 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
   }
   poses.resize(std::min<std::size_t>(poses.size(), most_poses + 2));
   const Session all = simulate_at(c.like, c.truth, poses).session;
+  int adequate_in_a_row = 0;
   for (std::size_t count = 10; count <= all.observations.size(); count += batch) {
     Session some = all;
     some.observations.resize(count);
     const Knowledge known = assess_knowledge(some, {}, true, {});
-    if (known.settled && known.settled->odds >= odds) {
+    if (!known.settled) continue;
+    // By the loop's own rules.
+    const bool is_none = known.settled->id.empty() && known.diagnosis->verdict == Verdict::adequate;
+    if (is_none && known.used >= 20 && known.settled->odds >= 1) ++adequate_in_a_row;
+    if (!is_none) adequate_in_a_row = 0;
+    if (is_none ? adequate_in_a_row >= 2 : !known.settled->id.empty() && known.settled->odds >= odds) {
       settled = known.settled;
       return static_cast<int>(count) - 2;
     }
@@ -115,12 +124,26 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
   return most_poses;
 }
 
+/// How large the hidden cause is in as many random poses as are allowed, were nothing else wrong: chi-squared of what a
+/// fit without it leaves.
+double shown_by(const Case& c) {
+  SimulationOptions options = c.truth;
+  options.observations = most_poses;
+  options.noise = 1e-6;
+  options.declare_noise = false;
+  const Session session = simulate_session(c.like, options).session;
+  double rows = 0;
+  for (const Observation& o : session.observations)
+    for (const Sighting& s : o.sightings) rows += row_count(s);
+  return rows * std::pow(fit(session).residual_rms / trials::sigma, 2);
+}
+
 void try_robots(int count, std::uint64_t first) {
-  std::vector<double> ratios, hands, choices;
-  std::map<std::string, std::array<int, 3>> named;  // all, right by the loop, right by random poses
+  std::vector<double> of_causes, of_none, hands, choices;  // poses by the loop over random ones; the rest
+  std::map<std::string, std::array<int, 3>> named;         // all, right by the loop, right by random poses
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
-    const Case c = drawn_case(i % 3, seed);
+    const Case c = drawn_case(i, seed);
     const auto start = Clock::now();
     SimulatedRobot robot(c.like, {.truth = c.truth});
     const ExperimentResult loop =
@@ -132,8 +155,10 @@ void try_robots(int count, std::uint64_t first) {
     ++tally[0];
     tally[1] += is_right(loop.settled, c) ? 1 : 0;
     tally[2] += is_right(by_random, c) ? 1 : 0;
-    if (loop.settled || by_random) ratios.push_back(static_cast<double>(loop.observations) / random_count);
+    const double ratio = static_cast<double>(loop.observations) / random_count;
+    if (loop.settled || by_random) (c.truth.effects.empty() ? of_none : of_causes).push_back(ratio);
     choices.push_back(loop.longest_choice);
+    double hand = NAN;
     // The hand beside as many poses that are chosen with the truth as the model.
     if (!c.truth.effects.empty()) {
       ExperimentOptions with_truth = quiet(fmt::format("count={}", loop.observations));
@@ -150,14 +175,14 @@ void try_robots(int count, std::uint64_t first) {
       const auto poses = poses_to_judge_by(loop.session, by_loop, reach, 200, 99);
       const auto a = hand_limit(by_loop, poses);
       const auto b = ideal.known.fit ? hand_limit(*ideal.known.fit, poses) : std::nullopt;
-      if (a && b) hands.push_back(*a / *b);
+      if (a && b) hands.push_back(hand = *a / *b);
     }
     fmt::print(
-        "{} robot {} {:<22} {:<14} loop {:>2} poses ({}), random {:>2} ({}), {:.1f} s, choice {:.2f} s a pose{}\n",
-        seed, i % 3, c.hidden, end_name(loop.end), loop.observations,
+        "{} robot {} {:<22} chi2 {:<8.3g} {:<8} loop {:>2} poses ({}), random {:>2} ({}), {:.1f} s, choice {:.2f} s a "
+        "pose, hand {:.3f}\n",
+        seed, i % 3, c.hidden, shown_by(c), end_name(loop.end), loop.observations,
         loop.settled ? (loop.settled->id.empty() ? "none" : loop.settled->id) : "-", random_count,
-        by_random ? (by_random->id.empty() ? "none" : by_random->id) : "-", seconds, loop.longest_choice,
-        hands.empty() ? "" : fmt::format(", hand {:.3f}", hands.back()));
+        by_random ? (by_random->id.empty() ? "none" : by_random->id) : "-", seconds, loop.longest_choice, hand);
     if (!loop.settled && loop.known.diagnosis)
       fmt::print("     {}: {} by odds of {:.2g}, best {} {:.1f} of {:.1f}\n",
                  verdict_text(loop.known.diagnosis->verdict),
@@ -172,10 +197,12 @@ void try_robots(int count, std::uint64_t first) {
   for (const auto& [cause, tally] : named)
     fmt::print("{:<22} {} robots, right by the loop {}, by random poses {}\n", cause, tally[0], tally[1], tally[2]);
   fmt::print(
-      "poses of the loop by random ones: median {:.2f} of {}; hand by poses of the known truth: median {:.3f}; choice: "
-      "median {:.2f} s, at most {:.2f} s a pose; {} MB\n",
-      median(ratios), ratios.size(), median(hands), median(choices), *std::max_element(choices.begin(), choices.end()),
-      usage.ru_maxrss / 1024);
+      "poses of the loop by random ones: causes median {:.2f} of {}, no effect {:.2f} of {}; hand by poses of the "
+      "known "
+      "truth: median {:.3f}, at most {:.3f}; choice: median {:.2f} s, at most {:.2f} s a pose; {} MB\n",
+      median(of_causes), of_causes.size(), median(of_none), of_none.size(), median(hands),
+      hands.empty() ? NAN : *std::max_element(hands.begin(), hands.end()), median(choices),
+      *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
 }
 
 void try_ways(int count, std::uint64_t seed) {

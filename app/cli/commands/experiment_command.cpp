@@ -50,11 +50,16 @@ std::string degrees_text(const Eigen::VectorXd& position) {
   return text;
 }
 
-void print_plan(const ExperimentArguments& o, const std::vector<PlannedMove>& moves) {
+const std::string& fixture_of(const Session& session, const ChosenPose& pose) {
+  return session.fixtures[static_cast<std::size_t>(pose.fixture)].id;
+}
+
+void print_plan(const ExperimentArguments& o, const Session& session, const std::vector<PlannedMove>& moves) {
   o.output.line(fmt::format("next {} poses (joints in degrees, mm where they slide count as radians):", moves.size()));
   for (const PlannedMove& move : moves)
-    o.output.line(fmt::format("  {}   {:>5.2f} rad{}  {}", degrees_text(move.pose.position), move.length,
+    o.output.line(fmt::format("  {}   {:>5.2f} rad{}  {}{}", degrees_text(move.pose.position), move.length,
                               move.way.size() > 1 ? fmt::format(", round by {} points", move.way.size() - 1) : "",
+                              move.pose.fixture < 0 ? "" : "to touch " + fixture_of(session, move.pose) + ", ",
                               reason_text(move.pose.reason)));
 }
 
@@ -88,10 +93,14 @@ bool is_confirmed(const ExperimentArguments& o, const std::vector<PlannedMove>& 
   return answer == "y" || answer == "yes";
 }
 
-Json move_json(const PlannedMove& move) {
+Json move_json(const Session& session, const PlannedMove& move) {
   Json path = Json::array();
   for (const Eigen::VectorXd& point : move.way) path.push_back(numbers(point));
-  return {{"position", numbers(move.pose.position)}, {"why", reason_name(move.pose.reason)}, {"path", path}};
+  Json json{{"position", numbers(move.pose.position)}, {"why", reason_name(move.pose.reason)}, {"path", path}};
+  if (move.pose.fixture < 0) return json;
+  json["fixture"] = fixture_of(session, move.pose);
+  json["touching"] = numbers(move.pose.touching);
+  return json;
 }
 
 Json cause_json(const SettledCause& cause) {
@@ -102,14 +111,14 @@ Json cause_json(const SettledCause& cause) {
 Json result_json(const ExperimentResult& r) {
   Json steps = Json::array(), planned = Json::array();
   for (const ExperimentStep& step : r.steps) {
-    Json line = move_json(step.move);
+    Json line = move_json(r.session, step.move);
     line["id"] = step.id < 0 ? Json(nullptr) : Json(step.id);
     line["state"] = step.id < 0 ? "none" : step.accepted ? "accepted" : "rejected";
     line["reason"] = step.reason;
     line["hand_limit_m"] = number(step.hand_limit);
     steps.push_back(line);
   }
-  for (const PlannedMove& move : r.planned) planned.push_back(move_json(move));
+  for (const PlannedMove& move : r.planned) planned.push_back(move_json(r.session, move));
   const Knowledge& known = r.known;
   return {{"stopped", end_name(r.end)},
           {"reason", r.reason},
@@ -145,7 +154,7 @@ ExperimentOptions options_of(const ExperimentArguments& o, const Session& sessio
   options.batch = o.batch;
   options.dry_run = o.dry_run;
   options.confirm = [&o](const std::vector<PlannedMove>& moves) { return is_confirmed(o, moves); };
-  options.on_plan = [&o](const std::vector<PlannedMove>& moves) { print_plan(o, moves); };
+  options.on_plan = [&](const std::vector<PlannedMove>& moves) { print_plan(o, session, moves); };
   options.on_step = [&o](const ExperimentStep& step) { print_step(o, step); };
   options.on_knowledge = [&o](const Knowledge& known) { print_knowledge(o, known); };
   options.on_note = [](const std::string& text) { Output::note(text); };

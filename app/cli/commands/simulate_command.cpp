@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "command.h"
 #include "effects/own_effect.h"
+#include "estimation/fit/fit.h"
 #include "options/option_limits.h"
 #include "options/target_option.h"
 #include "printing/outputs.h"
@@ -68,6 +70,22 @@ int run_of_collection(const SimulateArguments& o) {
   return done;
 }
 
+/// Where the session does not say where its sensor sits, its observations do: sensor and body are then as their fit has
+/// them.
+void settle_by_fit(const SimulateArguments& o, Session& like, SimulationOptions& options) {
+  if (like.mount.known || like.is_touch()) return;
+  try {
+    const Fit fitted = fit(open_searched_session(o.like, o.output));
+    like.mount.mount_from_sensor = estimate(fitted).mount_from_sensor;
+    if (!is_given(o.target)) options.markers_in_tcp = estimate(fitted).markers_in_tcp;
+  } catch (const InputError& error) {
+    Output::note(fmt::format(
+        "{} does not say where its {} sits, and its observations do not tell it: it is taken to sit at the origin of "
+        "{}. ({})",
+        like.file.filename().string(), like.rig ? "first camera" : "sensor", in_quotes(like.mount.link), error.what()));
+  }
+}
+
 int run(const SimulateArguments& o) {
   if (is_collection(o.like)) return run_of_collection(o);
   note_input(o.robot);
@@ -82,6 +100,7 @@ int run(const SimulateArguments& o) {
     if (!like.rig) throw InputError("--target: a target is seen by cameras, and the session that is like it has none.");
     set_target(like, target_from(o.target));
   }
+  settle_by_fit(o, like, options);
   if (o.noise >= 0) options.noise = o.noise;
   if (!o.shift.empty()) options.shift_in_sensor = Vector3(o.shift[0], o.shift[1], o.shift[2]);
   const OwnEffects own = list_own_effects(like, make_chain(like));

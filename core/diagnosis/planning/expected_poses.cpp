@@ -110,7 +110,7 @@ namespace {
 std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o, const Unknowns& u,
                             const Rigid& sensor_from_tcp, const Rigid& tcp_from_body) {
   std::vector<Sighting> seen = o.sightings;
-  if (problem.source->chain.is_one_target) {
+  if (problem.source->chain.is_one_target && !problem.rig) {  // a sensor of poses: each point by one coordinate
     const Matrix3 turn = sensor_from_tcp.rotation * tcp_from_body.rotation;
     for (Sighting& s : seen) s.along = measured_along(turn, s.marker);
   }

@@ -29,8 +29,7 @@ Vector3 free_part(FixtureKind kind, const Vector3& x) {
 
 class Fixtures {
  public:
-  Fixtures(const Session& session, const Fit& fit)
-      : session_(session), fit_(fit), chain_(fit.problem.source->chain), touched_(session.fixtures.size()) {
+  Fixtures(const Session& session, const Fit& fit) : session_(session), fit_(fit), touched_(session.fixtures.size()) {
     for (const ProblemObservation& o : fit.problem.observations) {
       const Observation& from = session.observations[static_cast<std::size_t>(o.index)];
       Touched& t = touched_[static_cast<std::size_t>(from.part)];
@@ -44,14 +43,8 @@ class Fixtures {
 
   const Touched& touched(std::size_t f) const { return touched_[f]; }
 
-  /// The tip, or the TCP, in the fixture's frame.
-  Vector3 place(std::size_t f, const Eigen::VectorXd& position, bool of_tip) const {
-    const ObservationState c = states_at(chain_.parts[f], position);
-    const ObservedEnds seen = observed_ends(c, moved_sites(c, fit_.problem.terms));
-    const Rigid root_from_fixture =
-        seen.ends.root_from_mount * estimate(fit_).mount(static_cast<int>(f)) * seen.mount_motion;
-    const Vector3 in_tcp = of_tip ? estimate(fit_).markers_in_tcp.front() : Vector3(Vector3::Zero());
-    return inverse(root_from_fixture) * (seen.ends.root_from_tcp * in_tcp);
+  Vector3 place_of_tip(std::size_t f, const Eigen::VectorXd& position) const {
+    return place_in_fixture(fit_, static_cast<int>(f), position, 0);
   }
 
   /// Where touches have been, and from the side that they came from.
@@ -62,14 +55,13 @@ class Fixtures {
     for (const Vector3& x : t.tips) middle += free_part(kind, x) / static_cast<double>(t.tips.size());
     double reach = least_reach;
     for (const Vector3& x : t.tips) reach = std::max(reach, (free_part(kind, x) - middle).norm());
-    if ((free_part(kind, place(f, position, true)) - middle).norm() > reach) return false;
-    return kind != FixtureKind::plane || place(f, position, false).z() * t.side > 0;
+    if ((free_part(kind, place_of_tip(f, position)) - middle).norm() > reach) return false;
+    return kind != FixtureKind::plane || place_in_fixture(fit_, static_cast<int>(f), position, -1).z() * t.side > 0;
   }
 
  private:
   const Session& session_;
   const Fit& fit_;
-  const Chain& chain_;
   std::vector<Touched> touched_;
 };
 
@@ -87,6 +79,15 @@ Eigen::VectorXd make_start(const Session& session, const PoseJudge& judge, std::
 
 }  // namespace
 
+Vector3 place_in_fixture(const Fit& fit, int fixture, const Eigen::VectorXd& position, int marker) {
+  const ObservationState c = states_at(fit.problem.source->chain.parts[static_cast<std::size_t>(fixture)], position);
+  const ObservedEnds seen = observed_ends(c, moved_sites(c, fit.problem.terms));
+  const Rigid root_from_fixture = seen.ends.root_from_mount * estimate(fit).mount(fixture) * seen.mount_motion;
+  const Vector3 in_tcp =
+      marker < 0 ? Vector3(Vector3::Zero()) : estimate(fit).markers_in_tcp[static_cast<std::size_t>(marker)];
+  return inverse(root_from_fixture) * (seen.ends.root_from_tcp * in_tcp);
+}
+
 TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& judge, int count, std::uint64_t seed) {
   constexpr int tries_a_pose = 8;
   const Fixtures fixtures(session, fit);
@@ -97,7 +98,7 @@ TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& ju
     const Touched& touched = fixtures.touched(f);
     if (touched.tips.empty()) continue;
     const FixtureKind kind = session.fixtures[f].kind;
-    const TipInFixture tip = [&](const Eigen::VectorXd& q) { return fixtures.place(f, q, true); };
+    const TipInFixture tip = [&](const Eigen::VectorXd& q) { return fixtures.place_of_tip(f, q); };
     int found = 0;
     for (int attempt = 0; attempt < tries_a_pose * each && found < each; ++attempt) {
       const auto like = static_cast<std::size_t>(uniform(random) * static_cast<double>(touched.values.size()));

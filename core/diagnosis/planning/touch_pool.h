@@ -16,4 +16,7 @@ struct TouchPool {
 /// readings that it has shown. The same for the same seed. InputError where none is found.
 TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& judge, int count, std::uint64_t seed);
 
+/// Where a marker is by the fit, or for -1 the TCP, in the fixture's frame (m) in a posture (rad or m).
+Vector3 place_in_fixture(const Fit& fit, int fixture, const Eigen::VectorXd& position, int marker);
+
 }  // namespace handsight

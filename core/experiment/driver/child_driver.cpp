@@ -98,6 +98,10 @@ LookAnswer ChildDriver::look() {
   return look_answer(asked(look_line(next_id_), "look", patience_.look), rig_ ? &*rig_ : nullptr, markers_);
 }
 
+TouchAnswer ChildDriver::touch(const TouchRequest& request) {
+  return touch_answer(asked(touch_line(next_id_, request), "look", patience_.look), joints_, markers_);
+}
+
 void ChildDriver::stop() noexcept {
   is_moving_ = false;
   if (is_lost_) return;

@@ -28,6 +28,7 @@ class ChildDriver : public DrivenRobot {
   DriverHello hello() override;
   MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) override;
   LookAnswer look() override;
+  TouchAnswer touch(const TouchRequest& request) override;
   void stop() noexcept override;
 
  private:

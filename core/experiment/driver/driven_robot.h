@@ -41,6 +41,23 @@ struct LookAnswer {
   std::optional<Rigid> target_pose;           // of a pose sensor
 };
 
+/// What is to be touched, and in which posture (rad or m, in the order of DriverHello::joints) the tip is expected to.
+struct TouchRequest {
+  std::string fixture;  // its id
+  Eigen::VectorXd position;
+};
+
+/// What a touch read; the robot stands again where it stood before.
+struct TouchAnswer {
+  bool ok = false;
+  Message why;                       // where nothing could be touched
+  std::string fixture;               // its id
+  int marker = 0;                    // which tip
+  std::optional<double> value;       // m, of a fixture that reads one
+  Eigen::VectorXd position, torque;  // rad or m, N m (N), while it touched; empty: where it stood before the look
+  std::optional<double> time;        // s, on the driver's clock
+};
+
 class DrivenRobot {
  public:
   DrivenRobot() = default;
@@ -53,6 +70,8 @@ class DrivenRobot {
   /// Along the path's points, straight in the joints between them; `speed`: of the fastest joint, rad/s (m/s).
   virtual MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) = 0;
   virtual LookAnswer look() = 0;
+  /// A look of a session of touches: from where it stands to the fixture, and back.
+  virtual TouchAnswer touch(const TouchRequest& request) = 0;
   /// Stands still as soon as it can. Throws nothing.
   virtual void stop() noexcept = 0;
 };

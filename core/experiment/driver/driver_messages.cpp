@@ -138,6 +138,11 @@ std::string move_line(std::int64_t id, const std::vector<Eigen::VectorXd>& path,
   return Json{{"do", "move"}, {"path", points}, {"speed", speed}, {"id", id}}.dump();
 }
 
+std::string touch_line(std::int64_t id, const TouchRequest& request) {
+  const Json touch{{"fixture", request.fixture}, {"position", list_of(request.position)}};
+  return Json{{"do", "look"}, {"touch", touch}, {"id", id}}.dump();
+}
+
 std::int64_t answered_id(const std::string& line) {
   const Json answer = object_of(line);
   if (!answer.contains("id") || !answer["id"].is_number_integer()) bad(line, "repeats no \"id\"");
@@ -187,11 +192,42 @@ LookAnswer look_answer(const std::string& line, const Rig* rig, int markers) {
   return look;
 }
 
+TouchAnswer touch_answer(const std::string& line, std::size_t joints, int markers) {
+  const Json answer = object_of(line);
+  TouchAnswer touch;
+  touch.ok = is_ok(answer, line, touch.why);
+  if (!touch.ok) return touch;
+  if (!answer.contains("touched") || !answer["touched"].is_object()) bad(line, "does not say in \"touched\" what");
+  const Json& touched = answer["touched"];
+  touch.fixture = text_in(touched, line, "fixture");
+  if (touched.contains("value")) touch.value = number_in(touched["value"], line, "value", bounds::length);
+  if (touched.contains("marker")) {
+    if (!touched["marker"].is_number_integer()) bad(line, "has a \"marker\" that is no number of a tip");
+    touch.marker = touched["marker"].get<int>();
+    if (touch.marker < 0 || touch.marker >= markers)
+      bad(line, message("has marker {}, expected ascending numbers from 0 to {}", touch.marker, markers - 1));
+  }
+  if (answer.contains("position"))
+    touch.position = vector_in(answer["position"], line, "position", joints, bounds::joint);
+  if (answer.contains("torque") && !answer["torque"].empty())
+    touch.torque = vector_in(answer["torque"], line, "torque", joints, bounds::torque);
+  if (answer.contains("time")) touch.time = number_in(answer["time"], line, "time", bounds::time);
+  return touch;
+}
+
 DriverRequest driver_request(const std::string& line) {
   const Json message = object_of(line);
   DriverRequest request;
   request.id = answered_id(line);
   request.what = text_in(message, line, "do");
+  if (request.what == "look" && message.contains("touch")) {
+    const Json& touch = message["touch"];
+    request.touch = TouchRequest{text_in(touch, line, "fixture"), {}};
+    if (touch.contains("position")) {
+      const std::vector<double> q = numbers_in(touch["position"], line, "position", bounds::joint);
+      request.touch->position = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+    }
+  }
   if (request.what != "move") return request;
   if (!message.contains("path") || !message["path"].is_array() || message["path"].empty())
     bad(line, "has no points in \"path\"");
@@ -242,6 +278,17 @@ std::string answer_line(std::int64_t id, const LookAnswer& look, const Rig* rig)
     }
     answer["points"] = points;
   }
+  return answer.dump();
+}
+
+std::string answer_line(std::int64_t id, const TouchAnswer& touch) {
+  if (!touch.ok) return Json{{"id", id}, {"ok", false}, {"why", touch.why}}.dump();
+  Json touched{{"fixture", touch.fixture}, {"marker", touch.marker}};
+  if (touch.value) touched["value"] = *touch.value;
+  Json answer{{"id", id}, {"ok", true}, {"touched", touched}};
+  if (touch.position.size() > 0) answer["position"] = list_of(touch.position);
+  if (touch.torque.size() > 0) answer["torque"] = list_of(touch.torque);
+  if (touch.time) answer["time"] = *touch.time;
   return answer.dump();
 }
 

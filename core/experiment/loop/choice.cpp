@@ -192,7 +192,7 @@ bool can_be_taken(const Reach& reach, const Eigen::VectorXd& position) {
 
 bool is_well_seen(const Reach& reach, const Fit& fit, const Eigen::VectorXd& position) {
   const std::vector<Vector3> markers = seen_markers(fit);
-  if (markers.empty()) return true;
+  if (markers.empty() || reach.chain.is_touch) return true;  // a probe is felt, not seen
   const Rigid& mount_from_sensor = estimate(fit).mount_from_sensor;
   const ChainEnds ends = chain_ends(reach.chain, position);
   const Rigid sensor_from_tcp = inverse(ends.root_from_mount * mount_from_sensor) * ends.root_from_tcp;

@@ -19,6 +19,8 @@ const char* reason_name(PoseReason reason);
 struct ChosenPose {
   Eigen::VectorXd position;  // rad (m), in the order of the session's joints
   PoseReason reason = PoseReason::spread;
+  int fixture = -1;          // that is touched from there, into Session::fixtures; -1: the pose is looked from
+  Eigen::VectorXd touching;  // rad (m): where the tip is expected to touch it
 };
 
 /// Where an experiment may go: the robot, what stands about it, what was tried in vain.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "estimation/fit/fit.h"
 
 namespace handsight {
@@ -22,6 +23,8 @@ SimulatedRobotOptions make_simulated_robot(const Session& session, SimulatedRobo
     if (std::find(seen.begin(), seen.end(), 0) != seen.end()) return options;
     options.truth.markers_in_tcp = estimate(f).markers_in_tcp;
     like.mount.mount_from_sensor = estimate(f).mount_from_sensor;
+    for (std::size_t m = 0; m < like.other_mounts.size(); ++m)
+      like.other_mounts[m].mount_from_sensor = estimate(f).mount(static_cast<int>(m) + 1);
   } catch (const InputError&) {  // nothing was seen yet
   }
   return options;
@@ -55,6 +58,35 @@ MoveAnswer SimulatedRobot::move(const std::vector<Eigen::VectorXd>& path, double
   true_position_ = position_;
   for (double& q : true_position_) q += options_.repeatability * random_.gaussian();
   MoveAnswer answer{.ok = true, .position = position_};
+  answer.time = time_;
+  return answer;
+}
+
+TouchAnswer SimulatedRobot::touch(const TouchRequest& request) {
+  time_ += looking_time;
+  const auto fixture = std::find_if(like_.fixtures.begin(), like_.fixtures.end(),
+                                    [&](const Fixture& f) { return f.id == request.fixture; });
+  if (fixture == like_.fixtures.end()) return {.why = message("there is no fixture {}", in_quotes(request.fixture))};
+  if (request.position.size() != position_.size()) return {.why = "it is not said in which posture"};
+  Observation o;
+  o.id = static_cast<std::int64_t>(looks_.size());
+  o.time = time_;
+  o.part = static_cast<int>(fixture - like_.fixtures.begin());
+  const Eigen::VectorXd off = true_position_ - position_;
+  o.position = request.position + off;
+  looks_.push_back(o);
+  const auto touched = simulate_touch(like_, options_.truth, looks_);
+  if (!touched) {
+    looks_.pop_back();
+    return {.why = message("the tip does not come to {}", request.fixture)};
+  }
+  looks_.back() = *touched;
+  TouchAnswer answer{.ok = true};
+  answer.fixture = request.fixture;
+  const Vector3& point = *touched->sightings.front().point;
+  if (touched->sightings.front().by_distance) answer.value = point.x();
+  if (fixture->kind == FixtureKind::gauge) answer.value = point.z();
+  answer.position = touched->position - off;
   answer.time = time_;
   return answer;
 }

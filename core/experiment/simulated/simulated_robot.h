@@ -28,6 +28,7 @@ class SimulatedRobot : public DrivenRobot {
   DriverHello hello() override;
   MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) override;
   LookAnswer look() override;
+  TouchAnswer touch(const TouchRequest& request) override;
   void stop() noexcept override {}
 
   /// Everything that was looked at so far, as it truly was.

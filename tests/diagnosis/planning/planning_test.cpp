@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "diagnosis/planning/planning_sessions.h"
+#include "fixtures/hand_eye.h"
+#include "fixtures/targets.h"
 
 namespace handsight {
 namespace {
@@ -149,6 +153,50 @@ TEST(Planning, WorksFromASingleObservation) {
   const Plan p = plan(s.session, o);
   EXPECT_EQ(p.poses.size(), 3u);
   expect_within_limits(s.session, p);
+}
+
+/// Every point of a board is seen by two numbers a camera: what a plan expects is what a fit finds once it is measured.
+void expect_as_measured(const Session& session,
+                        const std::function<Session(const std::vector<Observation>&)>& measure) {
+  PlanOptions o;
+  o.count = 6;
+  const Plan p = plan(session, o);
+  ASSERT_EQ(p.poses.size(), 6u);
+  EXPECT_GT(p.poses.front().gain, 0.05);
+  std::vector<Observation> all = session.observations;
+  for (const PlannedPose& pose : p.poses) {
+    Observation& one = all.emplace_back(all.back());
+    ++one.id, one.time += 5;
+    one.position = pose.position;
+  }
+  const Fit f = fit(measure(all));
+  const Vector6 found = f.covariance.diagonal().cwiseSqrt();
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_LT(found[i], 1.25 * p.poses.back().sigma[i]) << i;
+    EXPECT_GT(found[i], 0.7 * p.poses.back().sigma[i]) << i;
+  }
+}
+
+TEST(Planning, APoseOfABoardBringsWhatItsPointsDo) {
+  const Session like = fixture::eye_in_hand_session();
+  SimulationOptions truth;
+  truth.observations = 8;
+  const SimulatedSession s = simulate_session(like, truth);
+  expect_as_measured(s.session,
+                     [&](const std::vector<Observation>& all) { return simulate_at(like, truth, all).session; });
+}
+
+TEST(Planning, AFlangesNextPosesShowTheBoard) {
+  fixture::HandEye h = fixture::hand_eye({.poses = 10, .place = 0, .turn = 0, .declare_noise = true});
+  set_target(h.session, Target{.kind = TargetKind::chessboard, .columns = 9, .rows = 6, .square = 0.025});
+  expect_as_measured(h.session, [&](const std::vector<Observation>& all) {
+    Session like = h.session;
+    like.mount.mount_from_sensor = h.flange_from_camera;
+    SimulationOptions truth;
+    truth.noise = 0.15;
+    for (const Vector3& x : h.board) truth.markers_in_tcp.push_back(h.base_from_board * x);
+    return simulate_at(like, truth, all).session;
+  });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
 #include "estimation/report/prediction.h"
+#include "fixtures/touch_session.h"
 #include "fixtures/two_arms.h"
 
 namespace handsight {
@@ -40,6 +41,20 @@ TEST(ImproveCollection, AJointZeroThatChangedBetweenSessionsIsToldAsThat) {
   const Improvement m = improve(joined(two_days({find_offset(like, "l3", 1.5e-3)}), "days"));
   EXPECT_EQ(list_names(m), (std::vector<std::string>{"joint_offset_changed august l3"}));
   EXPECT_EQ(m.last.verdict, Verdict::adequate);
+}
+
+/// All fixtures of one day are touched by the same joints.
+TEST(ImproveCollection, AJointZeroThatChangedBetweenTouchesIsThatOfTheDay) {
+  Session like = fixture::probe_session();
+  fixture::add_plates(like);
+  fixture::add_sockets(like);
+  std::vector<EffectTerm> truth;
+  add_effect_value("joint_offset:a3.offset=0.001", like.robot, truth);
+  std::vector<JoinedMember> days(2);
+  days[0].session = fixture::simulated_touches(like, 80, 6).session, days[0].title = "june";
+  days[1].session = fixture::simulated_touches(like, 80, 6, truth).session, days[1].title = "august";
+  const Session both = joined(days, "days");
+  EXPECT_EQ(list_names(improve(both)), (std::vector<std::string>{"joint_offset_changed august a3"}));
 }
 
 TEST(ImproveCollection, NothingIsFoundWhereNothingIsHidden) {
