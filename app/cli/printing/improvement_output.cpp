@@ -76,6 +76,8 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   for (const RefusedStep& r : m.refused)
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
+  out.line(fmt::format("     models tried: {} of at most {}{}", m.models, m.most_models,
+                       m.is_budget_spent ? ", which are spent: what else may be missing was not looked for" : ""));
   out.line();
   out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(find_story(m.last), m.last)));
   if (m.named_share && m.unnamed_share)
@@ -121,6 +123,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
   for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
   j["steps"] = steps;
   j["refused"] = refused;
+  j["models"] = {{"tried", m.models}, {"most", m.most_models}, {"spent", m.is_budget_spent}};
   j["verdict"] = verdict_text(m.last.verdict);
   j["reason"] = m.last.reason;
   j["left"] = diagnosis_json(session, m.last);

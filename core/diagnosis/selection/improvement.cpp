@@ -127,7 +127,8 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   FitOptions from = candidate.full_fit.value_or(model.model_options);
   if (!candidate.full_fit) from.estimated.insert(from.estimated.end(), candidate.terms.begin(), candidate.terms.end());
   const double before = as_good * held_out_error(model);
-  Diagnosis next = diagnosed_from(session, options, from.estimated, from.start, before);
+  Diagnosis next = model_from(session, options, from.estimated, from.start, before);
+  change.models = 1;
   change.stopped = next.stopped;
   if (next.stopped) return change;
   if (has_no_answer(next.model.fit)) {
@@ -152,6 +153,10 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   note_addition(candidate, next, change);
   change.model = std::move(next);
   prune(session, options, before, change);
+  if (!change.stopped) {
+    change.model = diagnosed_on(session, options, std::move(*change.model));
+    change.stopped = change.model->stopped;
+  }
   if (change.stopped) {
     change.model.reset();
     return change;
@@ -176,6 +181,7 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
     all.model = std::move(one.model);
     all.steps = std::move(one.steps);
     all.stopped = one.stopped;
+    all.models += one.models;
     if (all.stopped || all.model) break;
   }
   return all;
@@ -191,6 +197,7 @@ ModelChange search_models(const Session& session, const ImprovementOptions& opti
   if (!other || change.stopped) return change;
   const double most = as_good_as_reported * held_out_error(model);
   Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
+  change.models = 1;
   change.stopped = next.stopped;
   if (next.stopped || held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return change;
   ImprovementStep step = find_step(next);
@@ -212,6 +219,7 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
   for (const LikelyName& likely : inclusion_probabilities.likely) {
     std::vector<EffectTerm> estimated(options.estimated);
     estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
+    ++change.models;
     Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), before);
     change.stopped = next.stopped;
     if (next.stopped) return change;
@@ -247,6 +255,8 @@ class Improving {
 
   Improvement run() {
     m_.last = diagnosed(session_, options_);
+    m_.models = 1;
+    m_.most_models = options_.most_models;
     if (!m_.last.stopped) set_errors_elsewhere(m_.last);
     m_.steps = {find_step(m_.last)};
     m_.stopped = m_.last.stopped;
@@ -267,6 +277,10 @@ class Improving {
   bool one_more() {
     if (options_.on_step && !options_.on_step(m_.steps.back())) {
       m_.stopped = true;
+      return false;
+    }
+    if (m_.models >= options_.most_models) {
+      m_.is_budget_spent = true;
       return false;
     }
     ModelChange change = add_best(session_, options_, m_.last);
@@ -315,6 +329,7 @@ class Improving {
       std::erase_if(m_.refused, [&](const RefusedStep& o) { return o.id == r.id && o.where == r.where; });
       m_.refused.push_back(r);
     }
+    m_.models += change.models;
     m_.stopped = change.stopped;
   }
 

@@ -41,6 +41,7 @@ struct ImprovementOptions {
   std::vector<EffectTerm> estimated;  // in the model from the start, estimated; never removed
   std::set<std::string> likely;       // names among them that need no more evidence than to be likely
   int most_steps = 24;
+  int most_models = 80;  // the budget: no change is begun once so many models were fitted and held out
   /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
   bool with_curves = true;
   bool with_held_out = true;  // of the candidates that every diagnosis fits, too; improve() goes without
@@ -55,6 +56,7 @@ struct ModelChange {
   std::optional<Diagnosis> model;      // afterwards; none where nothing was taken, or it was stopped
   std::vector<ImprovementStep> steps;  // the addition, then what it made superfluous
   std::vector<RefusedStep> refused;
+  int models = 0;  // that were fitted and held out on the way
   bool stopped = false;
 };
 
@@ -66,6 +68,9 @@ struct Improvement {
   InclusionProbabilities inclusion_probabilities;  // of the last model's names
   /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
   std::optional<double> named_share, unnamed_share;
+  int models = 0;                // that were fitted and held out
+  int most_models = 0;           // ImprovementOptions::most_models
+  bool is_budget_spent = false;  // then more may be missing than was looked for
   bool stopped = false;
 };
 

@@ -36,6 +36,21 @@ double squares_without(const Fit& fit, const FitOptions& options, std::size_t fi
   return squares / (noise * noise);
 }
 
+DiagnosisOptions diagnosis_options(const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
+                                   const std::optional<Unknowns>& start, const std::optional<double>& most) {
+  DiagnosisOptions o;
+  o.most_held_out = most;
+  o.effects = options.effects;
+  o.estimated = estimated;
+  o.start = start;
+  o.with_curves = options.with_curves;
+  o.with_held_out = options.with_held_out;
+  o.with_regions = false;  // worked out where a change is judged by them
+  o.on_progress = options.on_progress;
+  o.on_iteration = options.on_iteration;
+  return o;
+}
+
 class Upkeep {
  public:
   Upkeep(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
@@ -50,6 +65,12 @@ class Upkeep {
 
  private:
   const std::vector<EffectTerm>& terms() const { return change_.model->model_options.estimated; }
+
+  double threshold() {
+    Diagnosis& d = *change_.model;
+    if (d.threshold == 0) d.threshold = threshold_of(session_, diagnosis_options(options_, {}, {}, {}), d);
+    return d.threshold;
+  }
 
   bool goes_on() {
     if (options_.on_progress && !options_.on_progress(0.97)) change_.stopped = true;
@@ -87,6 +108,7 @@ class Upkeep {
 
   /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
   bool take(Diagnosis next, const std::string& removed) {
+    ++change_.models;
     change_.stopped = change_.stopped || next.stopped;
     if (next.stopped || held_out_error(next) > most_) return false;
     ImprovementStep& step = change_.steps.back();
@@ -113,14 +135,14 @@ class Upkeep {
     const std::vector<EffectTerm> dropped = group(first, last);
     const NoiseModel by = noise_model(with);
     // To first order it cannot be said by how much a large effect is needed, but that it is.
-    if (squares_without(with, d.model_options, first, last, by.noise) > 10 * d.threshold + 100) return false;
+    if (squares_without(with, d.model_options, first, last, by.noise) > 10 * threshold() + 100) return false;
     const FitOptions o = options_without(first, last, by);
     const Fit without = fit(d.model.session, o);
     const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
                           fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
-    const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : d.threshold;
+    const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : threshold();
     if (gained >= least - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
-    return take(diagnosed_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
+    return take(model_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
   }
 
   /// Places of an effect that say nothing any more beside what was added since go: they let the others wander.
@@ -141,7 +163,8 @@ class Upkeep {
     }
     if (o.estimated.size() == terms().size() || change_.stopped) return;
     const double most = std::min(most_, as_good * held_out_error(*change_.model));
-    Diagnosis next = diagnosed_from(session_, options_, o.estimated, estimate(model), most);
+    ++change_.models;
+    Diagnosis next = model_from(session_, options_, o.estimated, estimate(model), most);
     if (held_out_error(next) <= most) take(std::move(next), "");
   }
 
@@ -170,11 +193,11 @@ class Upkeep {
       const std::size_t last = end_of_group(terms(), first);
       if (last == terms().size() && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
+      threshold();
       const auto exchange = better_name(*change_.model, first, last, [&] { return goes_on(); });
       // A name that has gone does not come back for the one that came: they would take turns for ever.
       if (exchange && !change_.stopped && !gone_.contains(exchange->id) &&
-          take(diagnosed_from(session_, options_, exchange->options.estimated, exchange->options.start, most_),
-               removed)) {
+          take(model_from(session_, options_, exchange->options.estimated, exchange->options.start, most_), removed)) {
         ImprovementStep& step = change_.steps.back();
         step.exchanged.push_back(exchange->id);
         gone_.insert(removed);
@@ -213,7 +236,7 @@ class Upkeep {
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
                fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
-    take(diagnosed_from(session_, options_, all, std::nullopt, most_), "");
+    take(model_from(session_, options_, all, std::nullopt, most_), "");
   }
 
   void look_for_curve(std::size_t first, std::size_t last) {
@@ -251,17 +274,19 @@ class Upkeep {
 Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
                          const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
                          const std::optional<double>& most) {
-  DiagnosisOptions o;
-  o.most_held_out = most;
-  o.effects = options.effects;
-  o.estimated = estimated;
-  o.start = start;
-  o.with_curves = options.with_curves;
-  o.with_held_out = options.with_held_out;
-  o.with_regions = false;  // worked out where a change is judged by them
-  o.on_progress = options.on_progress;
-  o.on_iteration = options.on_iteration;
+  return diagnose(session, diagnosis_options(options, estimated, start, most));
+}
+
+Diagnosis model_from(const Session& session, const ImprovementOptions& options,
+                     const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
+                     const std::optional<double>& most) {
+  DiagnosisOptions o = diagnosis_options(options, estimated, start, most);
+  o.only_model = true;
   return diagnose(session, o);
+}
+
+Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options, Diagnosis model) {
+  return diagnose_model(session, diagnosis_options(options, {}, {}, {}), std::move(model));
 }
 
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {

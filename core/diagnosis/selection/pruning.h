@@ -22,11 +22,18 @@ Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& optio
                          const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
                          const std::optional<double>& most = std::nullopt);
 
+/// The same, but what is missing is not asked (diagnosis.h, only_model), which is most of the work: of models that may
+/// not stay. diagnosed_on goes on with one that does.
+Diagnosis model_from(const Session& session, const ImprovementOptions& options,
+                     const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
+                     const std::optional<double>& most = std::nullopt);
+Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options, Diagnosis model);
+
 /// The terms of one effect that stand together, from `first` on, end there.
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first);
 
-/// Mends change.model, whose last step added its last group of terms; what goes and comes is reported in that step.
-/// None of it lifts the held-out error above `most`.
+/// Mends change.model, a model_from() whose last step added its last group of terms; what goes and comes is reported in
+/// that step. None of it lifts the held-out error above `most`.
 void prune(const Session& session, const ImprovementOptions& options, double most, ModelChange& change);
 
 }  // namespace handsight

@@ -127,6 +127,7 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
   if (list_ids(gone).find(',') == std::string::npos) return change;  // one alone stands already
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
     const double most = (simple.ln_gained > clearly ? as_good_as_reported : clearly_better) * held_out_error(model);
+    ++change.models;
     Diagnosis next = diagnosed_from(session, options, simple.options.estimated, simple.options.start, most);
     change.stopped = change.stopped || next.stopped;
     if (change.stopped) return change;

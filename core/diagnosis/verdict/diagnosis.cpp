@@ -2,10 +2,14 @@
 #include "diagnosis/verdict/diagnosis.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <mutex>
 
+#include "base/threads.h"
 #include "diagnosis/evidence/lack_of_fit.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/evidence/threshold.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/outlier_rejection.h"
@@ -52,8 +56,39 @@ class Work {
   Diagnosis run() {
     fit_the_model();
     if (stopped_) return stopped();
+    if (options_.only_model && !has_too_few()) return std::move(d_);
+    return find_what_is_missing();
+  }
+
+  /// Of a model that has been fitted before.
+  Diagnosis go_on(Diagnosis model) {
+    d_ = std::move(model);
+    return find_what_is_missing();
+  }
+
+  double threshold(const Diagnosis& model) {
+    d_.model = model.model;
+    d_.model_options = model.model_options;
+    linearise();
+    double best = -1e300;
+    for (const Repeatability& repeatability : repeatability_levels(model_, noise_model_.knowledge)) {
+      const double evidence = whiten(model_, repeatability, noise_model_.knowledge).ln_evidence;
+      if (evidence > best) d_.repeatability = repeatability;
+      best = std::max(best, evidence);
+    }
+    set_threshold();
+    return d_.threshold;
+  }
+
+ private:
+  bool has_too_few() const {
     const Fit& f = d_.model.fit;
-    if (f.problem.observations.size() < fewest_observations || f.rows - f.unknowns < 2 * f.unknowns) {
+    return f.problem.observations.size() < fewest_observations || f.rows - f.unknowns < 2 * f.unknowns;
+  }
+
+  Diagnosis find_what_is_missing() {
+    const Fit& f = d_.model.fit;
+    if (has_too_few()) {
       d_.verdict = Verdict::too_few_observations;
       d_.reason = too_few_text(static_cast<int>(f.problem.observations.size()), f.rows - f.unknowns, f.unknowns);
       return std::move(d_);
@@ -76,7 +111,6 @@ class Work {
     return std::move(d_);
   }
 
- private:
   bool goes_on(double done) {
     done_ = done;
     if (!stopped_ && options_.on_progress && !options_.on_progress(done)) stopped_ = true;
@@ -113,11 +147,16 @@ class Work {
     if (d_.noise) d_.attribution = attribute_error(parts, *d_.noise);
   }
 
-  void rank_all() {
+  void linearise() {
     const Fit& f = d_.model.fit;
     noise_model_ = noise_model(f);
     candidates_ = all_candidates(f.problem);
     model_ = linear_model(candidates_.problem, estimate(f), candidates_.base_effects, noise_model_.noise);
+  }
+
+  void rank_all() {
+    const Fit& f = d_.model.fit;
+    linearise();
     variables_ = list_variables(candidates_.problem, estimate(f));
     ranking_ = rank(model_, noise_model_.knowledge, candidates_, variables_);
     d_.repeatability = ranking_.repeatability;
@@ -202,22 +241,36 @@ class Work {
                          [&](const RankedEffect& r) { return r.candidate->effect->id == id; });
   }
 
-  /// The best named effects in full: their evidence at the minimum in place of the linear one.
+  /// The best named effects and the best curve in full, side by side: their evidence at the minimum in place of the
+  /// linear one.
   void refit_the_best() {
-    int done = 0;
-    const double top = d_.candidates.front().ln_bayes_factor;
-    const double margin = std::max(10.0, 0.1 * std::max(top, 0.0));
-    for (DiagnosisCandidate& c : d_.candidates) {
-      if (c.unnamed) continue;
-      const bool close = c.ln_bayes_factor > top - margin && done < 2 * options_.refitted;
-      if (c.ln_bayes_factor < 1 || (done >= options_.refitted && !close)) break;
-      if (done > 0 && !close && c.ln_bayes_factor < d_.threshold) break;
-      refit_candidate(c);
-      if (!goes_on(0.6 + 0.3 * ++done / (2.0 * options_.refitted))) return;
-    }
-    refit_the_curve();
+    const std::vector<DiagnosisCandidate*> best = best_to_refit();
+    const auto count = static_cast<int>(best.size());
+    if (!ln_evidence_) ln_evidence_ = compute_ln_evidence(d_.model, noise_model_);
+    each_part(count + 1, true, [&](int i) {
+      if (i < count)
+        refit_candidate(*best[static_cast<std::size_t>(i)]);
+      else
+        refit_the_curve();
+    });
+    if (stopped_) return;
     sort_candidates();
     refit_what_is_simpler();
+  }
+
+  std::vector<DiagnosisCandidate*> best_to_refit() {
+    std::vector<DiagnosisCandidate*> best;
+    const double top = d_.candidates.front().ln_bayes_factor;
+    const double margin = std::max(10.0, 0.1 * std::max(top, 0.0));
+    const auto few = static_cast<std::size_t>(options_.refitted);
+    for (DiagnosisCandidate& c : d_.candidates) {
+      if (c.unnamed) continue;
+      const bool close = c.ln_bayes_factor > top - margin && best.size() < 2 * few;
+      if (c.ln_bayes_factor < 1 || (best.size() >= few && !close)) break;
+      if (!best.empty() && !close && c.ln_bayes_factor < d_.threshold) break;
+      best.push_back(&c);
+    }
+    return best;
   }
 
   /// What the best one may stand in for, though to first order it says less: a turn of degrees is not of first order.
@@ -258,7 +311,8 @@ class Work {
   }
 
   void refit_curve(const FoundCurve& curve, DiagnosisCandidate& c) {
-    const Refit r = refitted({curve.term});
+    std::vector<FitIteration> path;
+    const Refit r = refitted({curve.term}, path);
     if (stopped_ || !r.fit.converged()) return;
     const auto same =
         std::find_if(ranking_.empirical_errors.begin(), ranking_.empirical_errors.end(),
@@ -266,43 +320,45 @@ class Work {
     if (same != ranking_.empirical_errors.end()) c.unnamed = *same;
     take_refit(r, curve.ln_ways - odds_of_unnamed_, d_, noise_model_, session_, c);
     c.where = {curve.where};
-    c.path = std::move(path_);
+    c.path = std::move(path);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
   }
 
   void refit_candidate(DiagnosisCandidate& c) {
     c.terms = with_settled_orders(d_.model, c.terms, noise_model_);
     c.where = list_places(c.terms, session_);
-    Refit r = refitted(c.terms);
+    std::vector<FitIteration> path;
+    Refit r = refitted(c.terms, path);
     // Of a fit that has not ended the evidence is less than it could be; that may be more than was thought.
     const bool tells_more = r.fit.solution.normal.in_front && r.ln_bayes_factor > c.ln_bayes_factor;
     if (stopped_ || (!r.fit.converged() && !tells_more)) return;
-    drop_idle_places(r);
+    drop_idle_places(r, path);
     if (stopped_) return;
     take_refit(r, ranked(c.id).ln_best - ranked(c.id).ln_bayes_factor, d_, noise_model_, session_, c);
     c.ln_bayes_factor += ln_of_scaled_places(c, session_, r.fit);
     if (is_stand_in(c)) c.ln_bayes_factor = std::min(c.ln_bayes_factor, 0.0);
-    c.path = std::move(path_);
+    c.path = std::move(path);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;
+    const std::scoped_lock lock(one_at_a_time_);
     fits_[c.id] = std::move(r);
   }
 
   /// With a stop request asked for at every iteration.
-  Refit refitted(const std::vector<EffectTerm>& terms) {
+  Refit refitted(const std::vector<EffectTerm>& terms, std::vector<FitIteration>& path) {
     FitOptions options = d_.model_options;
-    path_.clear();
-    options.on_iteration = [this](int, double cost, const Unknowns& unknowns) {
-      path_.push_back({cost, unknowns});
+    path.clear();
+    options.on_iteration = [this, &path](int, double cost, const Unknowns& unknowns) {
+      path.push_back({cost, unknowns});
+      const std::scoped_lock lock(one_at_a_time_);
       return goes_on(done_);
     };
-    if (!ln_evidence_) ln_evidence_ = compute_ln_evidence(d_.model, noise_model_);
     Refit r = refit_with(d_.model, options, terms, noise_model_, ln_evidence_);
     r.options.on_iteration = nullptr;
     return r;
   }
 
   /// Places that the linear search took in, and that show nothing once all is fitted.
-  void drop_idle_places(Refit& r) {
+  void drop_idle_places(Refit& r, std::vector<FitIteration>& path) {
     std::vector<EffectTerm> kept;
     for (std::size_t t = r.fit.effects.size() - r.added; t < r.fit.effects.size(); ++t) {
       const FittedEffect& e = r.fit.effects[t];
@@ -315,13 +371,11 @@ class Work {
       if (z2 > 6 + 2 * numbers) kept.push_back(e.term);
     }
     if (kept.empty() || kept.size() == r.added) return;
-    const std::vector<FitIteration> path = path_;
-    Refit fewer = refitted(kept);
-    if (fewer.fit.converged() && fewer.ln_bayes_factor > r.ln_bayes_factor - ln_of_idle) {
-      r = std::move(fewer);
-    } else {
-      path_ = path;
-    }
+    std::vector<FitIteration> other_path;
+    Refit fewer = refitted(kept, other_path);
+    if (!fewer.fit.converged() || fewer.ln_bayes_factor <= r.ln_bayes_factor - ln_of_idle) return;
+    r = std::move(fewer);
+    path = std::move(other_path);
   }
 
   /// Which effects are nearly the same term on these poses, or too near in evidence.
@@ -355,11 +409,11 @@ class Work {
   Ranking ranking_;
   std::optional<Score> plain_;  // of all candidates, without scatter
   std::map<std::string, Refit> fits_;
-  std::vector<FitIteration> path_;     // of the last refit
   std::optional<double> ln_evidence_;  // of the model; absent: not asked yet
   double odds_of_unnamed_ = ln_odds_of_unnamed;
   double done_ = 0;
-  bool stopped_ = false;
+  std::atomic<bool> stopped_ = false;
+  std::mutex one_at_a_time_;  // of candidates that are fitted side by side
 };
 
 }  // namespace
@@ -372,6 +426,14 @@ Diagnosis diagnose(const Session& session, const DiagnosisOptions& options) {
   Diagnosis d = Work(sample->session, of_sample).run();
   check_on_the_others(session, *sample, d);
   return d;
+}
+
+Diagnosis diagnose_model(const Session& session, const DiagnosisOptions& options, Diagnosis model) {
+  return Work(session, options).go_on(std::move(model));
+}
+
+double threshold_of(const Session& session, const DiagnosisOptions& options, const Diagnosis& model) {
+  return Work(session, options).threshold(model);
 }
 
 }  // namespace handsight

@@ -16,6 +16,7 @@ struct DiagnosisOptions {
   int refitted = 3;                   // how many of the best are fitted in full
   bool with_held_out = true;          // their held-out errors too
   bool with_regions = true;           // FitReport::held_out_region
+  bool only_model = false;            // fitted and reported; what is missing is not asked
   bool with_curves = true;            // the best unnamed curve is fitted in full too, where it passes
   std::optional<double> threshold;    // ln of the Bayes factor that counts; absent: simulated on these poses
   std::optional<Unknowns> start;      // of a fit of nearly the same model
@@ -32,5 +33,11 @@ struct DiagnosisOptions {
 /// Of more than 4000 used observations a sample of 3000 decides (SampleCheck); DiagnosisOptions::fitted is then not
 /// read.
 Diagnosis diagnose(const Session& session, const DiagnosisOptions& options = {});
+
+/// What is missing of a model that was diagnosed with DiagnosisOptions::only_model and these options. Not of a sample.
+Diagnosis diagnose_model(const Session& session, const DiagnosisOptions& options, Diagnosis model);
+
+/// Diagnosis::threshold of such a model alone.
+double threshold_of(const Session& session, const DiagnosisOptions& options, const Diagnosis& model);
 
 }  // namespace handsight

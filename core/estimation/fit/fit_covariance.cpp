@@ -2,6 +2,8 @@
 #include "estimation/fit/fit_covariance.h"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "estimation/fit/noise.h"
@@ -164,12 +166,13 @@ static Problem without_flange_error(Problem problem) {
 }
 
 /// The sizes of the robot's error are themselves found from few poses, six numbers each, which they share: what a
-/// normal distribution would leave has Student's tails, and so much more variance.
+/// normal distribution would leave has Student's tails. Times so much variance its 95 % interval is Student's.
 static double as_few_poses_tell(const Fit& fit) {
-  constexpr double sizes = 2;
+  constexpr double sizes = 2, fewest_degrees = 3, within = 0.975;
   const double degrees =
       (6.0 * static_cast<double>(fit.problem.observations.size()) - static_cast<double>(fit.unknowns)) / sizes;
-  return degrees > 4 ? degrees / (degrees - 2) : 2;
+  const boost::math::students_t student(std::max(degrees, fewest_degrees));
+  return std::pow(boost::math::quantile(student, within) / boost::math::quantile(boost::math::normal(), within), 2);
 }
 
 Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& options, bool declared, Fit& fit) {

@@ -115,6 +115,19 @@ double held_out_squares(const Fit& fit, const FitOptions& options, double noise)
   return squares;
 }
 
+/// Few poses with exact images may be fitted best by a place far from where the robot's error leads: what is left there
+/// is no robot's. Then the size is asked for where a usual error is allowed for; nothing where none is found there
+/// either.
+std::optional<Fit> fit_of_a_usual_robot(const Session& session, Problem images, const FitOptions& options, double noise,
+                                        const Fit& fit) {
+  constexpr FlangeError usual{1e-3, 3e-3};
+  Fit again = fit;
+  images.flange_error = again.problem.flange_error = usual;
+  minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, again);
+  if (!again.solution.converged || !likely_flange_error(again.problem, again.solution).is_any()) return std::nullopt;
+  return again;
+}
+
 /// Where the hand is reported by a controller, it is part of the measurements and may be what errs: its error's size
 /// follows from the solution, and the solution from it. Where noise alone is left nothing changes, nor where a robot
 /// with joints predicts images worse with it: then what is left is no scatter, but follows what the model lacks.
@@ -135,7 +148,12 @@ void settle_flange_error(const Session& session, Problem& images, const FitOptio
   fill_motions(fit.problem);
   fill_motions(images);
   for (int round = 0; round < most_rounds && fit.solution.converged && !fit.solution.stopped; ++round) {
-    const FlangeError likely = likely_flange_error(fit.problem, fit.solution);
+    FlangeError likely = likely_flange_error(fit.problem, fit.solution);
+    if (round == 0 && !likely.is_any() && !has_joints)
+      if (auto usual = fit_of_a_usual_robot(session, images, options, noise, fit)) {
+        fit = std::move(*usual);
+        likely = likely_flange_error(fit.problem, fit.solution);
+      }
     if (round == 0 && !likely.is_any() && has_joints) images.noise = fit.problem.noise = before;
     if (is_about(likely, images.flange_error)) break;
     images.flange_error = fit.problem.flange_error = likely;

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
+
+#include "base/threads.h"
 
 namespace handsight {
 namespace {
@@ -26,13 +29,18 @@ std::optional<Unknowns> better_effects(const Problem& problem, const Solution& f
   quick.least_gain = 1e-4 * found.normal.cost / std::max(found.normal.rows, 1);
   quick.reuse_below = 1e-3;
   std::mt19937_64 random(1);
+  std::vector<Unknowns> starts;
+  for (int i = 0; i < draws; ++i) starts.push_back(drawn(problem, found.unknowns, random));
+  std::vector<Solution> ends(starts.size());
+  each_part(draws, true, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    Problem there = problem;
+    set_effects(there, starts[at].effects);
+    ends[at] = solve(there, starts[at], quick);
+  });
   std::optional<Unknowns> best;
   double least = (1 - clearly) * found.normal.cost;
-  for (int i = 0; i < draws; ++i) {
-    Problem there = problem;
-    const Unknowns start = drawn(problem, found.unknowns, random);
-    set_effects(there, start.effects);
-    const Solution s = solve(there, start, quick);
+  for (const Solution& s : ends) {
     if (!s.normal.in_front || !(s.normal.cost < least)) continue;
     least = s.normal.cost;
     best = s.unknowns;
