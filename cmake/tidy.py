@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over core, the window, its widgets and the command line, where something changed since it last found
-nothing; findings are errors.
+"""clang-tidy over core and the command line, where something changed since it last found nothing; findings are errors.
 
   cmake/tidy.py                looks at everything that it has not passed in this build folder
   cmake/tidy.py --seconds 60  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
@@ -25,8 +24,7 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 most_joined = 16  # sources at a time
-sources_in = [root / "core", root / "app", root / "widgets"]
-roots = [root, root / "core", root / "app", root / "app" / "cli"]  # as the compiler finds headers
+roots = [root / "core", root / "app" / "cli"]  # as the compiler finds headers
 
 
 def header(name, beside):
@@ -51,7 +49,7 @@ def digest(source):
 
 
 def now():
-    sources = sorted(p for r in sources_in for p in r.rglob("*.cpp"))
+    sources = sorted(p for r in roots for p in r.rglob("*.cpp"))
     return {str(s.relative_to(root)): digest(s) for s in sources}
 
 
