@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/error.h"
 #include "base/threads.h"
@@ -136,9 +137,10 @@ std::vector<Mend> Trials::singles() const {
   return all;
 }
 
-/// The best few beside every other one; turned joints and poses, of which two are often wrong at once, all of them.
+/// The best few beside every other one; turned joints and poses, of which two are often wrong at once, all of them. Of
+/// a robot of very many joints the likeliest: most_pairs bounds what a search costs.
 std::vector<std::vector<Mend>> Trials::pairs(const std::vector<Trial>& singles) const {
-  constexpr std::size_t followed = 4;
+  constexpr std::size_t followed = 4, most_pairs = 1500;
   std::vector<const Trial*> best;
   for (const Trial& t : singles) best.push_back(&t);
   std::stable_sort(best.begin(), best.end(), [](const Trial* a, const Trial* b) { return a->left() < b->left(); });
@@ -153,16 +155,28 @@ std::vector<std::vector<Mend>> Trials::pairs(const std::vector<Trial>& singles) 
   const auto often_twice = [](const Mend& a, const Mend& b) {
     return (a.kind->id == "joint_sense" && b.kind->id == "joint_sense") || (a.kind->of_poses && b.kind->of_poses);
   };
-  std::vector<std::vector<Mend>> all;
+  std::map<const Trial*, std::size_t> locate;
+  for (std::size_t i = 0; i < best.size(); ++i) locate[best[i]] = i;
+  struct Pair {
+    std::vector<Mend> mends;
+    std::size_t order;  // of promise
+  };
+  std::vector<Pair> all;
   for (std::size_t i = 0; i < singles.size(); ++i)
     for (std::size_t j = i + 1; j < singles.size(); ++j) {
       Mend a = singles[i].mends[0], b = singles[j].mends[0];
       if (collide(a, b) || !(leads(singles[i]) || leads(singles[j]) || often_twice(a, b))) continue;
       for (Mend* m : {&a, &b})
         if (m->kind->settle) m->where = m->where.substr(0, m->where.find('='));
-      all.push_back({a, b});
+      all.push_back({{a, b}, often_twice(a, b) ? 0 : locate.at(&singles[i]) + locate.at(&singles[j])});
     }
-  return all;
+  if (all.size() > most_pairs) {
+    std::stable_sort(all.begin(), all.end(), [](const Pair& a, const Pair& b) { return a.order < b.order; });
+    all.resize(most_pairs);
+  }
+  std::vector<std::vector<Mend>> pairs;
+  for (Pair& p : all) pairs.push_back(std::move(p.mends));
+  return pairs;
 }
 
 std::vector<Trial> Trials::run(const std::function<bool(double)>& goes_on) {

@@ -61,7 +61,18 @@ TEST(FlangeError, WeighsTheRobotAsItErrs) {
                  .squaredNorm();
   }
   EXPECT_LT(weighed, 0.5 * plain);
-  EXPECT_GT(inside, 0.88 * numbers);
+  EXPECT_GT(inside, 0.9 * numbers);
+}
+
+/// Where few poses are fitted best, pixel by pixel, far from where the robot's error leads, its size is found all the
+/// same.
+TEST(FlangeError, OfARobotThatErrsMuchIsFoundFromFewPoses) {
+  for (const std::uint64_t seed : {109, 111, 112, 132, 146}) {
+    const fixture::HandEye h = fixture::hand_eye({.poses = 4, .place = 3e-3, .turn = 9e-3, .seed = seed});
+    const Fit f = fit(h.session);
+    EXPECT_TRUE(f.problem.flange_error.is_any()) << seed;
+    EXPECT_LT(compute_error(h, f).head<3>().norm(), 0.035) << seed;  // 0.04 to 0.12 m where pixels count alike
+  }
 }
 
 /// Elimination against the same sum with the motions as unknowns.
@@ -143,7 +154,7 @@ TEST(FlangeError, OfJointsIsWeighed) {
       numbers += 6;
     }
     EXPECT_LT(weighed, 0.8 * plain);
-    EXPECT_GT(inside, 0.88 * numbers);
+    EXPECT_GT(inside, 0.9 * numbers);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "diagnosis/verdict/sampled.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/report/fit_report.h"
 
 namespace handsight {
 namespace {
@@ -269,10 +270,32 @@ class Improving {
     conclude(excess, refused_, m_);
     m_.inclusion_probabilities = certain();
     m_.bill = with_inclusion_probabilities(std::move(m_.bill), m_.inclusion_probabilities);
+    weigh_the_robots_error();
     return std::move(m_);
   }
 
  private:
+  /// What is missing was asked of fits in which every pixel counts alike, so that it does not pass for the robot's
+  /// error from pose to pose. Where such an error is what is left, the answer is that of a fit that weighs it, as fit()
+  /// does.
+  void weigh_the_robots_error() {
+    Diagnosis& d = m_.last;
+    if (!session_.rig || has_no_answer(d.model.fit)) return;
+    FitOptions o = d.model_options;
+    o.smallest_step = FitOptions{}.smallest_step;
+    Fit weighed = fit(d.model.session, o);
+    if (!weighed.converged() || !weighed.problem.flange_error.is_any()) return;
+    d.model.fit = std::move(weighed);
+    d.report = report(d.model.session, d.model.fit, o);
+    set_errors_elsewhere(d);
+    const ImprovementStep now = find_step(d);
+    ImprovementStep& last = m_.steps.back();
+    last.fitted = now.fitted;
+    last.held_out = now.held_out;
+    last.held_out_region = now.held_out_region;
+    last.held_out_session = now.held_out_session;
+  }
+
   /// False where nothing is left, or it was stopped.
   bool one_more() {
     if (options_.on_step && !options_.on_step(m_.steps.back())) {

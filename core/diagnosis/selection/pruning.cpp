@@ -7,6 +7,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/verdict/diagnosis.h"
 
@@ -104,6 +105,19 @@ class Upkeep {
     for (std::size_t t = 0; t < o.estimated.size(); ++t)
       o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
     return {std::move(without), std::move(o)};
+  }
+
+  /// A model with something that was not there is judged by its error elsewhere too: what was refused for that does not
+  /// come in another's place.
+  bool take_instead(Diagnosis next, const std::string& removed) {
+    if (!next.stopped && held_out_error(next) <= most_) {
+      set_errors_elsewhere(*change_.model);
+      if (!worse_elsewhere(*change_.model, next).empty()) {
+        ++change_.models;
+        return false;
+      }
+    }
+    return take(std::move(next), removed);
   }
 
   /// The model in place of the present one, where it does not lift the held-out error; the step says what went.
@@ -236,7 +250,7 @@ class Upkeep {
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
                fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
-    take(model_from(session_, options_, all, std::nullopt, most_), "");
+    take_instead(model_from(session_, options_, all, std::nullopt, most_), "");
   }
 
   void look_for_curve(std::size_t first, std::size_t last) {

@@ -211,6 +211,20 @@ TEST(Improvement, FindsTwoEffectsAndStopsAtTheNoise) {
     EXPECT_LT(*m.steps[i].held_out.rms_pixel, *m.steps[i - 1].held_out.rms_pixel);
 }
 
+TEST(Improvement, EndsWhereItsBudgetIsSpentAndSaysSo) {
+  const Session session =
+      simulated({{"joint_elasticity", 1, {1e-4}}, {"encoder_eccentricity", 0, {1.5e-3, 1e-3}}}, 12, 60);
+  ImprovementOptions options;
+  options.most_models = 2;
+  const Improvement m = improve(session, options), whole = improve(session);
+  EXPECT_TRUE(m.is_budget_spent);
+  EXPECT_EQ(m.most_models, 2);
+  EXPECT_EQ(m.steps.size(), 2u);
+  EXPECT_FALSE(whole.is_budget_spent);
+  EXPECT_GT(whole.models, m.models);
+  EXPECT_LT(whole.models, whole.most_models);
+}
+
 TEST(Improvement, IsTheSameBitByBitHoweverManyThreadsThereAre) {
   const Session session =
       simulated({{"joint_elasticity", 1, {1e-4}}, {"encoder_eccentricity", 0, {1.5e-3, 1e-3}}}, 12, 60);
