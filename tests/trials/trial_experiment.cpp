@@ -311,7 +311,7 @@ void try_months(int count, std::uint64_t first) {
 }
 
 void try_changes(int count, std::uint64_t first) {
-  std::map<std::string, std::array<int, 3>> tallies;  // all, seen, named
+  std::map<std::string, std::array<int, 4>> tallies;  // all, seen, named, or said not to be distinguished
   for (int i = 0; i < count; ++i) {
     const Watched w = watched(first + 500 + static_cast<std::uint64_t>(i));
     std::mt19937_64 random(first + static_cast<std::uint64_t>(i));
@@ -345,15 +345,18 @@ void try_changes(int count, std::uint64_t first) {
       auto& tally = tallies[kind];
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
-      tally[2] += last->changed && last->what == term.id &&
-                          (term.joint < 0 || last->where == place_name(term_effect(term), term.joint, chain.robot))
-                      ? 1
-                      : 0;
+      const auto& others = last->indistinguishable_from;
+      const bool is_tied = std::find(others.begin(), others.end(), term.id) != others.end();
+      const bool is_named = last->what == term.id &&
+                            (term.joint < 0 || last->where == place_name(term_effect(term), term.joint, chain.robot));
+      tally[2] += last->changed && is_named ? 1 : 0;
+      tally[3] += last->changed && (is_named || is_tied) ? 1 : 0;
     }
   }
   for (const auto& [kind, tally] : tallies)
-    fmt::print("{:<28} {} changes after ten checks: seen within five poses {}, named right {}\n", kind, tally[0],
-               tally[1], tally[2]);
+    fmt::print(
+        "{:<28} {} changes after ten checks: seen within five poses {}, named right {}, or as not told apart {}\n",
+        kind, tally[0], tally[1], tally[2], tally[3]);
 }
 
 int run(int argc, char** argv) {
