@@ -18,7 +18,8 @@ namespace {
 
 constexpr double same_pose = 5e-3;         // rad (m)
 constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
-constexpr double change_scale = 3;         // prior sigmas that a change is held at while its size is reported
+constexpr double ln_20 = 2.995732273553991;
+constexpr double change_scale = 3;  // prior sigmas that a change is held at while its size is reported
 
 /// What observations of one pose say. Columns: the shared unknowns, the changes, six of the pose's own motion.
 struct PoseSums {
@@ -146,7 +147,8 @@ struct ChangeWatch::Parts {
   std::size_t locate(const Eigen::VectorXd& position, const Matrix6& repeatability);
   Start start_at(std::size_t number, const Normal& normal) const;
   std::vector<Start> starts() const;
-  double mixture(const std::vector<double>& evidence, std::string* group = nullptr) const;
+  std::map<std::string, double> by_group(const std::vector<double>& evidence) const;
+  double mixture(const std::vector<double>& evidence) const;
   WatchedChange measure_size(std::size_t unit, const Start& start) const;
   WatchStep reported(const std::vector<Start>& starts) const;
 };
@@ -205,18 +207,22 @@ std::size_t ChangeWatch::Parts::locate(const Eigen::VectorXd& position, const Ma
   return poses.size() - 1;
 }
 
-/// The evidence of every group is the mean over its places, that of all the mean over the groups.
-double ChangeWatch::Parts::mixture(const std::vector<double>& evidence, std::string* best) const {
+/// By group, the mean over its places, with what it is likely beforehand.
+std::map<std::string, double> ChangeWatch::Parts::by_group(const std::vector<double>& evidence) const {
   std::map<std::string, std::vector<double>> groups;
   for (std::size_t u = 0; u < units.size(); ++u) groups[units[u].group].push_back(evidence[u]);
+  std::map<std::string, double> ln_of;
+  for (const auto& [group, all] : groups) ln_of[group] = ln_mean_exp(all) + ln_prior_odds(group);
+  return ln_of;
+}
+
+/// The mean over the groups.
+double ChangeWatch::Parts::mixture(const std::vector<double>& evidence) const {
   std::vector<double> of_groups;
-  double most = -1e300, weights = 0;
-  for (const auto& [group, all] : groups) {
+  double weights = 0;
+  for (const auto& [group, ln] : by_group(evidence)) {
     weights += std::exp(ln_prior_odds(group));
-    const double ln = ln_mean_exp(all) + ln_prior_odds(group);
     of_groups.push_back(ln);
-    if (best && ln > most) *best = group;
-    most = std::max(most, ln);
   }
   return ln_mean_exp(of_groups) + std::log(static_cast<double>(of_groups.size()) / weights);
 }
@@ -298,7 +304,12 @@ WatchStep ChangeWatch::Parts::reported(const std::vector<Start>& all) const {
   }
   step.ln_e_value = ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
   const Start& start = all[best];
-  mixture(start.evidence, &step.what);
+  const std::map<std::string, double> groups = by_group(start.evidence);
+  const auto likeliest =
+      std::max_element(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  step.what = likeliest->first;
+  for (const auto& [group, ln] : groups)
+    if (group != step.what && ln > likeliest->second - ln_20) step.indistinguishable_from.push_back(group);
   std::size_t unit = units.size();
   for (std::size_t u = 0; u < units.size(); ++u)
     if (units[u].group == step.what && (unit == units.size() || start.evidence[u] > start.evidence[unit])) unit = u;
@@ -307,6 +318,9 @@ WatchStep ChangeWatch::Parts::reported(const std::vector<Start>& all) const {
   step.sigma = step.each[unit].sigma;
   step.where = units[unit].where;
   step.text = change_text(units[unit], step.terms, step.sigma, *chain);
+  if (!step.indistinguishable_from.empty() && step.ln_e_value > 0)
+    step.text +=
+        message("; or it is {}, which these poses do not tell apart.", fmt::join(step.indistinguishable_from, " or "));
   return step;
 }
 

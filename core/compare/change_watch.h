@@ -19,14 +19,15 @@ struct WatchedChange {
 
 /// What is said after one more observation.
 struct WatchStep {
-  double ln_e_value = 0;            // ln of the e-value: evidence that something has changed, at some time so far
-  bool changed = false;             // an e-value of 1000 or more has been reached, now or before
-  std::string what;                 // id of the likeliest change, as compare names it
-  std::string where;                // joint or marker; empty: it has no place
-  std::vector<EffectTerm> terms;    // with its size
-  Eigen::VectorXd sigma;            // of the numbers that are no choices, in their order
-  Message text;                     // "The camera turned by ... on its mount"
-  std::vector<WatchedChange> each;  // of all changes, from when the likeliest may have come
+  double ln_e_value = 0;  // ln of the e-value: evidence that something has changed, at some time so far
+  bool changed = false;   // an e-value of 1000 or more has been reached, now or before
+  std::string what;       // id of the likeliest change, as compare names it
+  std::string where;      // joint or marker; empty: it has no place
+  std::vector<std::string> indistinguishable_from;  // other ids that explain it nearly as well (odds below 20)
+  std::vector<EffectTerm> terms;                    // with its size
+  Eigen::VectorXd sigma;                            // of the numbers that are no choices, in their order
+  Message text;                                     // "The camera turned by ... on its mount"
+  std::vector<WatchedChange> each;                  // of all changes, from when the likeliest may have come
 };
 
 struct WatchOptions {

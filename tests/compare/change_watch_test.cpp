@@ -102,6 +102,23 @@ TEST(ChangeWatch, AnOffsetOfAJointIsNamedWithItsSize) {
   EXPECT_EQ(last->what, "joint_offset") << last->text;
   EXPECT_EQ(last->where, "a2");
   EXPECT_NEAR(last->terms[0].values[0], 0.002, 4 * last->sigma[0] + 1e-4);
+  EXPECT_THAT(last->indistinguishable_from, testing::IsEmpty());
+}
+
+/// Of a single marker it is the same whether it slipped or the body that it is.
+TEST(ChangeWatch, WhatCannotBeToldApartIsSaidSo) {
+  const Calibrated c = calibrated(fixture::tracker_session(1), 9);
+  std::vector<EffectTerm> slip;
+  add_effect_value("body_slip:x=0.003", c.session.robot, slip);
+  ChangeWatch watch(c.robot);
+  const Session after = rechecked(c, 1, slip, 4);
+  std::optional<WatchStep> last;
+  for (const Observation& o : after.observations) last = watch.add(after, o);
+  EXPECT_TRUE(last->changed);
+  std::vector<std::string> named = last->indistinguishable_from;
+  named.push_back(last->what);
+  EXPECT_THAT(named, testing::IsSupersetOf({"body_slip", "marker_slip"})) << last->text;
+  EXPECT_THAT(last->text.english(), testing::HasSubstr("do not tell apart"));
 }
 
 TEST(ChangeWatch, WhatShowsNothingIsNoStep) {

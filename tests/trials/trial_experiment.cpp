@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_experiment robots COUNT SEED: simulated robots from a rough start, one hidden cause or none; how many poses the
+// trial_experiment robots COUNT SEED [FROM]: simulated robots from a rough start, one hidden cause or none; how many
+// poses the
 //   loop needs for odds of 20, and how many random ones do that can be reached and seen; how well the hand is known
 //   beside poses chosen with the truth known.
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
@@ -138,10 +139,10 @@ double shown_by(const Case& c) {
   return rows * std::pow(fit(session).residual_rms / trials::sigma, 2);
 }
 
-void try_robots(int count, std::uint64_t first) {
+void try_robots(int count, std::uint64_t first, int from) {
   std::vector<double> of_causes, of_none, hands, choices;  // poses by the loop over random ones; the rest
   std::map<std::string, std::array<int, 3>> named;         // all, right by the loop, right by random poses
-  for (int i = 0; i < count; ++i) {
+  for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
     const Case c = drawn_case(i, seed);
     const auto start = Clock::now();
@@ -310,7 +311,7 @@ void try_months(int count, std::uint64_t first) {
 }
 
 void try_changes(int count, std::uint64_t first) {
-  std::map<std::string, std::array<int, 3>> tallies;  // all, seen, named
+  std::map<std::string, std::array<int, 4>> tallies;  // all, seen, named, or said not to be distinguished
   for (int i = 0; i < count; ++i) {
     const Watched w = watched(first + 500 + static_cast<std::uint64_t>(i));
     std::mt19937_64 random(first + static_cast<std::uint64_t>(i));
@@ -344,15 +345,18 @@ void try_changes(int count, std::uint64_t first) {
       auto& tally = tallies[kind];
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
-      tally[2] += last->changed && last->what == term.id &&
-                          (term.place < 0 || last->where == place_name(term_effect(term), term.place, chain.robot))
-                      ? 1
-                      : 0;
+      const auto& others = last->indistinguishable_from;
+      const bool is_tied = std::find(others.begin(), others.end(), term.id) != others.end();
+      const bool is_named = last->what == term.id &&
+                            (term.place < 0 || last->where == place_name(term_effect(term), term.place, chain.robot));
+      tally[2] += last->changed && is_named ? 1 : 0;
+      tally[3] += last->changed && (is_named || is_tied) ? 1 : 0;
     }
   }
   for (const auto& [kind, tally] : tallies)
-    fmt::print("{:<28} {} changes after ten checks: seen within five poses {}, named right {}\n", kind, tally[0],
-               tally[1], tally[2]);
+    fmt::print(
+        "{:<28} {} changes after ten checks: seen within five poses {}, named right {}, or as not told apart {}\n",
+        kind, tally[0], tally[1], tally[2], tally[3]);
 }
 
 int run(int argc, char** argv) {
@@ -360,7 +364,7 @@ int run(int argc, char** argv) {
   const int count = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "robots")
-    try_robots(count, seed);
+    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0);
   else if (what == "ways")
     try_ways(count, seed);
   else if (what == "months")

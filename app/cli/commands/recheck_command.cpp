@@ -60,6 +60,7 @@ Json step_json(const Observation& o, const WatchStep& step) {
           {"changed", step.changed},
           {"what", step.what},
           {"where", step.where},
+          {"cannot_be_told_from", step.indistinguishable_from},
           {"text", step.text},
           {"size", size_json(step)}};
 }

@@ -25,6 +25,9 @@ std::vector<PlannedMove> Experiment::next_moves() {
   ChoiceOptions choice;
   choice.count = options_.batch;
   if (options_.until.count) choice.count = std::min(choice.count, *options_.until.count - result_.observations);
+  // No more than the first diagnosis needs.
+  if (const std::size_t used = result_.known.used; used < least_to_diagnose)
+    choice.count = std::min(choice.count, static_cast<int>(least_to_diagnose - used));
   choice.with_repeat = batches_ % 2 == 1;
   choice.seed = options_.seed + 1000 * static_cast<std::uint64_t>(batches_ + session_.observations.size());
   ++batches_;

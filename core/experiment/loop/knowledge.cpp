@@ -11,8 +11,7 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t least_to_diagnose = 10;  // observations
-constexpr double least_visible = 30;           // DiagnosisCandidate::visibility
+constexpr double least_visible = 30;  // DiagnosisCandidate::visibility
 constexpr double ln_20 = 2.995732273553991;
 constexpr double probability = 0.95;
 constexpr double worth_showing = 1;  // ln Bayes factor from which on a candidate is measured for

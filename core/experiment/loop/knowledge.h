@@ -31,6 +31,8 @@ struct SettledCause {
   double odds = 1;
 };
 
+inline constexpr std::size_t least_to_diagnose = 10;  // used observations
+
 struct Knowledge {
   std::size_t used = 0;                       // observations
   std::optional<Fit> fit;                     // nothing where too little is known for one
