@@ -148,7 +148,7 @@ ExperimentOptions options_of(const ExperimentArguments& o, const Session& sessio
   options.on_plan = [&o](const std::vector<PlannedMove>& moves) { print_plan(o, moves); };
   options.on_step = [&o](const ExperimentStep& step) { print_step(o, step); };
   options.on_knowledge = [&o](const Knowledge& known) { print_knowledge(o, known); };
-  options.on_note = [](const std::string& text) { Output::note(text); };
+  options.on_note = [](const Message& text) { Output::note(text); };
   options.is_interrupted = [] { return is_stopped.load(); };
   return options;
 }

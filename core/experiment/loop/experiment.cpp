@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "diagnosis/verdict/explanation.h"
 #include "experiment/loop/deciding.h"
 #include "experiment/loop/driven_joints.h"
 #include "experiment/loop/forecast.h"
@@ -40,14 +41,15 @@ Message reached_text(const Goals& until, const ExperimentResult& result) {
                             "the hand is known to {} mm (95 %).",
                             hand)
                       : Message("What was asked for is reached: nothing is missing that these poses could show.");
-  Message cause = verbatim(result.settled->id);
-  if (!result.settled->where.empty()) cause = message("{} of {}", cause, result.settled->where.front());
-  return until.hand
-             ? message(
-                   "What was asked for is reached: {} is missing (odds of {:.3g}), and the hand is known "
-                   "to {} mm (95 %).",
-                   cause, result.settled->odds, hand)
-             : message("What was asked for is reached: {} is missing (odds of {:.3g}).", cause, result.settled->odds);
+  const Effect* const effect = find_effect(result.settled->id);
+  Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
+  if (!result.settled->where.empty()) cause = message("{} ({})", cause, listed_places(result.settled->where));
+  return until.hand ? message(
+                          "What was asked for is reached. What is missing: {}, by odds of {:.3g}; the hand is known to "
+                          "{} mm (95 %).",
+                          cause, result.settled->odds, hand)
+                    : message("What was asked for is reached. What is missing: {}, by odds of {:.3g}.", cause,
+                              result.settled->odds);
 }
 
 class Experiment {
@@ -95,7 +97,7 @@ class Experiment {
   void finish();
 
   bool is_interrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
-  void note(const std::string& text) const {
+  void note(const Message& text) const {
     if (options_.on_note) options_.on_note(text);
   }
   Session session_;
