@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The widgets of the comparison.
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -94,6 +95,23 @@ QWidget* ComparePage::make_lists() {
   return lists;
 }
 
+QWidget* ComparePage::make_which() {
+  which_ = new QWidget(body_);
+  auto* row = new QHBoxLayout(which_);
+  row->setContentsMargins(0, 0, 0, 4);
+  row->setSpacing(8);
+  for (std::size_t i = 0; i < shown_sides_.size(); ++i) {
+    row->addWidget(new QLabel(i == 0 ? tr("Plots before:") : tr("after:"), which_));
+    shown_sides_[i] = new QComboBox(which_);
+    shown_sides_[i]->setObjectName(i == 0 ? "compare_before" : "compare_after");
+    shown_sides_[i]->setAccessibleName(i == 0 ? tr("Session before") : tr("Session after"));
+    shown_sides_[i]->setFocusPolicy(Qt::StrongFocus);
+    row->addWidget(shown_sides_[i]);
+  }
+  row->addStretch(1);
+  return which_;
+}
+
 QWidget* ComparePage::make_clouds() {
   cloud_ = new widgets::ResidualCloud;
   cloud_->setObjectName("compare_cloud");
@@ -159,8 +177,8 @@ void ComparePage::make_layout() {
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     verdict->addWidget(label);
   }
-  empty_ = new QLabel(tr("Choose a second session of this robot, or a calibration that was exported for it: what has "
-                         "changed is told here, and both are shown by the same plots."),
+  empty_ = new QLabel(tr("Choose another session of this robot, or several, or a calibration that was exported for it: "
+                         "what has changed is told here, and two are shown by the same plots."),
                       this);
   empty_->setObjectName("compare_empty");
   empty_->setAlignment(Qt::AlignCenter);
@@ -171,13 +189,19 @@ void ComparePage::make_layout() {
   body_ = new QSplitter(Qt::Horizontal, this);
   body_->setChildrenCollapsible(false);
   body_->addWidget(make_lists());
-  tabs_ = new QTabWidget(body_);
+  auto* right = new QWidget(body_);
+  auto* plots = new QVBoxLayout(right);
+  plots->setContentsMargins(0, 0, 0, 0);
+  plots->setSpacing(0);
+  plots->addWidget(make_which());
+  tabs_ = new QTabWidget(right);
+  plots->addWidget(tabs_, 1);
   tabs_->setObjectName("compare_tabs");
   tabs_->setDocumentMode(true);
   tabs_->addTab(make_clouds(), tr("Residuals"));
   tabs_->addTab(make_convergence(), tr("Convergence"));
   tabs_->addTab(make_patterns(), tr("Where it fails"));
-  body_->addWidget(tabs_);
+  body_->addWidget(right);
   body_->setStretchFactor(0, 0);
   body_->setStretchFactor(1, 1);
   body_->setSizes({380, 840});

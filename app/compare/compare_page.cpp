@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/compare_page.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QLabel>
@@ -18,11 +19,18 @@
 #include "widgets/explain/residual_cloud.h"
 #include "words/core_words.h"
 #include "workbench/observation_views.h"
+#include "workbench/session_parts.h"
 
 namespace handsight::app {
 namespace {
 
 constexpr double much = 4;  // sigmas beyond which a number counts as another one
+
+QTableWidgetItem* head_cell(const QString& text) {
+  auto* item = new QTableWidgetItem(text);
+  item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return item;
+}
 
 QTableWidgetItem* cell(const QString& text, bool is_number) {
   auto* item = new QTableWidgetItem(text);
@@ -84,6 +92,14 @@ ComparePage::ComparePage(Workbench& workbench, QWidget* parent) : Workspace(work
   connect(swap_, &QPushButton::clicked, this, &ComparePage::swap);
   connect(again_, &QPushButton::clicked, this, &ComparePage::start);
   connect(close_, &QPushButton::clicked, this, &ComparePage::close_requested);
+  for (QComboBox* box : shown_sides_)
+    connect(box, &QComboBox::activated, this,
+            [this] { show_sides(shown_sides_[0]->currentIndex(), shown_sides_[1]->currentIndex()); });
+  connect(changes_, &QTableWidget::cellClicked, this, [this](int row) {
+    const auto at = static_cast<std::size_t>(row);
+    if (several_ && at < sides_of_rows_.size() && sides_of_rows_[at][0] >= 0)
+      show_sides(sides_of_rows_[at][0], sides_of_rows_[at][1]);
+  });
   connect(&workbench.document, &Document::opened, this, &ComparePage::clear);
   connect(&workbench.document, &Document::closed, this, &ComparePage::clear);
   for (auto signal : {&Document::settings_changed, &Document::model_changed})
@@ -99,6 +115,7 @@ ComparePage::ComparePage(Workbench& workbench, QWidget* parent) : Workspace(work
     is_running_ = false;
     is_stopped_ = true;
     pair_.reset();
+    several_.reset();
     refresh();
   });
   refresh();
@@ -110,9 +127,10 @@ void ComparePage::activate() {
 }
 
 void ComparePage::clear() {
-  other_.clear();
-  other_is_later_ = false;
+  others_.clear();
+  is_chosen_ = other_is_later_ = false;
   pair_.reset();
+  several_.reset();
   is_running_ = is_stopped_ = false;
   verdict_ = Verdict::none;
   said_->clear();
@@ -122,48 +140,82 @@ void ComparePage::clear() {
 }
 
 void ComparePage::choose() {
-  auto* dialog = new QFileDialog(this, tr("Compare with another session or a calibration"),
+  if (is_joined(workbench_.document.session())) return compare_with(std::vector<std::filesystem::path>{});
+  auto* dialog = new QFileDialog(this, tr("Compare with other sessions or a calibration"),
                                  QString::fromStdString(folder(workbench_.document.session()).parent_path().string()),
                                  tr("Sessions and calibrations (*.xml)"));
   dialog->setObjectName("compare_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { compare_with(file.toStdString()); });
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
+    std::vector<std::filesystem::path> others;
+    for (const QString& file : files) others.emplace_back(file.toStdString());
+    std::sort(others.begin(), others.end());
+    compare_with(std::move(others));
+  });
   dialog->open();
 }
 
-void ComparePage::compare_with(const std::filesystem::path& other) {
-  other_ = other;
+void ComparePage::compare_with(std::vector<std::filesystem::path> others) {
+  others_ = std::move(others);
+  is_chosen_ = true;
   other_is_later_ = false;
   pair_.reset();
+  several_.reset();
   start();
 }
 
 void ComparePage::swap() {
+  if (several_) return show_sides(shown_sides_[1]->currentIndex(), shown_sides_[0]->currentIndex());
   other_is_later_ = !other_is_later_;
   start();
 }
 
 void ComparePage::start() {
-  if (!workbench_.document.is_open() || other_.empty()) return;
-  const Document& d = workbench_.document;
-  const ComparisonTask task{d.shared_session(), d.settings(), d.model(), other_, other_is_later_};
-  const std::int64_t revision = d.revision();
+  if (!workbench_.document.is_open() || !is_chosen_) return;
   is_running_ = true;
   is_stopped_ = false;
+  others_.size() == 1 && !is_joined(workbench_.document.session()) ? start_pair() : start_several();
+  refresh();
+}
+
+void ComparePage::start_pair() {
+  const Document& d = workbench_.document;
+  const ComparisonTask task{d.shared_session(), d.settings(), d.model(), others_.front(), other_is_later_};
   workbench_.explaining.start<std::shared_ptr<const ComparedPair>>(
-      "comparison", tr("Comparing with %1").arg(QString::fromStdString(other_.string())),
+      "comparison", tr("Comparing with %1").arg(others_text()),
       [task](JobControl& control) { return std::make_shared<const ComparedPair>(compare_pair(task, control)); },
-      [this, revision](const std::shared_ptr<const ComparedPair>& pair) {
+      [this, revision = d.revision()](const std::shared_ptr<const ComparedPair>& pair) {
         revision_ = revision;
         show_pair(pair);
       },
-      [this](const QString& sentence) {
-        is_running_ = false;
-        pair_.reset();
-        show_sentence(sentence, true);
-      });
-  refresh();
+      [this](const QString& sentence) { failed(sentence); });
+}
+
+void ComparePage::start_several() {
+  const Document& d = workbench_.document;
+  const SeveralTask task{d.shared_session(), d.settings(), others_};
+  workbench_.explaining.start<std::shared_ptr<const ComparedSeveral>>(
+      "comparison", others_.empty() ? tr("Comparing the sessions") : tr("Comparing with %1").arg(others_text()),
+      [task](JobControl& control) { return std::make_shared<const ComparedSeveral>(compare_several(task, control)); },
+      [this, revision = d.revision()](const std::shared_ptr<const ComparedSeveral>& several) {
+        revision_ = revision;
+        show_several(several);
+      },
+      [this](const QString& sentence) { failed(sentence); });
+}
+
+void ComparePage::failed(const QString& sentence) {
+  is_running_ = false;
+  pair_.reset();
+  several_.reset();
+  show_sentence(sentence, true);
+}
+
+QString ComparePage::others_text() const {
+  QStringList names;
+  for (const std::filesystem::path& other : others_) names << QString::fromStdString(other.string());
+  return names.join(", ");
 }
 
 void ComparePage::show_sentence(const QString& sentence, bool is_refusal) {
@@ -175,6 +227,7 @@ void ComparePage::show_sentence(const QString& sentence, bool is_refusal) {
 
 void ComparePage::show_pair(std::shared_ptr<const ComparedPair> pair) {
   is_running_ = false;
+  several_.reset();
   pair_ = std::move(pair);
   const Comparison& c = pair_->comparison;
   const bool is_same = c.verdict == ComparisonVerdict::unchanged;
@@ -202,17 +255,18 @@ void ComparePage::refresh() {
   empty_->setVisible(!has_other());
   choose_first_->setVisible(!has_other());
   body_->setVisible(has_pair);
-  choose_->setVisible(has_other());
   swap_->setVisible(has_pair);
   again_->setVisible(has_other() && !is_running_);
   swap_->setEnabled(has_pair && !pair_->before.is_calibration());
+  which_->setVisible(has_pair && several_);
+  choose_->setVisible(has_other() && !(workbench_.document.is_open() && is_joined(workbench_.document.session())));
   swap_->setToolTip(has_pair && pair_->before.is_calibration()
                         ? tr("A calibration is always the earlier one")
                         : tr("The earlier one is the later one, and the other way round"));
   tint();
   refresh_names();
   if (!has_pair) return;
-  refresh_lists();
+  several_ ? refresh_several_lists() : refresh_lists();
   refresh_clouds();
   refresh_convergence();
   refresh_patterns();
@@ -220,12 +274,18 @@ void ComparePage::refresh() {
 
 void ComparePage::refresh_names() {
   if (!pair_ || is_running_) {
-    names_->setText(has_other() ? tr("Compared with %1").arg(QString::fromStdString(other_.string()))
-                                : tr("Compare with another session"));
+    names_->setText(!has_other()      ? tr("Compare with another session")
+                    : others_.empty() ? tr("The sessions of this collection, compared")
+                                      : tr("Compared with %1").arg(others_text()));
     return;
   }
   const bool is_stale = workbench_.document.is_open() && revision_ != workbench_.document.revision();
   QString names = tr("Before: %1. After: %2.").arg(pair_->before.name, pair_->after.name);
+  if (several_) {
+    QStringList all;
+    for (const ComparedSide& side : several_->sides) all << side.name;
+    names = tr("In order of time: %1.").arg(all.join(", "));
+  }
   if (is_stale) names += ' ' + tr("The open session has changed since.");
   names_->setText(names);
   names_->setToolTip(QString::fromStdString(pair_->before.file.string() + "\n" + pair_->after.file.string()));
@@ -235,6 +295,7 @@ void ComparePage::refresh_lists() {
   const Comparison& c = pair_->comparison;
   changes_title_->setText(tr("By evidence"));
   changes_title_->setToolTip(tr("What counts is above %1.").arg(widgets::fixed_text(c.threshold, 1)));
+  changes_->setHorizontalHeaderItem(1, head_cell(tr("ln Bayes")));
   changes_->setRowCount(static_cast<int>(c.changes.size()));
   for (int r = 0; r < changes_->rowCount(); ++r) {
     const Change& change = c.changes[static_cast<std::size_t>(r)];

@@ -89,4 +89,71 @@ std::vector<NumberLine> number_lines(const Comparison& c) {
   return lines;
 }
 
+QStringList hand_sentences(const SeveralComparison& c) {
+  QStringList sentences;
+  for (const ChangeBetween& change : c.changes)
+    if (change.hand_mean_m > 0)
+      sentences << QObject::tr("By %1 the hand moves by %2 mm in the mean over these poses, at most by %3 mm.")
+                       .arg(change_title(change.change), widgets::short_text(1e3 * change.hand_mean_m),
+                            widgets::short_text(1e3 * change.hand_max_m));
+  return sentences;
+}
+
+namespace {
+
+QString likely_text(double probability) {
+  constexpr double least = 1e-3;
+  if (probability < least) return QObject::tr("< %1 %").arg(widgets::short_text(100 * least, 1));
+  return QObject::tr("%1 %").arg(probability > 0.99 ? widgets::fixed_text(std::floor(1e3 * probability) / 10, 1)
+                                                    : widgets::short_text(100 * probability));
+}
+
+QString names_text(const std::vector<std::string>& titles) {
+  QStringList names;
+  for (const std::string& title : titles) names << QString::fromStdString(title);
+  return names.join(", ");
+}
+
+SeveralLine find_line(const ChangeCandidate& c, bool is_change) {
+  const QString heading =
+      change_heading(c.id, c.where.empty() ? std::vector<std::string>{} : std::vector<std::string>{c.where});
+  const QString name = QObject::tr("%1: %2 | %3").arg(heading, names_text(c.before), names_text(c.after));
+  return {is_change ? name : QObject::tr("or %1").arg(name), likely_text(c.probability), is_change, c.before.back(),
+          c.after.front()};
+}
+
+}  // namespace
+
+std::vector<SeveralLine> several_lines(const SeveralComparison& c) {
+  std::vector<SeveralLine> lines;
+  for (const ChangeBetween& change : c.changes) {
+    lines.push_back(find_line(change.reported, true));
+    for (const ChangeCandidate& other : change.alternatives) lines.push_back(find_line(other, false));
+  }
+  for (const SharedThing& thing : c.shared)
+    lines.push_back({QObject::tr("%1: the same in all").arg(change_heading(thing.id, {})),
+                     likely_text(1 - thing.probability_changed)});
+  return lines;
+}
+
+std::vector<NumberLine> number_lines(const SeveralComparison& c) {
+  std::vector<NumberLine> lines;
+  for (const ChangeBetween& between : c.changes) {
+    const Change& change = between.change;
+    Eigen::Index s = 0;
+    for (const EffectTerm& t : change.terms) {
+      const Effect& effect = term_effect(t);
+      for (std::size_t p = 0; p < t.values.size(); ++p) {
+        if (effect.parameters[p].is_choice) continue;
+        const ShownUnit unit = compared_unit(change.units[static_cast<std::size_t>(s)]);
+        const double sigma = change.sigma[s++];
+        lines.push_back({QObject::tr("%1: %2").arg(change_title(change), number_title(effect.parameters[p].name)),
+                         widgets::with_sigma_text(unit.scale * t.values[p], unit.scale * sigma), unit.unit,
+                         sigma > 0 ? t.values[p] / sigma : 0});
+      }
+    }
+  }
+  return lines;
+}
+
 }  // namespace handsight::app

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/comparison.h"
+#include "compare/several_comparison.h"
 
 namespace handsight::app {
 
@@ -31,5 +32,20 @@ struct NumberLine {
 };
 /// Those that moved farthest in units of their sigmas first.
 std::vector<NumberLine> number_lines(const Comparison& comparison);
+
+/// Of several: by how much each change moves the hand.
+QStringList hand_sentences(const SeveralComparison& comparison);
+
+/// A row of what has changed between several sessions, or has not.
+struct SeveralLine {
+  QString name;               // "joint offset of arm_2: march, april | may"; "or the load: march | april, may"
+  QString likely;             // "98 %"
+  bool is_change = false;     // it was found
+  std::string before, after;  // titles of two sessions that it lies between; empty: it did not change
+};
+std::vector<SeveralLine> several_lines(const SeveralComparison& comparison);
+
+/// The numbers of what has changed, each with how much more the later ones have.
+std::vector<NumberLine> number_lines(const SeveralComparison& comparison);
 
 }  // namespace handsight::app

@@ -5,24 +5,10 @@
 
 #include <QStringList>
 
+#include "compare/compared_side.h"
 #include "compare/comparison.h"
-#include "document/diagnosing.h"
-#include "jobs/jobs.h"
-#include "widgets/plots/convergence_plot.h"
 
 namespace handsight::app {
-
-/// One of the two.
-struct ComparedSide {
-  QString name;  // the session's title; its folder's or file's name where it has none, or both have the same
-  std::filesystem::path file;                          // session.xml, or the calibration
-  std::shared_ptr<const Session> session;              // null: a calibration
-  ModelVersionPointer version;                         // its own fit by the model of the open session; null: as above
-  std::shared_ptr<const ModelResiduals> residuals;     // of that fit; null where nothing could be fitted
-  std::vector<widgets::ConvergencePoint> convergence;  // of TCP->Body, observation by observation
-
-  bool is_calibration() const { return session == nullptr; }
-};
 
 struct ComparedPair {
   ComparedSide before, after;

@@ -48,8 +48,9 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 Document::~Document() { close(); }
 
-void Document::open(const std::filesystem::path& path) {
-  OpenedSession read = open_files(path);
+void Document::open(const std::filesystem::path& path) { open(open_files(path)); }
+
+void Document::open(OpenedSession read) {
   const std::string digest = compute_digest(make_content(read.files));
   const bool is_same_file =
       journal_ && std::filesystem::weakly_canonical(read.files.file) == std::filesystem::weakly_canonical(files_.file);

@@ -34,6 +34,8 @@ class Document : public QObject {
   /// Opens a session or a collection (folder or file) with what the journal remembers of it. InputError where it cannot
   /// be read; the document is then as it was.
   void open(const std::filesystem::path& path);
+  /// The same of files that were read already, beside the window (open_files).
+  void open(OpenedSession read);
   /// Closes what is open; the journal keeps what was not saved.
   void close();
   bool is_open() const { return journal_ != nullptr; }

@@ -191,7 +191,7 @@ void ExperimentRun::Work::listen(ExperimentOptions& options) {
   options.on_knowledge = [this](const Knowledge& known) {
     tell([shared = std::make_shared<const Knowledge>(known)](ExperimentRun& run) { emit run.learned(shared); });
   };
-  options.on_note = [this](const std::string& text) {
+  options.on_note = [this](const Message& text) {
     tell([text](ExperimentRun& run) { emit run.noted(translated(text)); });
   };
   options.on_observation = [this](const Session& session, const Observation& one) { arrive(session, one); };

@@ -99,17 +99,6 @@ std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
   return causes;
 }
 
-QString end_text(const ExperimentResult& result) {
-  if (result.end != ExperimentEnd::reached || !result.settled || result.settled->id.empty())
-    return translated(result.reason);
-  const QString cause =
-      QObject::tr("What was asked for is reached: what is missing is %1, %2.")
-          .arg(effect_text(result.settled->id, result.settled->where), odds_text(std::log(result.settled->odds)));
-  return result.known.hand_limit ? QObject::tr("%1 The hand is known to %2 mm (95 %).")
-                                       .arg(cause, short_number(1e3 * *result.known.hand_limit))
-                                 : cause;
-}
-
 QString step_text(const ExperimentStep& step) {
   const QString reason = translated(step.reason);
   if (step.id < 0) return reason;

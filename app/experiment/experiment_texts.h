@@ -28,9 +28,6 @@ struct CauseInWords {
 };
 std::vector<CauseInWords> likeliest_causes(const Knowledge& known);
 
-/// Why it ended, with causes in words.
-QString end_text(const ExperimentResult& result);
-
 /// "observation 12: taken", "not taken: ..."
 QString step_text(const ExperimentStep& step);
 

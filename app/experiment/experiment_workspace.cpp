@@ -68,7 +68,7 @@ void ExperimentWorkspace::connect_run() {
   connect(&run_, &ExperimentRun::noted, &workbench_.document, &Document::noticed);
   connect(&run_, &ExperimentRun::failed, this, [this](const QString& sentence) { bar_->set_said(sentence, true); });
   connect(&run_, &ExperimentRun::ended, this, [this](const std::shared_ptr<const ExperimentResult>& result) {
-    bar_->set_said(end_text(*result), result->end == ExperimentEnd::fault);
+    bar_->set_said(translated(result->reason), result->end == ExperimentEnd::fault);
     page_->show_end(*result);
     if (begun_as_recheck_) recheck_->refresh();
   });

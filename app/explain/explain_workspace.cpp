@@ -102,6 +102,7 @@ void ExplainWorkspace::connect_panes() {
     refresh_verdict();
   });
   connect(&adding_, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
+    emit status_changed();  // what was refused belongs to the story
     if (end == AdditionEnd::taken) {
       proof_model_ = workbench_.document.model();
       failing_->show_proof_added(adding_.taken());
@@ -276,7 +277,7 @@ void ExplainWorkspace::refresh_lead() {
   if (adding_.is_running()) return;
   const StoryCause* lead = workbench_.story().lead();
   const auto view = lead && !missing_->is_paused() ? workbench_.diagnosing.find_view(lead->id) : nullptr;
-  failing_->show_lead(view ? Proof{title_of_candidate(lead->id), true, view->proof} : Proof{});
+  failing_->show_lead(view ? Proof{title_of_candidate(lead->id), lead->believable, view->proof} : Proof{});
 }
 
 void ExplainWorkspace::refresh_units() {

@@ -6,6 +6,7 @@
 
 #include "base/degrees.h"
 #include "base/numbers.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
@@ -156,8 +157,9 @@ ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelV
   const auto ratio = error_and_noise(model).ratio();
   switch (verdict.state) {
     case SessionState::adequate:
-    case SessionState::repeatability:  // nothing is to be mended before it is used
-      return {verdict.sentence, false};
+    case SessionState::repeatability:  // nothing is to be mended before it is used, but for what stands in for another
+                                       // cause
+      return {verdict.sentence, !stand_ins(*model.fit).empty()};
     case SessionState::waiting:
     case SessionState::looking:
       return {verdict.sentence, !ratio || *ratio >= most_beside_repeatability ||

@@ -7,6 +7,7 @@
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "findings/explain_texts.h"
+#include "findings/proof_plots.h"
 #include "findings/robot_checks.h"
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
@@ -38,7 +39,9 @@ widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, c
 QString evidence_text(const DiagnosisCandidate& c, const CandidateView* view) {
   QString text;
   if (view && !view->proof.empty() && followed(view->proof.front()) > least_followed)
-    text = QObject::tr("Its points follow the %1. ").arg(translated(view->proof.front().against));
+    text = is_level(view->proof.front())
+               ? QObject::tr("Its points say the same in every pose. ")
+               : QObject::tr("Its points follow the %1. ").arg(translated(view->proof.front().against));
   if (c.explained)
     return text + QObject::tr("It explains %1 % of what exceeds the noise.")
                       .arg(QString::fromStdString(whole_percent(*c.explained)));

@@ -31,9 +31,10 @@ Told reported(const VersionSizes& sizes, widgets::SizeUnit unit) {
   Told t{.error = text_in(unit, sizes.error())};
   const bool in_sigma = shown_in(unit, sizes.error()).unit == SizeUnit::sigma;
   // In units of itself the noise would be 1, which tells nothing.
-  t.noise = text_in(in_sigma ? SizeUnit::pixel : unit, sizes.noise);
-  t.both = in_sigma ? QObject::tr("%1, the noise being %2").arg(t.error, t.noise)
-                    : QObject::tr("%1 against %2").arg(t.error, t.noise);
+  const bool is_known = sizes.noise.pixel || sizes.noise.millimetre;
+  t.noise = is_known ? text_in(in_sigma ? SizeUnit::pixel : unit, sizes.noise) : QObject::tr("unknown");
+  t.both = in_sigma || !is_known ? QObject::tr("%1, the noise being %2").arg(t.error, t.noise)
+                                 : QObject::tr("%1 against %2").arg(t.error, t.noise);
   if (unit != SizeUnit::millimetre && sizes.error().pixel && sizes.error().millimetre)
     t.at_hand = QObject::tr(" (%1 at the hand)").arg(text_in(SizeUnit::millimetre, sizes.error()));
   if (unit == SizeUnit::millimetre && sizes.error().pixel)
@@ -89,11 +90,7 @@ QString attribution_sentence(const std::optional<widgets::ErrorAttribution>& att
 QString adequate_sentence(const Diagnosis& d, const Told& t) {
   QString text = QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
   QStringList unseen;
-  // What is in the model was seen, if not in every place that it could have.
-  const std::vector<EffectTerm> seen = list_terms(d.model.fit);
-  for (const std::string& id : d.invisible)
-    if (std::none_of(seen.begin(), seen.end(), [&](const EffectTerm& term) { return term.id == id; }))
-      unseen << effect_text(id, {});
+  for (const std::string& id : unseen_effects(d)) unseen << effect_text(id, {});
   constexpr qsizetype most = 3;
   if (unseen.size() > most) unseen = unseen.mid(0, most) << QObject::tr("%1 more").arg(unseen.size() - most);
   if (!unseen.isEmpty()) text += ' ' + QObject::tr("These poses could not show: %1.").arg(unseen.join(", "));
@@ -158,15 +155,14 @@ QString stand_in_sentence(const Story& story) {
 }
 
 QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told& t) {
-  const QString noise = story.error.noise ? t.noise : QObject::tr("unknown");
   if (const StoryCause* lead = story.lead(); lead && !lead->unnamed)
     return QObject::tr(
                "Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the "
                "catalogue explains the rest. %4")
-        .arg(t.error, noise, display_name(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
+        .arg(t.error, t.noise, display_name(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
         .trimmed();
   return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
-      .arg(t.error, noise, what_is_left_follows(d))
+      .arg(t.error, t.noise, what_is_left_follows(d))
       .trimmed();
 }
 
@@ -207,8 +203,9 @@ SessionState shown_state(const Story& story, bool is_running) {
     case StoryState::repeatability:
       return SessionState::repeatability;
     case StoryState::missing:
-    case StoryState::implausible:
       return SessionState::missing;
+    case StoryState::implausible:
+      return SessionState::implausible;
     case StoryState::ambiguous:
       return SessionState::ambiguous;
     case StoryState::unexplained:
@@ -272,6 +269,8 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
     v.why_no_attribution = QObject::tr("Cannot be split by touches");
   else if (model.fit->problem.marker_count == 1)
     v.why_no_attribution = cannot_be_split_text();
+  else if (!story.error.noise)
+    v.why_no_attribution = QObject::tr("whose fault: noise unknown");
   v.state = shown_state(story, is_running);
   v.sentence = sentence_of(model, story, d, unit);
   // What is in the model and stands in for something else belongs before what agrees by it.

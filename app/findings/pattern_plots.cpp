@@ -69,7 +69,17 @@ const InspectionRow* row_at(const PlottedSession& of, int index) {
 
 std::vector<widgets::TrendPoint> shown_trend(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   std::vector<widgets::TrendPoint> line;
-  for (const TrendPoint& p : compute_trend(x, y)) line.push_back({p.x, p.y, p.low, p.high});
+  if (x.size() == 0) return line;
+  std::vector<double> places(x.begin(), x.end());
+  std::sort(places.begin(), places.end());
+  const double near = 0.05 * (places.back() - places.front());
+  // Between points that are far apart the curve is a guess: it goes straight from one to the other there.
+  const auto is_near_one = [&](double at) {
+    const auto after = std::lower_bound(places.begin(), places.end(), at);
+    return (after != places.end() && *after - at <= near) || (after != places.begin() && at - *(after - 1) <= near);
+  };
+  for (const TrendPoint& p : compute_trend(x, y))
+    if (is_near_one(p.x)) line.push_back({p.x, p.y, p.low, p.high});
   return line;
 }
 

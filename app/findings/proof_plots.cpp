@@ -31,12 +31,6 @@ QString at_most(const ProofPlot& p) {
   return p.hand_m > 0 ? QObject::tr("%1, %2 mm at the hand").arg(size, widgets::short_text(1e3 * p.hand_m)) : size;
 }
 
-bool is_level(const ProofPlot& plot) {
-  return plot.numbers.size() == 1 && std::all_of(plot.points.begin(), plot.points.end(), [&](const ProofPoint& p) {
-           return p.share[0] == plot.points.front().share[0];
-         });
-}
-
 bool is_spring(const ProofPlot& plot) {
   return plot.numbers.size() == 1 && plot.against_unit.starts_with("N") &&
          plot.numbers.front().unit.ends_with("/(" + plot.against_unit + ")");
@@ -48,6 +42,12 @@ bool is_drift(const ProofPlot& plot) {
 }
 
 }  // namespace
+
+bool is_level(const ProofPlot& plot) {
+  return plot.numbers.size() == 1 && std::all_of(plot.points.begin(), plot.points.end(), [&](const ProofPoint& p) {
+           return p.share[0] == plot.points.front().share[0];
+         });
+}
 
 widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& workbench, double added) {
   const ShownUnit unit = shown_unit(proof.unit);

@@ -24,6 +24,9 @@ widgets::PatternPlot proof_plot(const ProofPlot& plot, const Workbench& workbenc
 /// "right_arm_2 gives way by 149.51 ± 0.59 µrad for each N m: 44 N m at most here, so 6.6 mrad, 5.8 mm at the hand."
 QString proof_sentence(const ProofPlot& plot);
 
+/// Does the cause do the same in every pose? Then the points follow nothing, they lie on a level line.
+bool is_level(const ProofPlot& plot);
+
 /// The same plot with what noise alone would put in the place of its points: the cause does nothing.
 ProofPlot put_noise_in_place(ProofPlot plot, std::uint64_t seed);
 

@@ -259,8 +259,10 @@ WorkStatus InspectWorkspace::status() const {
   const auto rejected = std::count_if(observations.begin(), observations.end(),
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
   const Story& story = workbench_.story();
-  if (odd + rejected > 0) return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
+  // Where many are beyond the noise the model is wrong, and the few that stand out of them are not what to say of it.
   if (story.many_beyond()) return {WorkState::care, tr("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used)};
+  if (odd + rejected > 0) return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
+  if (!story.error.noise) return {WorkState::open, tr("noise unknown")};
   return {WorkState::done, tr("nothing odd")};
 }
 

@@ -26,7 +26,7 @@ void LabelWorkspace::make_layout() {
   left_loupe_ = new widgets::Loupe(this);
   right_loupe_ = new widgets::Loupe(this);
   left_loupe_->set_title(tr("Left"));
-  right_loupe_->set_title(tr("Right, along the line"));
+  right_loupe_->set_title(tr("Right, on the line"));
   left_loupe_->set_hints(tr("arrows 0.1 px, Shift 1, Alt free"));
   triangle_ = new widgets::TrianglePanel(this);
   triangle_->setObjectName("triangle");
@@ -42,7 +42,7 @@ void LabelWorkspace::make_layout() {
       tr("Click near a marker's corner in the left image: it snaps, and its partner in the right image is found along "
          "the epipolar line. Drag a marker, nudge it with the arrows, press a digit to renumber it, Delete to remove "
          "it. Hold Alt to set it freely."));
-  auto* grid = new QGridLayout(this);
+  auto* const grid = grid_ = new QGridLayout(this);
   grid->setContentsMargins(8, 8, 8, 8);
   grid->setSpacing(8);
   auto* loupes = new QHBoxLayout;

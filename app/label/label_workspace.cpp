@@ -2,6 +2,7 @@
 #include "label/label_workspace.h"
 
 #include <QCheckBox>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 
@@ -100,7 +101,8 @@ void LabelWorkspace::show_observation() {
   const OwnSession own = take_own_session(s, o->part);
   const ShownImage left = workbench_.images.image(s, *o, own.first_camera),
                    right = workbench_.images.image(s, *o, own.first_camera + 1);
-  const QString none = s.is_touch()     ? touched_text(s, *o, workbench_.row(o->id), workbench_.units)
+  const QString none = s.is_touch() ? tr("Touches have no images: there is nothing to label.") + '\n' +
+                                          touched_text(s, *o, workbench_.row(o->id), workbench_.units)
                        : s.is_tracker() ? tr("A tracker session has no images; its markers are points already.")
                                         : tr("Observation %1 has no images to label.").arg(o->id);
   const auto show = [&](widgets::ImageView* view, widgets::Loupe* loupe, const ShownImage& shown, const QString& side,
@@ -109,8 +111,13 @@ void LabelWorkspace::show_observation() {
     loupe->set_image(shown.image);
     loupe->set_center({});
     if (shown.image.isNull()) {
-      view->clear(shown.is_coming ? tr("The image is being read …") : shown.refusal.isEmpty() ? none : shown.refusal);
+      const QString sentence = shown.is_coming           ? tr("The image is being read …")
+                               : shown.refusal.isEmpty() ? none
+                                                         : shown.refusal;
+      view->clear(sentence);
+      view->setAccessibleDescription(sentence);
     } else {
+      view->setAccessibleDescription({});
       view->set_image(shown.image);
       if (!is_same || was_coming_) view->fit();
     }
@@ -128,7 +135,9 @@ void LabelWorkspace::show_observation() {
   show(right_, right_loupe_, right, camera(1), file(1));
   was_coming_ = is_coming;
   for (QWidget* w : std::initializer_list<QWidget*>{right_, right_loupe_, together_}) w->setVisible(has_second);
-  left_loupe_->setVisible(!s.is_touch());
+  grid_->setColumnStretch(1, has_second ? 1 : 0);  // one image has the room of both
+  // Of touches there is nothing to see but what was touched.
+  for (QWidget* w : std::initializer_list<QWidget*>{left_loupe_, triangle_}) w->setVisible(!s.is_touch());
   for (widgets::ImageView* view : {left_, right_}) view->set_labelling(is_labelled_here_);
   hint_->setVisible(is_labelled_here_);
   refresh();
@@ -247,9 +256,6 @@ void LabelWorkspace::refresh_panel() {
   } else if (is_joined(workbench_.document.session())) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in one session: open it by itself.");
-  } else if (workbench_.document.session().is_touch()) {
-    state.can_use = false;
-    state.sentence = tr("Touches have no images: there is nothing to label.");
   } else if (const auto& rig = workbench_.document.session().rig; rig && !is_pair(*rig)) {
     state.can_use = false;
     state.sentence = tr("Markers are clicked in sessions of two cameras. These labels came with the session.");

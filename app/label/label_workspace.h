@@ -6,6 +6,7 @@
 #include "workbench/workspace.h"
 
 class QCheckBox;
+class QGridLayout;
 class QLabel;
 
 namespace handsight::widgets {
@@ -70,6 +71,7 @@ class LabelWorkspace : public Workspace {
   widgets::TrianglePanel* triangle_;
   QCheckBox* together_;
   QLabel* hint_;
+  QGridLayout* grid_;
 };
 
 }  // namespace handsight::app

@@ -83,7 +83,11 @@ QStringList languages() {
 
 void speak(QCoreApplication& application, const QString& language) {
   const QString wanted = language.isEmpty() ? QLocale::system().name().section('_', 0, 0) : language;
-  if (!languages().contains(wanted)) return;
+  const bool is_known = languages().contains(wanted);
+  QLocale locale(is_known ? wanted : QStringLiteral("en"));  // of fields with numbers, and of dates
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  QLocale::setDefault(locale);
+  if (!is_known) return;
   application.installTranslator(new Translation(wanted));
   //: what parts the whole from its decimals in a number
   const QString mark = QCoreApplication::translate("QObject", "decimal point");

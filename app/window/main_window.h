@@ -43,7 +43,8 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens a session; where it cannot be opened the sentence is shown on the page at hand. True where it was.
+  /// Opens a session; where it cannot be opened the sentence is shown on the page at hand. True where it was;
+  /// of a collection, which is read in the background, whether it can be opened is shown then.
   bool open(const QString& path);
   bool open_sample(const QString& name, bool fresh = false);
   Workbench& workbench() { return workbench_; }
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow {
   void show_collisions();
   void choose_session();
   void choose_added();
+  bool open_beside(const std::filesystem::path& file);
+  void show_not_opened(const QString& sentence);
   void open_new(const QString& path);
   bool is_same_robot(const std::filesystem::path& path) const;
   bool is_another(const std::filesystem::path& path) const;

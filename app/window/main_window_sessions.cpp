@@ -68,15 +68,39 @@ bool MainWindow::is_another(const std::filesystem::path& path) const {
 }
 
 bool MainWindow::open(const QString& path) {
+  const std::filesystem::path file = path.toStdString();
+  workbench_.background.cancel("opening");
+  if (is_collection(file)) return open_beside(file);
   try {
-    workbench_.document.open(std::filesystem::path(path.toStdString()));
+    workbench_.document.open(file);
     return true;
   } catch (const std::exception& error) {
-    const QString sentence = translated_error(error);
-    start_->set_refusal(sentence);
-    read_out_->show_message(sentence);
+    show_not_opened(translated_error(error));
     return false;
   }
+}
+
+/// A collection is many files: they are read and joined beside the window, and what is open stays so long.
+bool MainWindow::open_beside(const std::filesystem::path& file) {
+  using Read = std::shared_ptr<OpenedSession>;
+  read_out_->show_message(tr("Opening %1 …").arg(QString::fromStdString(file.string())));
+  workbench_.background.start<Read>(
+      "opening", tr("Opening the collection"),
+      [file](JobControl&) { return std::make_shared<OpenedSession>(open_files(file)); },
+      [this](const Read& read) {
+        try {
+          workbench_.document.open(std::move(*read));
+        } catch (const std::exception& error) {
+          show_not_opened(translated_error(error));
+        }
+      },
+      [this](const QString& sentence) { show_not_opened(sentence); });
+  return true;
+}
+
+void MainWindow::show_not_opened(const QString& sentence) {
+  start_->set_refusal(sentence);
+  read_out_->show_message(sentence);
 }
 
 bool MainWindow::open_sample(const QString& name, bool fresh) {

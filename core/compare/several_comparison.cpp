@@ -83,9 +83,9 @@ std::vector<Fit> fits_alone(std::vector<JoinedMember>& members, const std::vecto
                   "observations that it says stand out, and compare again.",
                   m.title));
     if (!clean.lone.empty())
-      c.notes.push_back(fmt::format("{}: {}", m.title, lone_text(clean.lone, m.session.is_tracker())));
+      c.notes.push_back(message("{}: {}", m.title, lone_text(clean.lone, m.session.is_tracker())));
     if (!clean.wrong.empty())
-      c.notes.push_back(fmt::format("{}: {} single wrong points are left out.", m.title, clean.wrong.size()));
+      c.notes.push_back(message("{}: {} single wrong points are left out.", m.title, clean.wrong.size()));
     m.session = std::move(clean.session);
     fits.push_back(std::move(clean.fit));
   }
@@ -264,11 +264,12 @@ class Judge {
     c_.sentence = "Nothing has changed that these poses show: cameras, hands and arms are the same in all sessions.";
     if (taken_.empty()) return;
     const SeveralComparer::Together fitted = comparer_->fitted_together(active());
-    c_.sentence.clear();
+    std::vector<Message> texts;
     for (std::size_t i = 0; i < taken_.size(); ++i) {
       tell(taken_[i], fitted.changes[i].change, fitted.sigmas[i]);
-      c_.sentence += (i == 0 ? "" : " ") + c_.changes.back().text + ".";
+      texts.push_back(c_.changes.back().text + ".");
     }
+    c_.sentence = joined(texts, " ");
   }
 
   void tell(const Taken& t, const Eigen::VectorXd& change, const Eigen::VectorXd& sigma) {
@@ -286,10 +287,10 @@ class Judge {
     reported.change.units = list_number_units(reported.change.terms, chain.robot);
     reported.change.ln_bayes_factor = t.ln_bayes_factor;
     reported.change.explained = t.explained;
-    reported.text = fmt::format("{}: between {} and {}",
-                                change_text({unit.group, reported.change.terms, unit.where}, reported.change.terms,
-                                            reported.change.sigma, chain),
-                                fmt::join(reported.reported.before, ", "), fmt::join(reported.reported.after, ", "));
+    reported.text = message("{}: between {} and {}",
+                            change_text({unit.group, reported.change.terms, unit.where}, reported.change.terms,
+                                        reported.change.sigma, chain),
+                            joined(verbatim(reported.reported.before)), joined(verbatim(reported.reported.after)));
     set_hand(unit, side, reported);
   }
 

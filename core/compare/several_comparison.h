@@ -21,7 +21,7 @@ struct ChangeBetween {
   Change change;
   ChangeCandidate reported;
   std::vector<ChangeCandidate> alternatives;  // what it may be as well, more than 1 % likely, likeliest first
-  std::string text;                           // for people
+  Message text;                               // for people
   double hand_mean_m = 0, hand_max_m = 0;     // how far it moves the hand over the poses of the sessions concerned
 };
 
@@ -34,14 +34,14 @@ struct SharedThing {
 
 struct SeveralComparison {
   ComparisonVerdict verdict = ComparisonVerdict::unchanged;  // several: more than one change
-  std::string sentence;
-  std::vector<std::string> sessions;                   // titles, in order of time
-  std::vector<std::vector<std::string>> rigs, bodies;  // sessions that have one in common, by their titles
-  std::vector<ChangeBetween> changes;                  // in the order in which they were found
+  Message sentence;                                          // for people
+  std::vector<std::string> sessions;                         // titles, in order of time
+  std::vector<std::vector<std::string>> rigs, bodies;        // sessions that have one in common, by their titles
+  std::vector<ChangeBetween> changes;                        // in the order in which they were found
   std::vector<SharedThing> shared;
   double threshold = 0;  // ln of a Bayes factor that is no chance: 1 in 200 where nothing changed
   bool model_fits = true;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 /// Members are in order of time. Members with the same rig="" have one sensor at one place, with the same body="" one

@@ -2483,7 +2483,7 @@
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Trackers: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
-        <source>Right, along the line</source>
+        <source>Right, on the line</source>
         <translation>Rechts, auf Linie</translation>
     </message>
     <message>
@@ -4725,8 +4725,8 @@
         <translation>Zahlen von beiden</translation>
     </message>
     <message>
-        <source>Choose a second session of this robot, or a calibration that was exported for it: what has changed is told here, and both are shown by the same plots.</source>
-        <translation>Eine zweite Sitzung dieses Roboters wählen oder eine Kalibrierung, die für ihn exportiert wurde: hier steht dann, was sich geändert hat, und dieselben Bilder zeigen beide.</translation>
+        <source>Choose another session of this robot, or several, or a calibration that was exported for it: what has changed is told here, and two are shown by the same plots.</source>
+        <translation>Wähle eine andere Sitzung dieses Roboters, oder mehrere, oder eine Kalibrierung, die für ihn exportiert wurde: Hier steht dann, was sich geändert hat, und zwei sind in denselben Diagrammen zu sehen.</translation>
     </message>
     <message>
         <source>Residuals</source>
@@ -4759,10 +4759,6 @@
     <message>
         <source>%1 → %2 %3</source>
         <translation>%1 → %2 %3</translation>
-    </message>
-    <message>
-        <source>Compare with another session or a calibration</source>
-        <translation>Mit einer anderen Sitzung oder einer Kalibrierung vergleichen</translation>
     </message>
     <message>
         <source>Sessions and calibrations (*.xml)</source>
@@ -6204,14 +6200,6 @@
         <translation>unterwegs</translation>
     </message>
     <message>
-        <source>What was asked for is reached: what is missing is %1, %2.</source>
-        <translation>Erreicht ist, wonach gefragt wurde: was fehlt, ist %1, %2.</translation>
-    </message>
-    <message>
-        <source>%1 The hand is known to %2 mm (95 %).</source>
-        <translation>%1 Die Hand ist auf %2 mm bekannt (95 %).</translation>
-    </message>
-    <message>
         <source>What was measured is fitted and diagnosed, and the next poses are chosen ...</source>
         <translation>Das Gemessene wird angepasst und untersucht, und die nächsten Stellungen werden gewählt ...</translation>
     </message>
@@ -6226,6 +6214,106 @@
     <message>
         <source>cannot be foretold</source>
         <translation>lässt sich nicht vorhersagen</translation>
+    </message>
+    <message>
+        <source>implausible</source>
+        <translation>unplausibel</translation>
+    </message>
+    <message>
+        <source>whose fault: noise unknown</source>
+        <translation>wessen Fehler: Rauschen unbekannt</translation>
+    </message>
+    <message>
+        <source>Its points say the same in every pose. </source>
+        <translation>Seine Punkte sagen in jeder Stellung dasselbe. </translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Opening the collection</source>
+        <translation>Die Sammlung wird geöffnet</translation>
+    </message>
+    <message>
+        <source>The sessions of a collection are compared by themselves: add the other one to it first.</source>
+        <translation>Die Sitzungen einer Sammlung werden untereinander verglichen: Nimm die andere erst in sie auf.</translation>
+    </message>
+    <message>
+        <source>%1 is a collection: open it, and its sessions are compared with each other.</source>
+        <translation>%1 ist eine Sammlung: Öffne sie, dann werden ihre Sitzungen miteinander verglichen.</translation>
+    </message>
+    <message>
+        <source>%1 is a calibration, which is compared with one session alone.</source>
+        <translation>%1 ist eine Kalibrierung, die mit einer einzigen Sitzung verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Compare with other sessions or a calibration</source>
+        <translation>Mit anderen Sitzungen oder einer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Comparing the sessions</source>
+        <translation>Die Sitzungen werden verglichen</translation>
+    </message>
+    <message>
+        <source>The sessions of this collection, compared</source>
+        <translation>Die Sitzungen dieser Sammlung im Vergleich</translation>
+    </message>
+    <message>
+        <source>In order of time: %1.</source>
+        <translation>In der Reihenfolge der Zeit: %1.</translation>
+    </message>
+    <message>
+        <source>What has changed, and what is shared</source>
+        <translation>Was sich geändert hat, und was gemeinsam ist</translation>
+    </message>
+    <message>
+        <source>How likely it is; a click on a change shows the plots of two sessions that it lies between</source>
+        <translation>Wie wahrscheinlich es ist; ein Klick auf eine Änderung zeigt die Diagramme zweier Sitzungen, zwischen denen sie liegt</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>By how much</source>
+        <translation>Um wie viel</translation>
+    </message>
+    <message>
+        <source>By %1 the hand moves by %2 mm in the mean over these poses, at most by %3 mm.</source>
+        <translation>Durch %1 bewegt sich die Hand über diese Stellungen im Mittel um %2 mm, höchstens um %3 mm.</translation>
+    </message>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 | %3</source>
+        <translation>%1: %2 | %3</translation>
+    </message>
+    <message>
+        <source>or %1</source>
+        <translation>oder %1</translation>
+    </message>
+    <message>
+        <source>%1: the same in all</source>
+        <translation>%1: in allen gleich</translation>
+    </message>
+    <message>
+        <source>Plots before:</source>
+        <translation>Diagramme vorher:</translation>
+    </message>
+    <message>
+        <source>after:</source>
+        <translation>nachher:</translation>
+    </message>
+    <message>
+        <source>Session before</source>
+        <translation>Sitzung vorher</translation>
+    </message>
+    <message>
+        <source>Session after</source>
+        <translation>Sitzung nachher</translation>
     </message>
 </context>
 <context>
@@ -9632,12 +9720,12 @@
         <translation>Es wurde keine weitere Stellung gefunden, die der Roboter ohne Zusammenstoß erreicht und in der das Ziel zu sehen ist.</translation>
     </message>
     <message>
-        <source>What was asked for is reached: %1 is missing (odds of %2).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2).</translation>
+        <source>What was asked for is reached. What is missing: %1, by odds of %2.</source>
+        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, Quote %2.</translation>
     </message>
     <message>
-        <source>What was asked for is reached: %1 is missing (odds of %2), and the hand is known to %3 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: %1 fehlt (Quote %2), und die Hand ist auf %3 mm bekannt (95 %).</translation>
+        <source>What was asked for is reached. What is missing: %1, by odds of %2; the hand is known to %3 mm (95 %).</source>
+        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, Quote %2; die Hand ist auf %3 mm bekannt (95 %).</translation>
     </message>
     <message>
         <source>is no log of recheck; expected the columns %1.</source>
@@ -9730,6 +9818,18 @@
     <message>
         <source>Nothing has changed that these touches show: fixtures, probe and arm are as they were.</source>
         <translation>Nichts hat sich geändert, was diese Berührungen zeigen: Vorrichtungen, Taster und Arm sind, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>What was seen is the same in %1 of %2 observations as in the one before, while the robot moved: right where the hand was held in one place, as in a socket; else the sensor stood still.</source>
+        <translation>Was zu sehen war, ist in %1 von %2 Beobachtungen dasselbe wie in der davor, während sich der Roboter bewegte: richtig, wo die Hand an einem Ort gehalten wurde, etwa in einer Pfanne; sonst stand der Sensor still.</translation>
+    </message>
+    <message>
+        <source>Nothing has changed that these poses show: cameras, hands and arms are the same in all sessions.</source>
+        <translation>Nichts hat sich geändert, was diese Stellungen zeigen: Kameras, Hände und Arme sind in allen Sitzungen gleich.</translation>
+    </message>
+    <message>
+        <source>%1: %2 single wrong points are left out.</source>
+        <translation>%1: %2 einzelne falsche Punkte sind ausgelassen.</translation>
     </message>
 </context>
 <context>

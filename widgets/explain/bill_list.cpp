@@ -8,23 +8,47 @@
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/explain/text_lines.h"
 
 namespace handsight::widgets {
 namespace {
 
-constexpr int row_height = 44;
+constexpr int most_lines = 3;  // of a cause, and of the remarks below it
+
+/// Where the texts of a row stand, from its top left.
+struct BillRow {
+  QRectF cause, worth, remarks;
+  int height = 0;
+};
+
+BillRow find_row(const BillEntry& entry, double width) {
+  const QFont body = text_font(TextRole::body), small = text_font(TextRole::small);
+  const double left = layout_gap + 2, room = width - left - layout_gap;
+  const double wide = QFontMetricsF(number_font(TextRole::body)).horizontalAdvance(entry.worth) + 2;
+  BillRow row;
+  row.cause = {left, 4, room - wide - layout_gap, 0};
+  row.cause.setHeight(lines_height(body, entry.cause, row.cause.width(), most_lines));
+  row.worth = {left + room - wide, 4, wide, QFontMetricsF(body).lineSpacing()};
+  row.remarks = {left, row.cause.bottom() + 2, room, lines_height(small, entry.remarks(), room, most_lines)};
+  row.height = static_cast<int>(std::ceil(row.remarks.bottom())) + 5;
+  return row;
+}
 
 class BillDelegate : public QStyledItemDelegate {
  public:
   BillDelegate(const BillList& list, QObject* parent) : QStyledItemDelegate(parent), list_(list) {}
 
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {240, row_height}; }
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex& index) const override {
+    const int width = list_.view()->viewport()->width();
+    return {width, find_row(entry_at(index), width).height};
+  }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const BillEntry& entry = list_.entries()[static_cast<std::size_t>(index.row())];
+    const BillEntry& entry = entry_at(index);
     const Colors& c = colors();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -33,18 +57,14 @@ class BillDelegate : public QStyledItemDelegate {
       painter->fillRect(area, c.care_tint);
       painter->fillRect(QRectF(area.left(), area.top(), 3, area.height()), c.care);
     }
-    const QRectF room = area.adjusted(layout_gap + 2, 2, -layout_gap, -2);
-    const QRectF upper(room.left(), room.top(), room.width(), 20), lower(room.left(), upper.bottom(), room.width(), 18);
+    const BillRow row = find_row(entry, area.width());
     painter->setFont(number_font(TextRole::body));
-    const double wide = QFontMetricsF(painter->font()).horizontalAdvance(entry.worth) + 2;
     painter->setPen(c.ink1);
-    draw_text(*painter, QRectF(upper.right() - wide, upper.top(), wide, upper.height()),
-              Qt::AlignRight | Qt::AlignVCenter, entry.worth);
-    painter->setFont(text_font(TextRole::body));
-    draw_text(*painter, upper.adjusted(0, 0, -wide - layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter, entry.cause);
-    painter->setFont(text_font(TextRole::small));
+    draw_text(*painter, row.worth.translated(area.topLeft()), Qt::AlignRight | Qt::AlignVCenter, entry.worth);
+    draw_lines(*painter, text_font(TextRole::body), row.cause.translated(area.topLeft()), entry.cause, most_lines);
     painter->setPen(entry.is_stand_in ? c.care : c.ink2);
-    draw_text(*painter, lower, Qt::AlignLeft | Qt::AlignVCenter, entry.remarks());
+    draw_lines(*painter, text_font(TextRole::small), row.remarks.translated(area.topLeft()), entry.remarks(),
+               most_lines);
     painter->setPen(QPen(c.hairline, 1));
     painter->drawLine(area.bottomLeft(), area.bottomRight());
     if (option.state & QStyle::State_HasFocus) draw_focus(*painter, area);
@@ -52,6 +72,9 @@ class BillDelegate : public QStyledItemDelegate {
   }
 
  private:
+  const BillEntry& entry_at(const QModelIndex& index) const {
+    return list_.entries()[static_cast<std::size_t>(index.row())];
+  }
   const BillList& list_;
 };
 
@@ -75,7 +98,7 @@ BillList::BillList(QWidget* parent) : QWidget(parent) {
   view_ = new QListView(this);
   view_->setModel(new QStandardItemModel(this));
   view_->setItemDelegate(new BillDelegate(*this, this));
-  view_->setUniformItemSizes(true);
+  view_->setResizeMode(QListView::Adjust);  // rows are as high as their texts at this width
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setSelectionMode(QAbstractItemView::NoSelection);

@@ -27,6 +27,7 @@ Mood mood_of(SessionState state) {
     case SessionState::adequate:
       return Mood::good;
     case SessionState::missing:
+    case SessionState::implausible:
     case SessionState::unexplained:
       return Mood::bad;
     case SessionState::waiting:
@@ -79,6 +80,8 @@ QString session_state_text(SessionState state) {
       return said("not all named");
     case SessionState::missing:
       return said("cause missing");
+    case SessionState::implausible:
+      return said("implausible");
     case SessionState::ambiguous:
       return said("ambiguous");
     case SessionState::unexplained:

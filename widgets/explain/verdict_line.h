@@ -17,6 +17,7 @@ enum class SessionState {
   stand_in,  // at the noise, with something in the model that stands in for another cause
   unnamed,   // at the noise, but not all of it has a name
   missing,
+  implausible,  // something is missing, and no robot is built as what would explain it
   ambiguous,
   unexplained,
   repeatability,

@@ -23,7 +23,7 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
   view_ = new QListView(this);
   view_->setModel(model_);
   view_->setItemDelegate(new VersionListDelegate(model_, this));
-  view_->setUniformItemSizes(true);
+  view_->setResizeMode(QListView::Adjust);  // rows are as high as their texts at this width
   view_->setFrameShape(QFrame::NoFrame);
   view_->setSelectionMode(QAbstractItemView::NoSelection);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

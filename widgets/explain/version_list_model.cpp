@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/explain/version_list_model.h"
 
+#include <QAbstractScrollArea>
 #include <QCoreApplication>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/explain/text_lines.h"
 
 namespace handsight::widgets {
 namespace {
@@ -77,8 +80,40 @@ void VersionListModel::set_compared(int a, int b) {
   tell();
 }
 
-QSize VersionListDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-  return {240, version_row};
+namespace {
+
+constexpr int most_lines = 3;  // of a version's name, and of what stands below it
+
+/// Where the texts of a row stand, from its top left.
+struct VersionRow {
+  QString name, error, below;
+  QRectF name_at, error_at, below_at;
+  int height = 0;
+};
+
+VersionRow find_row(const VersionEntry& version, const QString& unit, double width) {
+  VersionRow row;
+  row.name = version.is_refused ? said("%1: not added").arg(version.name) : version.name;
+  row.error = with_unit_text(version.held_out, unit);
+  row.below = second_line(version, unit);
+  const QFont body = text_font(TextRole::body), small = number_font(TextRole::small);
+  const double left = layout_gap + 2, room = width - left - 64;
+  const double wide = QFontMetricsF(number_font(TextRole::body)).horizontalAdvance(row.error) + 2;
+  row.name_at = {left, 4, room - wide - layout_gap, 0};
+  row.name_at.setHeight(lines_height(body, row.name, row.name_at.width(), most_lines));
+  row.error_at = {left + room - wide, 4, wide, QFontMetricsF(body).lineSpacing()};
+  row.below_at = {left, row.name_at.bottom() + 2, room, lines_height(small, row.below, room, most_lines)};
+  row.height = std::max(version_row, static_cast<int>(std::ceil(row.below_at.bottom())) + 5);
+  return row;
+}
+
+}  // namespace
+
+QSize VersionListDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const auto* view = qobject_cast<const QAbstractScrollArea*>(option.widget);
+  const int width = view ? view->viewport()->width() : 240;
+  const VersionEntry& version = model_->versions()[static_cast<std::size_t>(index.row())];
+  return {width, find_row(version, model_->unit(), width).height};
 }
 
 void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -95,20 +130,14 @@ void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& o
   painter->setFont(text_font(TextRole::small));
   paint_letter(*painter, find_letter(option.rect, false), QStringLiteral("A"), row == model_->a());
   paint_letter(*painter, find_letter(option.rect, true), QStringLiteral("B"), row == model_->b());
-  const QRectF room = area.adjusted(layout_gap + 2, 2, -64, -2);
-  const QRectF upper(room.left(), room.top(), room.width(), 20), lower(room.left(), upper.bottom(), room.width(), 18);
-  const QString error = with_unit_text(version.held_out, model_->unit());
+  const VersionRow texts = find_row(version, model_->unit(), area.width());
   painter->setFont(number_font(TextRole::body));
-  const double wide = QFontMetricsF(painter->font()).horizontalAdvance(error) + 2;
   painter->setPen(version.is_refused ? c.ink3 : c.ink1);
-  draw_text(*painter, QRectF(upper.right() - wide, upper.top(), wide, upper.height()),
-            Qt::AlignRight | Qt::AlignVCenter, error);
-  painter->setFont(text_font(TextRole::body));
-  const QString name = version.is_refused ? said("%1: not added").arg(version.name) : version.name;
-  draw_text(*painter, upper.adjusted(0, 0, -wide - layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
-  painter->setFont(number_font(TextRole::small));
+  draw_text(*painter, texts.error_at.translated(area.topLeft()), Qt::AlignRight | Qt::AlignVCenter, texts.error);
+  draw_lines(*painter, text_font(TextRole::body), texts.name_at.translated(area.topLeft()), texts.name, most_lines);
   painter->setPen(version.is_refused ? c.ink3 : c.ink2);
-  draw_text(*painter, lower, Qt::AlignLeft | Qt::AlignVCenter, second_line(version, model_->unit()));
+  draw_lines(*painter, number_font(TextRole::small), texts.below_at.translated(area.topLeft()), texts.below,
+             most_lines);
   painter->setPen(QPen(c.hairline, 1));
   painter->drawLine(area.bottomLeft(), area.bottomRight());
   if (option.state & QStyle::State_HasFocus) draw_focus(*painter, area);

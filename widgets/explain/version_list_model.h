@@ -33,7 +33,7 @@ class VersionListModel : public QAbstractListModel {
   int current_ = -1, a_ = -1, b_ = -1;
 };
 
-inline constexpr int version_row = 44;
+inline constexpr int version_row = 44;  // at least
 
 /// The letter A or B of a row.
 QRect find_letter(const QRect& row, bool is_b);

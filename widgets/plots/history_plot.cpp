@@ -10,6 +10,7 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/plots/marked_ticker.h"
 
 namespace handsight::widgets {
 namespace {
@@ -57,8 +58,8 @@ void HistoryPlot::set_quantity(const QString& quantity, const QString& unit, boo
   unit_ = unit;
   is_log_ = is_log;
   plot_->yAxis->setScaleType(is_log ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-  plot_->yAxis->setTicker(is_log ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                 : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+  plot_->yAxis->setTicker(is_log ? QSharedPointer<QCPAxisTicker>(new MarkedTicker<QCPAxisTickerLog>)
+                                 : QSharedPointer<QCPAxisTicker>(new MarkedTicker<QCPAxisTicker>));
   plot_->yAxis->setLabel(unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit));
   fill();
   fit();

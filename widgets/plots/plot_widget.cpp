@@ -16,21 +16,9 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/plots/marked_ticker.h"
 
 namespace handsight::widgets {
-namespace {
-
-/// Numbers at axes with the same minus as everywhere else.
-class MinusTicker : public QCPAxisTicker {
- protected:
-  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return QCPAxisTicker::getTickLabel(tick, locale, format, precision)
-        .replace(QChar('-'), QChar(0x2212))
-        .replace(QChar('.'), decimal_mark());
-  }
-};
-
-}  // namespace
 
 PlotWidget::PlotWidget(QWidget* parent)
     : QWidget(parent), plot_(new QCustomPlot(this)), empty_text_(QObject::tr("Nothing to plot yet.")) {
@@ -45,7 +33,8 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
   plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setTicker(QSharedPointer<MinusTicker>::create());
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis})
+    axis->setTicker(QSharedPointer<MarkedTicker<QCPAxisTicker>>::create());
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::afterReplot, this, [this] { is_drawn_ = true; });
   connect(plot_, &QCustomPlot::afterLayout, this, &PlotWidget::shorten_title);

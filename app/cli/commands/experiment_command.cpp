@@ -157,7 +157,7 @@ ExperimentOptions options_of(const ExperimentArguments& o, const Session& sessio
   options.on_plan = [&](const std::vector<PlannedMove>& moves) { print_plan(o, session, moves); };
   options.on_step = [&o](const ExperimentStep& step) { print_step(o, step); };
   options.on_knowledge = [&o](const Knowledge& known) { print_knowledge(o, known); };
-  options.on_note = [](const std::string& text) { Output::note(text); };
+  options.on_note = [](const Message& text) { Output::note(text); };
   options.is_interrupted = [] { return is_stopped.load(); };
   return options;
 }

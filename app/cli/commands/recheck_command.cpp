@@ -155,7 +155,7 @@ void drive(const RecheckArguments& o, const CalibratedRobot& before, const Sessi
   options.given = recheck_poses(before, session, options.cell, o.poses);
   options.confirm = [&](const std::vector<PlannedMove>& moves) { return is_confirmed(o, moves.size()); };
   options.on_observation = [&](const Session& now, const Observation& one) { rechecking.take(now, one); };
-  options.on_note = [](const std::string& text) { Output::note(text); };
+  options.on_note = [](const Message& text) { Output::note(text); };
   options.is_interrupted = [] { return is_stopped.load(); };
   DriverPatience patience;
   patience.look = patience.move = o.patience;

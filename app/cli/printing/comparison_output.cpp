@@ -101,7 +101,7 @@ Json between_json(const ChangeBetween& c) {
   json["before"] = c.reported.before;
   json["after"] = c.reported.after;
   json["probability"] = number(c.reported.probability);
-  json["text"] = c.text;
+  json["text"] = c.text.english();
   json["alternatives"] = Json::array();
   for (const ChangeCandidate& other : c.alternatives) json["alternatives"].push_back(candidate_json(other));
   json["hand_mean_m"] = number(c.hand_mean_m);
@@ -124,7 +124,7 @@ void print_change(const Output& output, const ChangeBetween& c) {
 }  // namespace
 
 void print_comparison(const Output& output, const SeveralComparison& c) {
-  for (const std::string& note : c.notes) Output::note(note);
+  for (const Message& note : c.notes) Output::note(note);
   output.line(c.sentence);
   if (!c.changes.empty()) {
     output.line();

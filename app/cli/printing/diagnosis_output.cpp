@@ -11,6 +11,7 @@
 #include "diagnosis/residuals/trend.h"
 #include "diagnosis/story/story.h"
 #include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
@@ -242,9 +243,9 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
       out.line(fmt::format("  {} against {} (strength {:.2f}, p {:.1g})", d.patterns[i].residual.name,
                            d.patterns[i].against.name, d.patterns[i].strength, d.patterns[i].p_value));
   }
-  if (!d.invisible.empty()) {
+  if (const std::vector<std::string> unseen = unseen_effects(d); !unseen.empty()) {
     out.line();
-    out.line("These poses could not show: " + listed(d.invisible));
+    out.line("These poses could not show: " + listed(unseen));
   }
 }
 

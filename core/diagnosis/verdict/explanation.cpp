@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/percent.h"
 #include "diagnosis/evidence/repeatability_levels.h"
@@ -58,6 +59,21 @@ Message speaks_for(const DiagnosisCandidate& c, const Diagnosis& d) {
 }  // namespace
 
 Message listed(const std::vector<std::string>& names) { return joined(verbatim(names), ", ", " and "); }
+
+Message listed_places(const std::vector<std::string>& where) {
+  std::vector<Message> places;
+  for (const std::string& place : where) {
+    int n = 0, length = 0;
+    const auto is_all = [&] { return length == static_cast<int>(place.size()); };
+    if (std::sscanf(place.c_str(), "marker %d%n", &n, &length) == 1 && is_all())
+      places.push_back(message("marker {}", n));
+    else if (std::sscanf(place.c_str(), "from observation %d on%n", &n, &length) == 1 && is_all())
+      places.push_back(message("from observation {} on", n));
+    else
+      places.push_back(verbatim(place));
+  }
+  return joined(places, ", ", " and ");
+}
 
 Message error_text(const ErrorSummary& e) {
   if (e.rms_pixel) return message("{:.3g} px", *e.rms_pixel);

@@ -23,6 +23,8 @@ Message unknown_noise_text(const Diagnosis& diagnosis);
 
 /// "arm_2 and arm_4"
 Message listed(const std::vector<std::string>& names);
+/// Joints as the robot's file calls them, markers and observations in words that are translated.
+Message listed_places(const std::vector<std::string>& where);
 
 /// An error as it is reported, the root mean square (as_reported), with its unit and the
 /// three digits of tables: "0.243 px", "3.12 mm".

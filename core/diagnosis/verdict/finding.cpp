@@ -89,6 +89,18 @@ const DiagnosisCandidate* finding_of(const Diagnosis& d, const std::set<std::str
   return &d.candidates[order.front()];
 }
 
+std::vector<std::string> unseen_effects(const Diagnosis& d) {
+  std::vector<std::string> unseen;
+  for (const std::string& id : d.invisible) {
+    const bool has_place = std::any_of(d.candidates.begin(), d.candidates.end(),
+                                       [&](const DiagnosisCandidate& c) { return c.id == id && !c.unnamed; });
+    const bool is_in_model = std::any_of(d.model.fit.effects.begin(), d.model.fit.effects.end(),
+                                         [&](const FittedEffect& f) { return f.term.id == id; });
+    if (has_place && !is_in_model) unseen.push_back(id);
+  }
+  return unseen;
+}
+
 ErrorAttribution attribution_by_finding(const ErrorAttribution& attribution, const Diagnosis& d,
                                         const std::set<std::string>& refused) {
   const DiagnosisCandidate* finding = finding_of(d, refused);

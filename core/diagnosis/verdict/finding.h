@@ -40,6 +40,10 @@ std::vector<std::size_t> offered(const Diagnosis& diagnosis, const std::set<std:
 /// The candidate that a diagnosis goes by: the first that is offered. Null: none passes that was not refused.
 const DiagnosisCandidate* finding_of(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
+/// Of the effects that the poses could not show (Diagnosis::invisible), those that this robot and session have a place
+/// for at all, and that are not in the model.
+std::vector<std::string> unseen_effects(const Diagnosis& diagnosis);
+
 /// Whose fault an error is, as far as residuals alone say, corrected by what was found: the share of the excess that
 /// the finding explains belongs to what it moves (cameras and their mount, the marker body, the robot); the rest is
 /// parted as before. A lens can look like the robot's error, for both images of a marker may still fit together.

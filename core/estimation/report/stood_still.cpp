@@ -95,7 +95,12 @@ std::vector<Message> standstill_warnings(const Session& session) {
             : message("The joint readings are the same in observations {}, while what was seen moved: the reading "
                       "of one is old, or something slipped between them; leave out what is wrong.",
                       listed(robot_stood)));
-  if (!sight_stood.empty())
+  if (2 * sight_stood.size() > session.observations.size())
+    warnings.push_back(message(
+        "What was seen is the same in {} of {} observations as in the one before, while the robot moved: right where "
+        "the hand was held in one place, as in a socket; else the sensor stood still.",
+        sight_stood.size(), session.observations.size()));
+  else if (!sight_stood.empty())
     warnings.push_back(
         message("What was seen is the same in observations {}, while the robot moved: the measurement of one is "
                 "old. Leave it out.",

@@ -47,7 +47,7 @@ struct ExperimentOptions {
   std::function<void(const ExperimentStep&)> on_step;
   std::function<void(const Session&, const Observation&)> on_observation;  // once it is decided and kept
   std::function<void(const Knowledge&)> on_knowledge;
-  std::function<void(const std::string&)> on_note;
+  std::function<void(const Message&)> on_note;
   std::function<bool()> is_interrupted;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "diagnosis/verdict/explanation.h"
 #include "experiment/loop/forecast.h"
 
 namespace handsight {
@@ -27,14 +28,15 @@ Message reached_text(const Goals& until, const ExperimentResult& result) {
                             "the hand is known to {} mm (95 %).",
                             hand)
                       : Message("What was asked for is reached: nothing is missing that these poses could show.");
-  Message cause = verbatim(result.settled->id);
-  if (!result.settled->where.empty()) cause = message("{} of {}", cause, result.settled->where.front());
-  return until.hand
-             ? message(
-                   "What was asked for is reached: {} is missing (odds of {:.3g}), and the hand is known "
-                   "to {} mm (95 %).",
-                   cause, result.settled->odds, hand)
-             : message("What was asked for is reached: {} is missing (odds of {:.3g}).", cause, result.settled->odds);
+  const Effect* const effect = find_effect(result.settled->id);
+  Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
+  if (!result.settled->where.empty()) cause = message("{} ({})", cause, listed_places(result.settled->where));
+  return until.hand ? message(
+                          "What was asked for is reached. What is missing: {}, by odds of {:.3g}; the hand is known to "
+                          "{} mm (95 %).",
+                          cause, result.settled->odds, hand)
+                    : message("What was asked for is reached. What is missing: {}, by odds of {:.3g}.", cause,
+                              result.settled->odds);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ class Experiment {
   void finish();
 
   bool is_interrupted() const { return options_.is_interrupted && options_.is_interrupted(); }
-  void note(const std::string& text) const {
+  void note(const Message& text) const {
     if (options_.on_note) options_.on_note(text);
   }
   Session session_;

@@ -126,8 +126,8 @@ struct CollisionWorld::Parts {
     return false;
   }
 
-  std::string display_name(const Pair& pair) const {
-    return things[groups[pair.a].front()].name + " and " + things[groups[pair.b].front()].name;
+  Message display_name(const Pair& pair) const {
+    return message("{} and {}", things[groups[pair.a].front()].name, things[groups[pair.b].front()].name);
   }
 
   void join_links();
@@ -302,8 +302,7 @@ std::optional<Message> CollisionWorld::touching(const Eigen::VectorXd& position,
   }
   const std::vector<Place> at = p.places(links);
   for (const Pair& pair : p.pairs)
-    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance))
-      return verbatim(p.display_name(pair));
+    if (p.do_meet(pair, at, with_clearance && pair.watch == Watch::with_clearance)) return p.display_name(pair);
   return std::nullopt;
 }
 

@@ -211,7 +211,7 @@ TEST_F(Explained, ASessionOfOnesOwn) {
   photo.take_now("own_explain");
   if (desk.find<QWidget>("until_it_stops")->isEnabled()) desk.press_button("until_it_stops");
   const QString running = QObject::tr("Stop");
-  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 120000));
+  ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 400000));
   ASSERT_TRUE(explain.is_settled());
   photo.take_now("own_explain_end");
   desk.key(Qt::Key_3, Qt::ControlModifier);

@@ -5,10 +5,12 @@
 #include <QListView>
 
 #include "app/window/explain_fixture.h"
+#include "app/window/painted_text.h"
 #include "app/window/reported_story.h"
 #include "widgets/base/number_text.h"
 #include "widgets/explain/bill_list.h"
 #include "widgets/explain/pattern_page.h"
+#include "widgets/explain/version_list.h"
 #include "widgets/plots/scatter_plot.h"
 
 namespace handsight::test {
@@ -128,6 +130,35 @@ TEST_F(Bill, ReopenedAndTakenBackThePlotsAreTheFirstOnesAgain) {
   desk.press_button("tab_patterns");
   EXPECT_EQ(plot_ids(), before);
   EXPECT_FALSE(page()->plots()[0].is_chance) << "no patternless scatter first";
+}
+
+/// What a list paints: each of its texts.
+QStringList painted_in(QAbstractItemView* view) {
+  QStringList texts;
+  for (const PaintedText& t : texts_of(*view->viewport())) texts << t.text.trimmed();
+  return texts;
+}
+
+TEST_F(Bill, NamesAreWholeOnALaptopInBillAndVersionsAndPlots) {
+  open("hidden_3");
+  desk.window.resize(1366, 768);
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  desk.press_button("tab_versions");
+  QTest::qWait(50);
+  for (QListView* view : {bill()->view(), desk.find<widgets::VersionList>("versions")->view()}) {
+    const QStringList texts = painted_in(view);
+    EXPECT_TRUE(texts.filter("…").isEmpty()) << texts.join(" | ").toStdString();
+    EXPECT_TRUE(texts.join(' ').contains("right_arm_1, right_arm_2 and right_arm_4"))
+        << texts.join(" | ").toStdString();
+  }
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("hidden_7").string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  ASSERT_TRUE(desk.wait([&] { return is_proof(); }));
+  QStringList heads;
+  for (const PaintedText& t : texts_of(*desk.find<QWidget>("pattern_page"))) heads << t.text;
+  EXPECT_TRUE(heads.filter("…").isEmpty()) << heads.join(" | ").toStdString();
 }
 
 }  // namespace

@@ -260,5 +260,42 @@ TEST_F(CollectionPage, EverySessionShowsItsOwnImages) {
   EXPECT_EQ(desk.find<widgets::ImageView>("inspect_right")->image().isNull(), false);
 }
 
+TEST_F(CollectionPage, IsReadBesideTheWindowWhichGoesOn) {
+  open(folder.path / "right");
+  auto& workbench = desk.window.workbench();
+  workbench.background.hold(true);
+  QElapsedTimer clock;
+  clock.start();
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(file.string())));
+  EXPECT_LT(clock.elapsed(), 50 * patience) << "nothing is read while the window waits";
+  EXPECT_TRUE(workbench.background.is_busy("opening"));
+  EXPECT_EQ(desk.document().collection(), nullptr) << "what was open stays so long";
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  EXPECT_TRUE(desk.find<QWidget>("inspect")->isVisible()) << "and can be worked with";
+  workbench.background.hold(false);
+  ASSERT_TRUE(desk.settle());
+  ASSERT_NE(desk.document().collection(), nullptr);
+  EXPECT_EQ(desk.window.windowTitle(), "Both hands - Handsight");
+  // Another session that is opened meanwhile is the one that is wanted.
+  desk.document().close();
+  workbench.background.hold(true);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(file.string())));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "left").string())));
+  workbench.background.hold(false);
+  ASSERT_TRUE(desk.settle());
+  EXPECT_EQ(desk.document().collection(), nullptr);
+}
+
+TEST_F(CollectionPage, ThatCannotBeReadIsSaidOnTheStartPage) {
+  std::filesystem::remove_all(folder.path / "left");
+  desk.window.open(QString::fromStdString(file.string()));
+  ASSERT_TRUE(desk.settle());
+  EXPECT_FALSE(desk.document().is_open());
+  bool is_said = false;
+  for (const QLabel* label : desk.window.findChildren<QLabel*>())
+    is_said = is_said || (label->isVisible() && label->text().contains("left"));
+  EXPECT_TRUE(is_said) << "which session is missing";
+}
+
 }  // namespace
 }  // namespace handsight::test

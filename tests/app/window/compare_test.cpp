@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <fstream>
 
 #include "app/window/pages.h"
 #include "base/files.h"
@@ -233,6 +235,65 @@ TEST_F(Compare, OnALaptopNothingIsCut) {
             << name << " in tab " << tab << " reaches out of " << outer->metaObject()->className();
     }
   }
+}
+
+TEST_F(Compare, OfThreeSessionsItSaysBetweenWhichAJointLostItsZero) {
+  const auto march = simulate("march", true, {});
+  const std::string joint = read_session(march).joints[2];
+  const std::string offset = "joint_offset:" + joint + ".offset=0.004";
+  const auto april = simulate("april", false, {offset}), may = simulate("may", true, {offset});
+  open(may);
+  page()->compare_with(std::vector{march, april});
+  ASSERT_TRUE(is_settled());
+  const app::ComparedSeveral* all = page()->all_shown();
+  ASSERT_NE(all, nullptr) << said().toStdString();
+  const auto cli =
+      run_cli(folder.path, {"compare", march.string(), april.string(), may.string(), "--json", "-"}).json();
+  EXPECT_EQ(said(),
+            QString::fromUtf8("▲  ") + QString::fromStdString(cli["reason"].get<std::string>()).replace("+-", "±"))
+      << "the command says the same";
+  EXPECT_TRUE(said().contains("between march and april, may")) << said().toStdString();
+  auto* changes = desk.find<QTableWidget>("compare_changes");
+  ASSERT_GT(changes->rowCount(), 1);
+  EXPECT_EQ(changes->item(0, 0)->text(),
+            QString("joint offset of %1: march | april, may").arg(QString::fromStdString(joint)));
+  EXPECT_TRUE(changes->item(0, 1)->text().endsWith('%'));
+  ASSERT_EQ(desk.find<QTableWidget>("compare_numbers")->rowCount(), 1);
+  // The two that the change lies between are shown by the same plots; others can be.
+  EXPECT_EQ(page()->shown()->before.name, "march");
+  EXPECT_EQ(page()->shown()->after.name, "april");
+  auto* after = desk.find<QComboBox>("compare_after");
+  ASSERT_TRUE(after->isVisible());
+  after->setCurrentIndex(2);
+  emit after->activated(2);
+  EXPECT_EQ(page()->shown()->after.name, "may");
+  EXPECT_TRUE(desk.find<QLabel>("compare_side_1")->text().contains("may"));
+  desk.click(changes->viewport(), changes->visualItemRect(changes->item(0, 0)).center());
+  EXPECT_EQ(page()->shown()->after.name, "april") << "a click on the change goes back to it";
+}
+
+TEST_F(Compare, TheSessionsOfACollectionAreComparedWithEachOther) {
+  const auto march = simulate("march", true, {}), april = simulate("april", false, {});
+  std::ofstream(folder.path / "collection.xml") << "<handsight_collection version=\"1\" title=\"Two days\">\n"
+                                                   "  <session folder=\"march\" rig=\"stand\" body=\"hand\"/>\n"
+                                                   "  <session folder=\"april\" rig=\"stand\" body=\"hand\"/>\n"
+                                                   "</handsight_collection>\n";
+  open(folder.path / "collection.xml");
+  desk.window.compare_with({});
+  ASSERT_TRUE(is_settled());
+  ASSERT_NE(page()->all_shown(), nullptr) << said().toStdString();
+  EXPECT_EQ(page()->all_shown()->comparison.rigs.size(), 1U) << "what the collection says that they share";
+  EXPECT_EQ(page()->all_shown()->comparison.verdict, ComparisonVerdict::unchanged) << said().toStdString();
+  EXPECT_TRUE(said().contains("Nothing has changed")) << said().toStdString();
+  EXPECT_FALSE(desk.find<QAbstractButton>("compare_choose")->isVisible());
+  EXPECT_TRUE(desk.find<QAbstractButton>("compare_again")->isVisible());
+  // What is no session among several is refused with what to do.
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(april.string())));
+  ASSERT_TRUE(desk.settle());
+  page()->compare_with(std::vector{march, folder.path / "collection.xml"});
+  ASSERT_TRUE(is_settled());
+  EXPECT_EQ(page()->all_shown(), nullptr);
+  EXPECT_TRUE(said().contains("is a collection")) << said().toStdString();
 }
 
 }  // namespace

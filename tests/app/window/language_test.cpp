@@ -4,8 +4,12 @@
 #include "window/language.h"
 
 #include <gtest/gtest.h>
+#include <qcustomplot.h>
 
+#include <QApplication>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QLocale>
 #include <QRegularExpression>
 #include <filesystem>
 #include <limits>
@@ -21,7 +25,9 @@
 #include "diagnosis/verdict/robot_check.h"
 #include "document/effect_words.h"
 #include "print/target_xml.h"
+#include "widgets/base/number_text.h"
 #include "widgets/plots/convergence_plot.h"
+#include "widgets/plots/history_plot.h"
 #include "window/rail_button.h"
 #include "words/core_words.h"
 #include "words/counted.h"
@@ -245,6 +251,33 @@ TEST(Language, AWholeWindowInGerman) {
     EXPECT_EQ(desk.find<app::RailButton>("rail_explain")->text(), QString::fromUtf8("Erklären"));
   }
   QCoreApplication::removeTranslator(&german);
+}
+
+TEST(Language, FieldsAndAxesHaveItsDecimalMark) {
+  const QLocale before;
+  const QChar mark = widgets::decimal_mark();
+  app::speak(*qApp, "de");
+  QDoubleSpinBox field;
+  field.setDecimals(2);
+  field.setRange(0, 1e6);
+  field.setValue(1234.5);
+  EXPECT_EQ(field.text(), "1234,50") << "no point, and none between thousands";
+  widgets::HistoryPlot plot(widgets::HistoryPlot::Along::observations);
+  plot.resize(400, 240);
+  for (const bool is_log : {false, true}) {
+    plot.set_quantity("x", "mm", is_log);
+    plot.set_points({{.x = 1, .y = 0.1}, {.x = 2, .y = 0.4}});
+    plot.show();
+    QTest::qWait(30);
+    const QString labels = plot.plot()->yAxis->tickVectorLabels().join(' ');
+    EXPECT_TRUE(labels.contains("0,")) << labels.toStdString();
+    EXPECT_FALSE(labels.contains('.')) << labels.toStdString();
+  }
+  app::speak(*qApp, "en");
+  EXPECT_EQ(QLocale().decimalPoint(), ".");
+  for (QTranslator* t : qApp->findChildren<QTranslator*>()) QCoreApplication::removeTranslator(t);
+  QLocale::setDefault(before);
+  widgets::set_decimal_mark(mark);
 }
 
 }  // namespace

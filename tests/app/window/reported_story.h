@@ -45,7 +45,7 @@ struct Told {
         {StoryState::unnamed_at_the_noise, {SessionState::unnamed}},
         {StoryState::repeatability, {SessionState::repeatability}},
         {StoryState::missing, {SessionState::missing}},
-        {StoryState::implausible, {SessionState::missing}},
+        {StoryState::implausible, {SessionState::implausible}},
         {StoryState::ambiguous, {SessionState::ambiguous}},
         {StoryState::unexplained, {SessionState::unexplained}},
         {StoryState::refused, {SessionState::unexplained}}};

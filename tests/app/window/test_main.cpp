@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QMessageBox>
 
+#include "app/window/measuring_window.h"
 #include "app/window/working_window.h"
 #include "temporary_folder.h"
 #include "widgets/base/apply_theme.h"
@@ -37,6 +38,12 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     handsight::widgets::apply_theme(application, handsight::widgets::ThemeKind::light);
     return handsight::test::work_until_killed(argv[2], argv[3]);
+  }
+  if (argc == 3 && std::string(argv[1]) == "--measure-until-killed") {
+    handsight::widgets::set_surface_format();
+    QApplication application(argc, argv);
+    handsight::widgets::apply_theme(application, handsight::widgets::ThemeKind::light);
+    return handsight::test::measure_until_killed(argv[2]);
   }
   const handsight::TemporaryFolder state;  // journals and copies of tests do not meet the user's
   ::setenv("XDG_STATE_HOME", state.path.c_str(), 1);

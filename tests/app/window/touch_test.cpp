@@ -131,9 +131,9 @@ TEST_F(Touches, NothingIsLabelledOrPlayed) {
   go(1);
   select(0);
   LabelPage label{desk};
-  EXPECT_TRUE(label.triangle().sentence.startsWith("Touches have no images"))
-      << label.triangle().sentence.toStdString();
-  EXPECT_FALSE(label.triangle().can_use);
+  EXPECT_TRUE(label.left()->accessibleDescription().startsWith("Touches have no images"))
+      << label.left()->accessibleDescription().toStdString();
+  EXPECT_FALSE(desk.find<QWidget>("triangle")->isVisible());
   go(2);
   EXPECT_FALSE(desk.find<QAbstractButton>("play")->isEnabled());
   EXPECT_TRUE(desk.find<widgets::ImageView>("calibrate_left")->isVisible());
