@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_cameras [FOLDER]: our calibration of two cameras beside OpenCV's, in one run, on the stereo pairs of a 9 x 6
-// chessboard of 25 mm that come with OpenCV: errors, errors of pairs held out, times, and the triangulated squares.
+// trial_cameras [FOLDER] [--markdown]: our calibration of two cameras beside OpenCV's, in one run, on the stereo pairs
+// of a 9 x 6 chessboard of 25 mm that come with OpenCV: errors, errors of pairs held out, times, and the triangulated
+// squares.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "camera_calibration/board_images.h"
 #include "camera_calibration/camera_calibration.h"
+#include "trials/table.h"
 #include "vision/image/image_file.h"
 
 namespace {
@@ -127,6 +129,7 @@ double mean_square(const std::vector<std::optional<double>>& frames) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const std::string folder = argc > 1 ? argv[1] : HANDSIGHT_SHARED_DIR "/real/opencv_stereo";
   const Target board{.kind = TargetKind::chessboard, .columns = column_count, .rows = row_count, .square = square_size};
   const GroupedImages grouped = group_images({folder});
@@ -160,16 +163,22 @@ int main(int argc, char** argv) {
     fmt::print("model {:<9} rms {:.4f} px, held out {:.4f} px {}\n", model.name, model.rms_pixel,
                model.held_out_rms_pixel, model.failure);
   const auto ours_side = sides(detected.board, best.bundle.rig), their_side = sides(corners, theirs.rig);
-  fmt::print("{:<46} {:>10} {:>10} {:>10} {:>10} {:>18}\n", "", "rms px", "held out", "find ms", "solve ms", "side mm");
-  fmt::print("{:<46} {:>10.4f} {:>10.4f} {:>10.0f} {:>10.0f} {:>9.3f} +- {:.3f}\n",
-             "ours, model chosen and folds included (" + std::string(best.bundle.rig.lenses[0].model->name) + ")",
-             best.bundle.rms_pixel, best.held_out.rms_pixel, 1e3 * our_detection, 1e3 * our_choice, ours_side.first,
-             ours_side.second);
-  fmt::print("{:<46} {:>10.4f} {:>10} {:>10} {:>10.0f}\n", "ours, brown, from nothing, covariances", plain.rms_pixel,
-             "", "", 1e3 * our_time);
-  fmt::print("{:<46} {:>10.4f} {:>10.4f} {:>10.0f} {:>10.0f} {:>9.3f} +- {:.3f}\n", "OpenCV, its corners", theirs.rms,
-             mean_square(their_held_out), 1e3 * their_detection, 1e3 * their_time, their_side.first, their_side.second);
-  fmt::print("{:<46} {:>10.4f} {:>10.4f}\n", "OpenCV, our corners", on_ours.rms, mean_square(on_ours_held_out));
+  trials::Table table({{.heading = "calibration", .width = 66},
+                       {"rms px", 4},
+                       {"held out px", 4},
+                       {"find, ms"},
+                       {"solve, ms"},
+                       {.heading = "side of a square, mm", .width = 18}},
+                      output);
+  const auto text = [](std::pair<double, double> side) {
+    return fmt::format("{:.3f} +- {:.3f}", side.first, side.second);
+  };
+  table.print({fmt::format("`cameras`, lens chosen ({}) and folds included", best.bundle.rig.lenses[0].model->name),
+               best.bundle.rms_pixel, best.held_out.rms_pixel, 1e3 * our_detection, 1e3 * our_choice, text(ours_side)});
+  table.print({"the same, brown alone, with covariances", plain.rms_pixel, {}, {}, 1e3 * our_time});
+  table.print({"OpenCV's `calibrateCamera` and `stereoCalibrate` on its own corners", theirs.rms,
+               mean_square(their_held_out), 1e3 * their_detection, 1e3 * their_time, text(their_side)});
+  table.print({"OpenCV's on our corners", on_ours.rms, mean_square(on_ours_held_out)});
   fmt::print("OpenCV's single cameras: {:.4f} and {:.4f} px; on our corners {:.4f} and {:.4f}\n", theirs.mono[0],
              theirs.mono[1], on_ours.mono[0], on_ours.mono[1]);
   fmt::print("held out by pair (ours / OpenCV):");
