@@ -19,7 +19,7 @@ namespace {
 
 using namespace handsight;
 using Clock = std::chrono::steady_clock;
-constexpr int column_count = 9, row_count = 6;
+constexpr int board_columns = 9, board_rows = 6;
 constexpr double square_size = 0.025;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -35,7 +35,7 @@ BoardImages opencv_corners(const GroupedImages& grouped, const BoardImages& ours
     const Image read = read_image(camera.files[static_cast<std::size_t>(at)]);
     const cv::Mat grey(read.height, read.width, CV_8U, const_cast<std::uint8_t*>(read.pixels.data()));
     std::vector<cv::Point2f> corners;
-    if (!cv::findChessboardCorners(grey, {column_count, row_count}, corners)) {
+    if (!cv::findChessboardCorners(grey, {board_columns, board_rows}, corners)) {
       image.points.clear();
       continue;
     }
@@ -110,11 +110,11 @@ std::pair<double, double> sides(const BoardImages& images, const CameraRig& rig)
       const double side = 1e3 * (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm();
       sum += side, squares += side * side, ++count;
     };
-    for (int row = 0; row < row_count; ++row)
-      for (int column = 0; column < column_count; ++column) {
-        const int i = row * column_count + column;
-        if (column + 1 < column_count) add(i, i + 1);
-        if (row + 1 < row_count) add(i, i + column_count);
+    for (int row = 0; row < board_rows; ++row)
+      for (int column = 0; column < board_columns; ++column) {
+        const int i = row * board_columns + column;
+        if (column + 1 < board_columns) add(i, i + 1);
+        if (row + 1 < board_rows) add(i, i + board_columns);
       }
   }
   return {sum / count, std::sqrt(std::max(squares / count - sum / count * sum / count, 0.0))};
@@ -131,7 +131,8 @@ double mean_square(const std::vector<std::optional<double>>& frames) {
 int main(int argc, char** argv) {
   const trials::TableOutput output = trials::take_table_output(argc, argv);
   const std::string folder = argc > 1 ? argv[1] : HANDSIGHT_SHARED_DIR "/real/opencv_stereo";
-  const Target board{.kind = TargetKind::chessboard, .columns = column_count, .rows = row_count, .square = square_size};
+  const Target board{
+      .kind = TargetKind::chessboard, .columns = board_columns, .rows = board_rows, .square = square_size};
   const GroupedImages grouped = group_images({folder});
   auto start = Clock::now();
   const DetectedImages detected = detect_in_images(grouped, board);
