@@ -39,10 +39,11 @@ LeftRows three_markers(Session session, bool estimate_mount) {
       rad += vector_from_rotation(o.deviation->tcp_from_tcp_est.rotation).squaredNorm();
     }
     const double n = r.used;
-    rows.image.emplace_back(fmt::format("{:.2g} px", *r.fitted.rms_pixel));
-    rows.markers.emplace_back(fmt::format("{:.3g} mm", 1e3 * *r.fitted.rms_m));
+    const double pixels = *r.fitted.rms_pixel;  // about nothing where the mount takes the shift
+    rows.image.emplace_back(pixels < 1e-6 ? fmt::format("{:.1e} px", pixels) : fmt::format("{:.2f} px", pixels));
+    rows.markers.emplace_back(fmt::format("{:.2f} mm", 1e3 * *r.fitted.rms_m));
     rows.tcp.emplace_back(
-        fmt::format("{:.3g} mm, {:.2g} deg", 1e3 * std::sqrt(metres / n), degrees * std::sqrt(rad / n)));
+        fmt::format("{:.2f} mm, {:.2f} deg", 1e3 * std::sqrt(metres / n), degrees * std::sqrt(rad / n)));
   }
   return rows;
 }
