@@ -37,10 +37,10 @@ void opencv_sector_based(benchmark::State& state, const Image& image) {
   for (auto _ : state) cv::findChessboardCornersSB(corner_images::as_mat(image), {9, 6}, corners);
 }
 
-BENCHMARK_CAPTURE(detect, board, board_scene())->Unit(benchmark::millisecond);
-BENCHMARK_CAPTURE(detect, texture_noise_3, busy_scene(3))->Unit(benchmark::millisecond);
-BENCHMARK_CAPTURE(detect, texture_noise_8, busy_scene(8))->Unit(benchmark::millisecond);
-BENCHMARK_CAPTURE(opencv_sector_based, board, board_scene())->Unit(benchmark::millisecond);
+BENCHMARK_CAPTURE(detect, board, board_scene())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, texture_noise_3, busy_scene(3))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, texture_noise_8, busy_scene(8))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(opencv_sector_based, board, board_scene())->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace handsight

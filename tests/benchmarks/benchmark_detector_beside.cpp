@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two states of the detector in one process, in turn: how much longer the first takes than the second, on images that
-// both see. Usage: benchmark_detector_beside [--rounds N] FIRST SECOND [IMAGE ...]: shared libraries that the targets
-// detector_now and, with -DHANDSIGHT_DETECTOR_BEFORE=FOLDER/core, detector_before make; without images the real boards,
-// where they are there, and rendered scenes.
+// both see. Usage: benchmark_detector_beside [--rounds N] FIRST SECOND [IMAGE ...] [--markdown]: shared libraries that
+// the targets detector_now and, with -DHANDSIGHT_DETECTOR_BEFORE=FOLDER/core, detector_before make; without images the
+// real boards, where they are there, and rendered scenes.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "trials/table.h"
 #include "vision/corners/corner_camera.h"
 #include "vision/corners/corner_truth.h"
 
@@ -40,7 +41,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void compare(const std::string& name, const std::vector<Image>& images, Detect first, Detect second, int rounds) {
+void compare(const std::string& name, const std::vector<Image>& images, Detect first, Detect second, int rounds,
+             trials::Table& table) {
   double of_first = 0, of_second = 0;
   int corners_of_first = 0, corners_of_second = 0;
   std::vector<double> ratios;
@@ -60,11 +62,9 @@ void compare(const std::string& name, const std::vector<Image>& images, Detect f
     corners_of_first += count(first), corners_of_second += count(second);
   }
   const auto many = static_cast<double>(images.size());
-  fmt::print(
-      "{:<34} {:8.3f} ms, {:8.3f} ms (means of the least of {}): ratio {:.3f}, median of pairs {:.3f}; {} and {} "
-      "corners\n",
-      name, of_first / many, of_second / many, rounds, of_first / of_second, median(ratios), corners_of_first,
-      corners_of_second);
+  table.print({name, of_first / of_second, median(ratios)});
+  fmt::print("  {:.3f} and {:.3f} ms (means of the least of {}); {} and {} corners\n", of_first / many,
+             of_second / many, rounds, corners_of_first, corners_of_second);
   std::fflush(stdout);
 }
 
@@ -97,6 +97,7 @@ std::vector<std::string> real_boards() {
 }  // namespace
 
 int main(int count, char** words) {
+  const trials::TableOutput output = trials::take_table_output(count, words);
   std::vector<std::string> arguments(words + 1, words + count);
   int rounds = 15;
   if (arguments.size() > 1 && arguments[0] == "--rounds") {
@@ -105,20 +106,23 @@ int main(int count, char** words) {
   }
   if (arguments.size() < 2) return fmt::print(stderr, "Two libraries are needed.\n"), 2;
   const Detect first = load(arguments[0]), second = load(arguments[1]);
+  trials::Table table(
+      {{.heading = "images", .width = 28}, {"time over the detector before", 2}, {"median of pairs", 2}}, output);
   if (arguments.size() > 2) {
-    compare("images", read({arguments.begin() + 2, arguments.end()}), first, second, rounds);
+    compare("images", read({arguments.begin() + 2, arguments.end()}), first, second, rounds, table);
     return 0;
   }
-  if (const auto images = read(real_boards()); !images.empty()) compare("real boards", images, first, second, rounds);
+  if (const auto images = read(real_boards()); !images.empty())
+    compare("real boards, 640 x 480", images, first, second, rounds, table);
   using namespace corner_images;
-  compare("boards, 640 x 480", drawn({.width = 640, .height = 480}, 6), first, second, rounds);
+  compare("boards, 640 x 480", drawn({.width = 640, .height = 480}, 6), first, second, rounds, table);
   compare("before things, 640 x 480", drawn({.width = 640, .height = 480, .ground = Ground::things}, 6), first, second,
-          rounds);
+          rounds, table);
   std::mt19937 random(2);
-  compare("texture and 54 markers", {busy_scene(54, 3, random)}, first, second, rounds);
+  compare("texture and 54 markers", {busy_scene(54, 3, random)}, first, second, rounds, table);
   const Conditions twelve{.width = 4000, .height = 3000, .cell = {90, 110}, .tilt = {0, 0.5}, .blur = {0.8, 1.4}};
   Conditions things = twelve;
   things.ground = Ground::things;
-  compare("12 MP, plain ground", drawn(twelve, 1), first, second, rounds);
-  compare("12 MP, before things", drawn(things, 1), first, second, rounds);
+  compare("12 megapixels, plain", drawn(twelve, 1), first, second, rounds, table);
+  compare("12 megapixels, before things", drawn(things, 1), first, second, rounds, table);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long an exported C++ file takes for a hand pose: written, compiled by c++ -O2 and run.
+// benchmark_export [--markdown]
 #include <benchmark/benchmark.h>
 
+#include "benchmarks/measured_runs.h"
 #include "export/exported.h"
 #include "fixtures/robots_with_everything.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -52,10 +55,28 @@ void exported_pose(benchmark::State& state) {
 BENCHMARK(exported_pose)
     ->ArgsProduct({{0, 1, 2}, {0, 1}})
     ->UseManualTime()
-    ->Unit(benchmark::microsecond)
+    ->Unit(benchmark::kMicrosecond)
     ->Iterations(3);
+
+/// us a pose, with every effect; the load of the machine (processes that run or wait) as it was at the start.
+void print_table(const MeasuredRuns& runs, double load, const trials::TableOutput& output) {
+  const auto us = [&](int robot) {
+    return 1e6 * runs.seconds(fmt::format("exported_pose/{}/1/iterations:3/manual_time", robot));
+  };
+  trials::Table table({{"load of the machine", 1}, {"Justin", 1}, {"six axes", 1}, {"seven axes", 1}}, output);
+  table.print({load, us(0), us(1), us(2)});
+}
 
 }  // namespace
 }  // namespace handsight
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(argc, argv);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  double load = NAN;
+  getloadavg(&load, 1);
+  handsight::MeasuredRuns runs;
+  benchmark::RunSpecifiedBenchmarks(&runs);
+  handsight::print_table(runs, load, output);
+}

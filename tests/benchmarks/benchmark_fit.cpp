@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long a fit takes: ours, the same least squares by Ceres, its growth, the online step; and the peak
-// memory.
+// memory. benchmark_fit [--markdown] [--benchmark_...]
 #include <benchmark/benchmark.h>
 #include <ceres/ceres.h>
 #include <fmt/format.h>
@@ -9,11 +9,13 @@
 #include <chrono>
 #include <map>
 
+#include "benchmarks/measured_runs.h"
 #include "estimation/fit/fit.h"
 #include "estimation/online/online.h"
 #include "estimation/solvers/trust_region.h"
 #include "estimation/start/start.h"
 #include "fixtures/arms.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -280,19 +282,20 @@ double peak_memory_mb() {
 }
 
 /// Before anything else has run, so that the peak is this fit's (with its session).
-void print_peak_memory() {
+double print_peak_memory() {
   const double before = peak_memory_mb();
   const Session& s = session(10000);
   const double with_session = peak_memory_mb();
   const Fit f = fit(s);
   fmt::print("peak memory: {:.1f} MB after a fit of {} observations ({:.1f} MB before it, {:.1f} MB at start)\n",
              peak_memory_mb(), f.problem.observations.size(), with_session, before);
+  return peak_memory_mb();
 }
 
 void add(std::string name, auto function, bool mount, const std::vector<std::int64_t>& sizes, bool is_step = false) {
   if (mount) name += "_mount_estimated";
   auto* added_one = benchmark::RegisterBenchmark(name.c_str(), function, mount);
-  added_one->Unit(is_step ? benchmark::microsecond : benchmark::millisecond);
+  added_one->Unit(is_step ? benchmark::kMicrosecond : benchmark::kMillisecond);
   if (is_step) added_one->UseManualTime();
   for (const std::int64_t size : sizes) added_one->Arg(size);
 }
@@ -310,13 +313,88 @@ void add_benchmarks() {
   }
 }
 
+constexpr double ms = 1e3, us = 1e6;
+
+/// "6.1 / 78 ms"; nothing where one was not measured.
+std::string times_text(std::initializer_list<double> seconds, double unit) {
+  std::string text;
+  for (const double s : seconds) {
+    if (!std::isfinite(s)) return "";
+    text += fmt::format("{}{:.3g}", text.empty() ? "" : " / ", unit * s);
+  }
+  return text + (unit == ms ? " ms" : " us");
+}
+
+std::string figures(double value, const char* behind = "") {
+  return std::isfinite(value) ? fmt::format("{:.2g}{}", value, behind) : "";
+}
+
+/// What was measured with one kind of mount.
+struct MountRuns {
+  const MeasuredRuns& runs;
+  bool is_estimated;
+
+  std::string name(const std::string& what, const std::string& size) const {
+    return what + (is_estimated ? "_mount_estimated" : "") + size;
+  }
+  double seconds(const std::string& what, const std::string& size = "/1000") const {
+    return runs.seconds(name(what, size));
+  }
+  double difference(const std::string& what) const { return runs.counter(name(what, "/1000"), "difference"); }
+};
+
+void print_table(const MeasuredRuns& runs, double peak_mb, const trials::TableOutput& output) {
+  trials::Table table({{.heading = "what", .width = 80},
+                       {.heading = "mount known", .width = 20},
+                       {.heading = "mount estimated", .width = 20}},
+                      output);
+  const MountRuns known{runs, false}, estimated{runs, true};
+  const auto row = [&](const char* what, auto of) { table.print({what, of(known), of(estimated)}); };
+  row("`fit`, 100 observations", [](const MountRuns& m) { return times_text({m.seconds("fit", "/100")}, ms); });
+  row("`fit`, 1000 (aim: <= 10 and 20 ms)", [](const MountRuns& m) { return times_text({m.seconds("fit")}, ms); });
+  row("`fit`, 10,000 (aim: <= 11 times that)", [](const MountRuns& m) {
+    const double seconds = m.seconds("fit", "/10000");
+    const double times = seconds / m.seconds("fit");
+    return times_text({seconds}, ms) + (std::isfinite(times) ? fmt::format(", {:.1f} times", times) : "");
+  });
+  row("the least squares alone, 1000: ours",
+      [](const MountRuns& m) { return times_text({m.seconds("solve_only")}, ms); });
+  row("the same by Ceres with our derivatives (`solve_by_trust_region`)",
+      [](const MountRuns& m) { return times_text({m.seconds("ceres_with_our_derivatives")}, ms); });
+  row("the same by Ceres, autodiff, normal Cholesky, one thread",
+      [](const MountRuns& m) { return times_text({m.seconds("ceres")}, ms); });
+  row("Ceres with autodiff over ours (aim: >= 3)",
+      [](const MountRuns& m) { return figures(m.seconds("ceres") / m.seconds("solve_only")); });
+  row("Ceres with autodiff over Ceres with our derivatives",
+      [](const MountRuns& m) { return figures(m.seconds("ceres") / m.seconds("ceres_with_our_derivatives")); });
+  row("largest difference of the answers (aim: <= 1e-9 m), autodiff / our derivatives", [](const MountRuns& m) {
+    return figures(m.difference("ceres"), " / ") + figures(m.difference("ceres_with_our_derivatives"));
+  });
+  row("`fit` with an offset and a spring at every joint, by Ceres: 100 / 1000", [](const MountRuns& m) {
+    return times_text({m.seconds("fit_with_effects", "/100"), m.seconds("fit_with_effects")}, ms);
+  });
+  row("forward kinematics, start, Ceres and its covariance",
+      [](const MountRuns& m) { return times_text({m.seconds("ceres_session_to_covariance")}, ms); });
+  const auto steps = [](const MountRuns& m, const char* what) {
+    return times_text({m.seconds(what, "/100/manual_time"), m.seconds(what, "/1000/manual_time")}, us);
+  };
+  row("`IncrementalFit::add` with 100 / 1000 kept (aim: <= 1.2 times)",
+      [&](const MountRuns& m) { return steps(m, "incremental_step"); });
+  row("`OnlineCalibration::add`, labelled, 100 / 1000 kept",
+      [&](const MountRuns& m) { return steps(m, "online_step"); });
+  table.print({"peak memory after 10,000 (aim: < 300 MB)", fmt::format("{:.0f} MB", peak_mb)});
+}
+
 }  // namespace
 }  // namespace handsight
 
 int main(int argc, char** argv) {
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  handsight::print_peak_memory();
+  const double peak_mb = handsight::print_peak_memory();
   handsight::add_benchmarks();
-  benchmark::RunSpecifiedBenchmarks();
+  handsight::MeasuredRuns runs;
+  benchmark::RunSpecifiedBenchmarks(&runs);
+  handsight::print_table(runs, peak_mb, output);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // TCP->Body beside OpenCV's seven hand-eye solvers on the same simulated sessions: a ChArUco board before one camera
-// and before two, and poses alone. benchmark_hand_eye [SEEDS] [POSES]. The cameras stand, the target is on the hand,
-// nothing is known of the mount. The solvers get each pose of the target as the least squares of its pixels with the
-// true shape, from the true pose: the best that could be handed to them; our fit gets the pixels and that shape.
-// `bound`: what no unbiased program can be below (Cramer and Rao): errors drawn from the inverse of the measurements'
-// information on the target's place, with the mount unknown.
+// and before two, and poses alone. benchmark_hand_eye [SEEDS] [POSES] [--markdown]. The cameras stand, the target is on
+// the hand, nothing is known of the mount. The solvers get each pose of the target as the least squares of its pixels
+// with the true shape, from the true pose: the best that could be handed to them; our fit gets the pixels and that
+// shape. `bound`: what no unbiased program can be below (Cramer and Rao): errors drawn from the inverse of the
+// measurements' information on the target's place, with the mount unknown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "estimation/problem/body_pose.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -78,7 +79,8 @@ Rigid by_solver(const Poses& p, int solver) {
   return inverse(make_rigid(r, t));
 }
 
-constexpr const char* solvers[] = {"Tsai", "Park", "Horaud", "Andreff", "Daniilidis", "Shah", "Li"};
+constexpr const char* solvers[] = {
+    "Tsai", "Park", "Horaud", "Andreff", "Daniilidis", "Shah (robot-world)", "Li (robot-world)"};
 
 struct Errors {
   std::vector<double> mm, degrees;
@@ -129,9 +131,15 @@ void timed(Errors& e, const Work& work) {
   e.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-void run(const Case& c, int seeds, int observations) {
+/// Of one case.
+struct AllErrors {
   std::map<int, Errors> theirs;
   Errors ours, bound;
+};
+
+AllErrors run(const Case& c, int seeds, int observations) {
+  AllErrors all;
+  auto& [theirs, ours, bound] = all;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulationOptions o;
     o.seed = static_cast<std::uint64_t>(seed);
@@ -176,25 +184,63 @@ void run(const Case& c, int seeds, int observations) {
   for (int solver = 0; solver < 7; ++solver) tell(solvers[solver], theirs[solver]);
   tell("Handsight", ours);
   tell("bound", bound);
-  double best_mm = 1e300, best_degrees = 1e300;
-  for (const auto& [solver, e] : theirs) {
-    best_mm = std::min(best_mm, median(e.mm));
-    best_degrees = std::min(best_degrees, median(e.degrees));
-  }
-  fmt::print("  over their best: ours place {:.3f}, turn {:.3f}; bound place {:.3f}, turn {:.3f}\n\n",
-             median(ours.mm) / best_mm, median(ours.degrees) / best_degrees, median(bound.mm) / best_mm,
-             median(bound.degrees) / best_degrees);
   std::fflush(stdout);
+  return all;
+}
+
+std::string median_and_worst(const std::vector<double>& v, const char* unit) {
+  return v.empty() ? "" : fmt::format("{:.3g} / {:.3g} {}", median(v), *std::max_element(v.begin(), v.end()), unit);
+}
+
+/// A row: what `of` picks in each case.
+template <class Of>
+void print(trials::Table& table, const std::string& name, const std::vector<AllErrors>& cases, const Of& of) {
+  std::vector<trials::TableCell> row{name};
+  for (const AllErrors& all : cases) {
+    row.emplace_back(median_and_worst(of(all).mm, "mm"));
+    row.emplace_back(median_and_worst(of(all).degrees, "deg"));
+  }
+  table.print(row);
+}
+
+/// The medians of what `of` picks over the best median of the solvers.
+template <class Of>
+void print_over_best(trials::Table& table, const std::string& name, const std::vector<AllErrors>& cases, const Of& of) {
+  std::vector<trials::TableCell> row{name};
+  for (const AllErrors& all : cases)
+    for (const auto numbers : {&Errors::mm, &Errors::degrees}) {
+      double best = 1e300;
+      for (const auto& [solver, e] : all.theirs) best = std::min(best, median(e.*numbers));
+      row.emplace_back(median(of(all).*numbers) / best);
+    }
+  table.print(row);
+}
+
+void print_all(const std::vector<AllErrors>& cases, const trials::TableOutput& output) {
+  std::vector<trials::TableColumn> columns{{.heading = "median / worst", .width = 26}};
+  for (const char* name : {"one camera", "two cameras", "poses alone"})
+    for (const char* what : {"place", "turn"})
+      columns.push_back({.heading = fmt::format("{}: {}", name, what), .digits = 3, .width = 20});
+  trials::Table table(columns, output);
+  const auto ours = [](const AllErrors& all) -> const Errors& { return all.ours; };
+  const auto bound = [](const AllErrors& all) -> const Errors& { return all.bound; };
+  for (int solver = 0; solver < 7; ++solver)
+    print(table, solvers[solver], cases, [&](const AllErrors& all) -> const Errors& { return all.theirs.at(solver); });
+  print(table, "Handsight", cases, ours);
+  print_over_best(table, "over the best of them", cases, ours);
+  print(table, "bound", cases, bound);
+  print_over_best(table, "bound over the best of them", cases, bound);
 }
 
 }  // namespace
 }  // namespace handsight
 
 int main(int argc, char** argv) {
+  using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 200, poses = argc > 2 ? std::atoi(argv[2]) : 20;
-  handsight::run({"One camera, a ChArUco board", handsight::fixture::target_session(handsight::fixture::charuco(), 1)},
-                 seeds, poses);
-  handsight::run({"Two cameras, a ChArUco board", handsight::fixture::target_session(handsight::fixture::charuco(), 2)},
-                 seeds, poses);
-  handsight::run({"Poses alone", handsight::pose_session()}, seeds, poses);
+  print_all({run({"One camera, a ChArUco board", fixture::target_session(fixture::charuco(), 1)}, seeds, poses),
+             run({"Two cameras, a ChArUco board", fixture::target_session(fixture::charuco(), 2)}, seeds, poses),
+             run({"Poses alone", pose_session()}, seeds, poses)},
+            output);
 }

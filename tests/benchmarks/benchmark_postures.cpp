@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every fit with effects is made of: where effects put an observation's chain, with derivatives and without, and
-// sums over rows, beside Eigen's.
+// sums over rows, beside Eigen's. benchmark_postures [SESSION...] [--markdown]
 #include <benchmark/benchmark.h>
 
 #include <random>
 
+#include "benchmarks/measured_runs.h"
 #include "estimation/problem/column_products.h"
 #include "estimation/problem/problem.h"
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -45,7 +47,7 @@ void place(benchmark::State& state, const Session& like, bool derives) {
   const auto observations = static_cast<double>(posed.problem.observations.size());
   state.counters["columns"] = static_cast<double>(posed.problem.effect_count());
   state.counters["an_observation"] =
-      benchmark::Counter(observations, benchmark::Counter::is_iteration_invariant_rate | benchmark::Counter::invert);
+      benchmark::Counter(observations, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void squares(benchmark::State& state, bool ours) {
@@ -80,11 +82,14 @@ Session of_hundred_poses(const Session& like) {
   return simulate_session(like, options).session;
 }
 
+/// Names of benchmarks, without what follows a "/".
+constexpr const char* simulated[] = {"six_axes", "seven_axes", "torso"};
+
 void add_benchmarks(const std::vector<std::string>& sessions) {
   for (const bool derives : {true, false}) {
     const auto add = [&](std::string name, const Session& like) {
       name += derives ? "/with_derivatives" : "/without";
-      benchmark::RegisterBenchmark(name.c_str(), place, like, derives)->Unit(benchmark::millisecond);
+      benchmark::RegisterBenchmark(name.c_str(), place, like, derives)->Unit(benchmark::kMillisecond);
     };
     add("six_axes", of_hundred_poses(fixture::stand_session()));
     add("seven_axes", of_hundred_poses(fixture::seven_axis_session()));
@@ -97,20 +102,51 @@ void add_benchmarks(const std::vector<std::string>& sessions) {
         ->Args({192, 20})
         ->Args({192, 80})
         ->Args({1500, 90})
-        ->Unit(benchmark::microsecond);
+        ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("products/" + by).c_str(), products, ours)
         ->Args({750, 30, 100})
         ->Args({1500, 90, 300})
-        ->Unit(benchmark::microsecond);
+        ->Unit(benchmark::kMicrosecond);
   }
+}
+
+constexpr double us = 1e6;
+
+void print_postures(const MeasuredRuns& runs, const std::vector<std::string>& sessions,
+                    const trials::TableOutput& output) {
+  trials::Table table({{.heading = "robot", .width = 32}, {"with all derivatives", 1}, {"without", 1}}, output);
+  const auto print = [&](const std::string& title, const std::string& name) {
+    const std::string with = name + "/with_derivatives";
+    table.print({fmt::format("{}, {:.0f} columns", title, runs.counter(with, "columns")),
+                 us * runs.counter(with, "an_observation"), us * runs.counter(name + "/without", "an_observation")});
+  };
+  for (const std::string& session : sessions) print(session, session);
+  for (const char* name : simulated) print(fmt::format("simulated, {}", name), name);
+}
+
+void print_products(const MeasuredRuns& runs, const trials::TableOutput& output) {
+  trials::Table table({{.heading = "product", .width = 28}, {"ours", 1}, {"Eigen", 1}}, output);
+  const auto print = [&](const char* title, const std::string& kind, const std::string& size) {
+    table.print({title, us * runs.seconds(kind + "/ours" + size), us * runs.seconds(kind + "/eigen" + size)});
+  };
+  print("A^T A, 192 x 20", "squares", "/192/20");
+  print("A^T A, 192 x 80", "squares", "/192/80");
+  print("A^T A, 1500 x 90", "squares", "/1500/90");
+  print("A^T B, 750 x 30 and 100", "products", "/750/30/100");
+  print("A^T B, 1500 x 90 and 300", "products", "/1500/90/300");
 }
 
 }  // namespace
 }  // namespace handsight
 
-/// benchmark_postures [SESSION...]
 int main(int argc, char** argv) {
+  using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   benchmark::Initialize(&argc, argv);
-  handsight::add_benchmarks(std::vector<std::string>(argv + 1, argv + argc));
-  benchmark::RunSpecifiedBenchmarks();
+  const std::vector<std::string> sessions(argv + 1, argv + argc);
+  add_benchmarks(sessions);
+  MeasuredRuns runs;
+  benchmark::RunSpecifiedBenchmarks(&runs);
+  print_postures(runs, sessions, output);
+  print_products(runs, output);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions whose targets name their own points, and poses in place of images: is TCP->Body unbiased, do its sigmas
-// hold, and is what was hidden named? trial_boards fit COUNT [FIRST_SEED] | trial_boards diagnose COUNT [FIRST_SEED]
+// hold, and is what was hidden named? trial_boards fit COUNT [FIRST_SEED] | trial_boards diagnose COUNT [FIRST_SEED];
+// [--markdown]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "estimation/fit/fit.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -48,8 +50,8 @@ std::vector<Kind> kinds() {
           {"ChArUco of free points, one camera", with_print(board, std::nullopt)},
           {"AprilGrid, one camera, mount unknown", fixture::target_session(fixture::aprilgrid()), false},
           {"three tags, one camera, mount unknown", fixture::target_session(fixture::tags()), false},
-          {"poses, sigmas told, mount unknown", pose_session(), false, true},
-          {"poses, sigmas not told, mount unknown", pose_session(), false, false}};
+          {"poses, sigmas given, mount unknown", pose_session(), false, true},
+          {"poses, sigmas not given, mount unknown", pose_session(), false, false}};
 }
 
 struct Sums {
@@ -91,7 +93,26 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
   }
 }
 
-void fits(int count, std::uint64_t first) {
+/// From the least of the six parameters to the most.
+std::string from_to(const Eigen::Ref<const Eigen::VectorXd>& values, int digits) {
+  return fmt::format("{:.{}f} to {:.{}f}", values.minCoeff(), digits, values.maxCoeff(), digits);
+}
+
+void print(trials::Table& table, const std::string& name, const Sums& s) {
+  const Vector6 rms = (s.squares / s.count).cwiseSqrt();
+  table.print(
+      {name, fmt::format("{} um, {} mrad", from_to(1e6 * rms.head<3>(), 0), from_to(1e3 * rms.tail<3>(), 2)),
+       (s.z / s.count).cwiseAbs().maxCoeff(), from_to((s.z2 / s.count).cwiseSqrt(), 2),
+       fmt::format("{}, all {:.1f}", from_to(100 * s.covered / s.count, 1), 100 * s.covered.sum() / (6 * s.count))});
+}
+
+void fits(int count, std::uint64_t first, const trials::TableOutput& output) {
+  trials::Table table({{.heading = "target", .width = 56},
+                       {.heading = "rms error of TCP->Body", .width = 36},
+                       {fmt::format("largest mean / sigma (+- {:.3f})", 1 / std::sqrt(static_cast<double>(count))), 2},
+                       {.heading = "rms / sigma", .width = 12},
+                       {.heading = "within 95 %", .width = 24}},
+                      output);
   for (const Kind& kind : kinds()) {
     Sums s;
     for (int i = 0; i < count; ++i) add(kind, first + static_cast<std::uint64_t>(i), s);
@@ -103,7 +124,7 @@ void fits(int count, std::uint64_t first) {
                  names[i], 1e6 * std::sqrt(s.squares[i] / s.count), i < 3 ? "um" : "urad", s.z[i] / s.count,
                  1 / std::sqrt(static_cast<double>(s.count)), std::sqrt(s.z2[i] / s.count),
                  100 * s.covered[i] / s.count);
-    fmt::print("  all: within 95 %: {:.1f} %\n", 100 * s.covered.sum() / (6 * s.count));
+    print(table, kind.name, s);
     std::fflush(stdout);
   }
 }
@@ -115,7 +136,8 @@ double noncentrality(const Session& like, SimulationOptions o, double noise) {
   return fit(simulate_session(like, o).session, {}).solution.normal.data_cost() / (noise * noise);
 }
 
-void diagnose_kind(const std::string& name, const Session& like, double noise, int count, std::uint64_t first) {
+void diagnose_kind(const std::string& name, const Session& like, double noise, int count, std::uint64_t first,
+                   trials::Table& table) {
   const Chain chain = make_chain(like);
   const OwnEffects own = list_own_effects(like, chain);
   int trials = 0, named_first = 0, named = 0, place = 0;
@@ -148,27 +170,32 @@ void diagnose_kind(const std::string& name, const Session& like, double noise, i
       if (!is_first) fmt::print("  seed {} {} at {}: {} first\n", o.seed, id, where, best.id);
     }
   }
-  fmt::print("{}: {} trials, first {}, named or not to be told apart {}, place {}\n", name, trials, named_first, named,
-             place);
-  std::fflush(stdout);
+  table.print({name, trials, named_first, place, named});
 }
 
-void diagnose_all(int count, std::uint64_t first) {
-  diagnose_kind("ChArUco, one camera on a stand", fixture::target_session(), 0.2, count, first);
-  diagnose_kind("ChArUco on the table, camera on the hand", fixture::eye_in_hand_session(), 0.2, count, first);
-  diagnose_kind("three tags, one camera", fixture::target_session(fixture::tags()), 0.2, count, first);
-  diagnose_kind("poses", pose_session(), 5e-4, count, first);
+void diagnose_all(int count, std::uint64_t first, const trials::TableOutput& output) {
+  trials::Table table({{.heading = "target", .width = 40},
+                       {"trials"},
+                       {"first"},
+                       {"at the right place"},
+                       {"first, or reported as not distinguishable from it"}},
+                      output);
+  diagnose_kind("ChArUco, one camera on a stand", fixture::target_session(), 0.2, count, first, table);
+  diagnose_kind("ChArUco on the table, camera on the hand", fixture::eye_in_hand_session(), 0.2, count, first, table);
+  diagnose_kind("three tags, one camera", fixture::target_session(fixture::tags()), 0.2, count, first, table);
+  diagnose_kind("poses", pose_session(), 5e-4, count, first, table);
 }
 
 }  // namespace
 }  // namespace handsight
 
 int main(int argc, char** argv) {
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(argc, argv);
   const std::string what = argc > 1 ? argv[1] : "fit";
   const int count = argc > 2 ? std::atoi(argv[2]) : 20;
   const auto first = static_cast<std::uint64_t>(argc > 3 ? std::atoll(argv[3]) : 1);
   if (what == "diagnose")
-    handsight::diagnose_all(count, first);
+    handsight::diagnose_all(count, first, output);
   else
-    handsight::fits(count, first);
+    handsight::fits(count, first, output);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_cameras [FOLDER]: our calibration of two cameras beside OpenCV's, in one run, on the stereo pairs of a 9 x 6
-// chessboard of 25 mm that come with OpenCV: errors, errors of pairs held out, times, and the triangulated squares.
+// trial_cameras [FOLDER] [--markdown]: our calibration of two cameras beside OpenCV's, in one run, on the stereo pairs
+// of a 9 x 6 chessboard of 25 mm that come with OpenCV: errors, errors of pairs held out, times, and the triangulated
+// squares.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +12,14 @@
 
 #include "camera_calibration/board_images.h"
 #include "camera_calibration/camera_calibration.h"
+#include "trials/table.h"
 #include "vision/image/image_file.h"
 
 namespace {
 
 using namespace handsight;
 using Clock = std::chrono::steady_clock;
-constexpr int column_count = 9, row_count = 6;
+constexpr int board_columns = 9, board_rows = 6;
 constexpr double square_size = 0.025;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -33,7 +35,7 @@ BoardImages opencv_corners(const GroupedImages& grouped, const BoardImages& ours
     const Image read = read_image(camera.files[static_cast<std::size_t>(at)]);
     const cv::Mat grey(read.height, read.width, CV_8U, const_cast<std::uint8_t*>(read.pixels.data()));
     std::vector<cv::Point2f> corners;
-    if (!cv::findChessboardCorners(grey, {column_count, row_count}, corners)) {
+    if (!cv::findChessboardCorners(grey, {board_columns, board_rows}, corners)) {
       image.points.clear();
       continue;
     }
@@ -108,11 +110,11 @@ std::pair<double, double> sides(const BoardImages& images, const CameraRig& rig)
       const double side = 1e3 * (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm();
       sum += side, squares += side * side, ++count;
     };
-    for (int row = 0; row < row_count; ++row)
-      for (int column = 0; column < column_count; ++column) {
-        const int i = row * column_count + column;
-        if (column + 1 < column_count) add(i, i + 1);
-        if (row + 1 < row_count) add(i, i + column_count);
+    for (int row = 0; row < board_rows; ++row)
+      for (int column = 0; column < board_columns; ++column) {
+        const int i = row * board_columns + column;
+        if (column + 1 < board_columns) add(i, i + 1);
+        if (row + 1 < board_rows) add(i, i + board_columns);
       }
   }
   return {sum / count, std::sqrt(std::max(squares / count - sum / count * sum / count, 0.0))};
@@ -127,8 +129,10 @@ double mean_square(const std::vector<std::optional<double>>& frames) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const std::string folder = argc > 1 ? argv[1] : HANDSIGHT_SHARED_DIR "/real/opencv_stereo";
-  const Target board{.kind = TargetKind::chessboard, .columns = column_count, .rows = row_count, .square = square_size};
+  const Target board{
+      .kind = TargetKind::chessboard, .columns = board_columns, .rows = board_rows, .square = square_size};
   const GroupedImages grouped = group_images({folder});
   auto start = Clock::now();
   const DetectedImages detected = detect_in_images(grouped, board);
@@ -160,16 +164,22 @@ int main(int argc, char** argv) {
     fmt::print("model {:<9} rms {:.4f} px, held out {:.4f} px {}\n", model.name, model.rms_pixel,
                model.held_out_rms_pixel, model.failure);
   const auto ours_side = sides(detected.board, best.bundle.rig), their_side = sides(corners, theirs.rig);
-  fmt::print("{:<46} {:>10} {:>10} {:>10} {:>10} {:>18}\n", "", "rms px", "held out", "find ms", "solve ms", "side mm");
-  fmt::print("{:<46} {:>10.4f} {:>10.4f} {:>10.0f} {:>10.0f} {:>9.3f} +- {:.3f}\n",
-             "ours, model chosen and folds included (" + std::string(best.bundle.rig.lenses[0].model->name) + ")",
-             best.bundle.rms_pixel, best.held_out.rms_pixel, 1e3 * our_detection, 1e3 * our_choice, ours_side.first,
-             ours_side.second);
-  fmt::print("{:<46} {:>10.4f} {:>10} {:>10} {:>10.0f}\n", "ours, brown, from nothing, covariances", plain.rms_pixel,
-             "", "", 1e3 * our_time);
-  fmt::print("{:<46} {:>10.4f} {:>10.4f} {:>10.0f} {:>10.0f} {:>9.3f} +- {:.3f}\n", "OpenCV, its corners", theirs.rms,
-             mean_square(their_held_out), 1e3 * their_detection, 1e3 * their_time, their_side.first, their_side.second);
-  fmt::print("{:<46} {:>10.4f} {:>10.4f}\n", "OpenCV, our corners", on_ours.rms, mean_square(on_ours_held_out));
+  trials::Table table({{.heading = "calibration", .width = 66},
+                       {"rms px", 4},
+                       {"held out px", 4},
+                       {"find, ms"},
+                       {"solve, ms"},
+                       {.heading = "side of a square, mm", .width = 18}},
+                      output);
+  const auto text = [](std::pair<double, double> side) {
+    return fmt::format("{:.3f} +- {:.3f}", side.first, side.second);
+  };
+  table.print({fmt::format("`cameras`, lens chosen ({}) and folds included", best.bundle.rig.lenses[0].model->name),
+               best.bundle.rms_pixel, best.held_out.rms_pixel, 1e3 * our_detection, 1e3 * our_choice, text(ours_side)});
+  table.print({"the same, brown alone, with covariances", plain.rms_pixel, {}, {}, 1e3 * our_time});
+  table.print({"OpenCV's `calibrateCamera` and `stereoCalibrate` on its own corners", theirs.rms,
+               mean_square(their_held_out), 1e3 * their_detection, 1e3 * their_time, text(their_side)});
+  table.print({"OpenCV's on our corners", on_ours.rms, mean_square(on_ours_held_out)});
   fmt::print("OpenCV's single cameras: {:.4f} and {:.4f} px; on our corners {:.4f} and {:.4f}\n", theirs.mono[0],
              theirs.mono[1], on_ours.mono[0], on_ours.mono[1]);
   fmt::print("held out by pair (ours / OpenCV):");

@@ -14,6 +14,7 @@
 #include "compare/comparison.h"
 #include "compare/several_comparison.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -135,7 +136,18 @@ void run(std::uint64_t seed, int sessions, const std::string& kind, int model, R
   std::fflush(stdout);
 }
 
-int changed_trials(const Arguments& a, int sessions) {
+/// As the table names them, in the order of `kinds`.
+constexpr const char* titles[] = {"nothing", "a joint's zero by 1 mrad", "the mount turned by 0.05 degrees",
+                                  "a lens refocused (focal length by 0.3 %)", "the tool slipped by 0.3 mm"};
+
+void print(Table& table, const std::string& title, const Row& r, bool is_change, int sessions) {
+  table.print({title, r.worlds, r.named, is_change ? TableCell(r.missed) : TableCell("-"), r.other,
+               sessions == 2 ? TableCell(r.pair_named) : TableCell()});
+  fmt::print("  {} among the alternatives, {} above 95 % and wrong; compare of two: {} tied; {:.1f} s each\n",
+             r.alternative, r.sure_and_wrong, r.pair_tied, r.seconds / std::max(1, r.worlds));
+}
+
+int changed_trials(const Arguments& a, int sessions, const TableOutput& output) {
   std::map<std::string, Row> rows;
   for (int i = 0; i < a.count; ++i) {
     const std::uint64_t seed = a.first + static_cast<std::uint64_t>(i);
@@ -147,12 +159,15 @@ int changed_trials(const Arguments& a, int sessions) {
       fmt::print("  seed {} is left out: {}\n", seed, error.what());
     }
   }
-  for (const auto& [kind, r] : rows)
-    fmt::print(
-        "{:<14} {:>3} of {} sessions: {:>3} named, {:>2} among the alternatives, {:>2} missed, {:>2} something else "
-        "besides, {:>2} above 95 % and wrong; compare of two: {:>3} named, {:>2} tied; {:.1f} s each\n",
-        kind, r.worlds, sessions, r.named, r.alternative, r.missed, r.other, r.sure_and_wrong, r.pair_named,
-        r.pair_tied, r.seconds / std::max(1, r.worlds));
+  Table table({{.heading = "changed", .width = 42},
+               {sessions == 2 ? "pairs" : "collections"},
+               {"told, with its place"},
+               {"missed"},
+               {"something else told"},
+               {"by `compare` of two"}},
+              output);
+  for (std::size_t k = 0; k < std::size(kinds); ++k)
+    if (rows.contains(kinds[k])) print(table, titles[k], rows[kinds[k]], k > 0, sessions);
   return 0;
 }
 
@@ -161,8 +176,9 @@ int changed_trials(const Arguments& a, int sessions) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
+  const TableOutput output = take_table_output(argc, argv);
   Arguments a;
   if (argc > 1) a.count = std::atoi(argv[1]);
   if (argc > 2) a.first = static_cast<std::uint64_t>(std::atoll(argv[2]));
-  return changed_trials(a, argc > 3 ? std::atoi(argv[3]) : 2);
+  return changed_trials(a, argc > 3 ? std::atoi(argv[3]) : 2, output);
 }

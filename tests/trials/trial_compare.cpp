@@ -3,7 +3,7 @@
 // is? A third of the robots have effects of the catalogue that the model does not know, the same in both sessions; a
 // third besides have masses that are wrong by 12 % and a shift of the hand by 0.3 mm an axis that no catalogue has.
 // trial_compare COUNT [FIRST_SEED] [ROBOT] [KIND: all, or a change's id]; "five" compares a calibration with five
-// poses. ROBOT 3, the usual: another robot and other cameras in every pair.
+// poses. ROBOT 3, the usual: another robot and other cameras in every pair. [--markdown]
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -13,6 +13,7 @@
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -147,7 +148,19 @@ void print(const char* model, const std::string& name, const Row& r) {
   fmt::print("\n");
 }
 
-int compare_trials(const Arguments& a) {
+/// Of changes, and of pairs in which nothing has changed.
+void print(Table& table, const std::string& model, const Row& change, const Row& nothing) {
+  table.print({model, share_text(change.named, change.pairs - change.weak),
+               share_text(change.named_if_told, change.strong_if_told), share_text(nothing.named, nothing.pairs)});
+}
+
+void add(const Row& one, Row& all) {
+  all.pairs += one.pairs, all.named += one.named, all.ambiguous += one.ambiguous, all.wrong += one.wrong;
+  all.missed += one.missed, all.weak += one.weak;
+  all.strong_if_told += one.strong_if_told, all.named_if_told += one.named_if_told;
+}
+
+int compare_trials(const Arguments& a, const TableOutput& output) {
   const bool five = a.kind == "five";
   std::map<std::string, Row> rows[std::size(model_names)];
   for (int i = 0; i < a.count; ++i) {
@@ -183,17 +196,24 @@ int compare_trials(const Arguments& a) {
           c.sentence);
     std::fflush(stdout);
   }
+  Table table({{"model of both sessions"},
+               {"strong changes named"},
+               {"strong if all else were known, named"},
+               {"unchanged pairs unchanged"}},
+              output);
+  Row together, nothing;
   for (std::size_t model = 0; model < std::size(model_names); ++model) {
     Row all;
     for (const auto& [name, r] : rows[model]) {
       print(model_names[model], name, r);
       if (name == "nothing") continue;
-      all.pairs += r.pairs, all.named += r.named, all.ambiguous += r.ambiguous, all.wrong += r.wrong;
-      all.missed += r.missed, all.weak += r.weak;
-      all.strong_if_told += r.strong_if_told, all.named_if_told += r.named_if_told;
+      add(r, all);
     }
     if (all.pairs > 0) print(model_names[model], "any change", all);
+    if (all.pairs > 0) print(table, model_names[model], all, rows[model]["nothing"]);
+    add(all, together), add(rows[model]["nothing"], nothing);
   }
+  print(table, "together", together, nothing);
   return 0;
 }
 
@@ -202,5 +222,6 @@ int compare_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return compare_trials(arguments(argc, argv, "all"));
+  const TableOutput output = take_table_output(argc, argv);
+  return compare_trials(arguments(argc, argv, "all"), output);
 }

@@ -16,6 +16,7 @@
 #include "export/exported.h"
 #include "fixtures/robots_with_everything.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -152,7 +153,7 @@ Calibrated calibrated(const Hidden& h, bool is_given) {
   return {fit(h.session, options), options};
 }
 
-int correct_trials(const Arguments& a) {
+int correct_trials(const Arguments& a, const TableOutput& output) {
   const bool is_given = a.kind == "told" || a.kind == "given" || a.kind == "plausible";
   std::vector<double> gains, ratios, squares, ratios_without, squares_without;
   for (int i = 0; i < a.count; ++i) {
@@ -202,11 +203,14 @@ int correct_trials(const Arguments& a) {
   const auto mean = [](const std::vector<double>& all) {
     return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
   };
-  fmt::print(
-      "{} robots: {:.0f} times less in the median; error over what sigma promises {:.2f} in the median, its square "
-      "{:.2f} on average, at most 1.2 in {}; without doubt of the names {:.2f}, {:.2f}, {}\n",
-      a.count, median(gains), median(ratios), mean(squares), within(ratios), median(ratios_without),
-      mean(squares_without), within(ratios_without));
+  fmt::print("{} robots: {:.0f} times less in the median\n", a.count, median(gains));
+  const std::string command = fmt::format("`trial_correct {} {} {} {}`", a.count, a.first, a.robot, a.kind);
+  Table table(
+      {{.heading = "error over what sigma promises", .width = 64}, {"median", 2}, {"mean square", 2}, {"within 1.2"}},
+      output);
+  table.print({command, median(ratios), mean(squares), share_text(within(ratios), a.count)});
+  table.print({command + ", without model uncertainty", median(ratios_without), mean(squares_without),
+               share_text(within(ratios_without), a.count)});
   return 0;
 }
 
@@ -215,5 +219,6 @@ int correct_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return correct_trials(arguments(argc, argv, "core"));
+  const TableOutput output = take_table_output(argc, argv);
+  return correct_trials(arguments(argc, argv, "core"), output);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Is the fit efficient, and are its covariances true? Many fits of one geometry with fresh noise: errors
 // against the Cramer-Rao bound, and how often the 95 % intervals hold the truth.
+// trial_crb [FITS] [OBSERVATIONS] [--markdown]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -8,6 +9,7 @@
 
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -17,6 +19,7 @@ constexpr double normal_95 = 1.959964;  // two-sided
 constexpr double most_excess = 0.03;    // of the rms over the bound
 constexpr double least_coverage = 0.94, most_coverage = 0.96;
 constexpr std::uint64_t noise_seed = 20240501;
+constexpr const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
 
 struct Geometry {
   Session exact;  // every measurement without noise
@@ -87,7 +90,12 @@ struct Sums {
   int repeatability = 0, not_converged = 0;
 };
 
-bool run(const Geometry& g, int count, bool declared) {
+struct Outcome {
+  bool met = true;
+  Vector6 ratio = Vector6::Zero(), within = Vector6::Zero();  // rms over the bound; share inside 95 %
+};
+
+Outcome run(const Geometry& g, int count, bool declared) {
   const auto began = std::chrono::steady_clock::now();
   Sums sums;
   Random random(noise_seed);
@@ -109,30 +117,43 @@ bool run(const Geometry& g, int count, bool declared) {
   fmt::print("\n{} fits of {} observations, free markers, noise {:.1f} px {} ({:.1f} s)\n", count,
              g.exact.observations.size(), noise, declared ? "declared" : "not declared (estimated)", seconds);
   fmt::print("covariance by scatter in {} fits, not converged {}\n", sums.repeatability, sums.not_converged);
-  fmt::print("        bound          rms/bound  mean/bound  within 95 %\n");
-  const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
-  bool all = sums.not_converged == 0;
+  Outcome outcome{sums.not_converged == 0, (sums.squares / count).cwiseSqrt().cwiseQuotient(bound),
+                  sums.covered / count};
   for (int i = 0; i < 6; ++i) {
-    const double ratio = std::sqrt(sums.squares[i] / count) / bound[i];
-    const double coverage = sums.covered[i] / count;
-    const bool met = std::abs(ratio - 1) <= most_excess && coverage >= least_coverage && coverage <= most_coverage;
-    all = all && met;
-    fmt::print("{:>4}  {:9.3f} {:<4}  {:9.4f}  {:10.4f}  {:9.2f} %   {}\n", names[i], 1e6 * bound[i],
-               i < 3 ? "um" : "urad", ratio, sums.error[i] / count / bound[i], 100 * coverage, met ? "ok" : "NOT MET");
+    const bool met = std::abs(outcome.ratio[i] - 1) <= most_excess && outcome.within[i] >= least_coverage &&
+                     outcome.within[i] <= most_coverage;
+    outcome.met = outcome.met && met;
+    fmt::print("{:>4}  bound {:9.3f} {:<4}  mean/bound {:10.4f}   {}\n", names[i], 1e6 * bound[i],
+               i < 3 ? "um" : "urad", sums.error[i] / count / bound[i], met ? "ok" : "NOT MET");
   }
-  return all;
+  return outcome;
+}
+
+void print(trials::Table& table, const std::string& what, const Vector6& values, double factor, int digits) {
+  std::vector<trials::TableCell> row{what};
+  for (const double value : values) row.emplace_back(fmt::format("{:.{}f}", factor * value, digits));
+  table.print(row);
+}
+
+void print_outcomes(const Outcome& declared, const Outcome& estimated, const trials::TableOutput& output) {
+  std::vector<trials::TableColumn> columns{{.heading = "TCP->Body", .width = 64}};
+  for (const char* name : names) columns.push_back({name});
+  trials::Table table(columns, output);
+  print(table, "rms error / Cramer-Rao bound (aim: within 3 %)", declared.ratio, 1, 3);
+  print(table, "95 % intervals that hold the truth, noise declared (94 to 96 %)", declared.within, 100, 1);
+  print(table, "the same, noise estimated", estimated.within, 100, 1);
 }
 
 }  // namespace
 }  // namespace handsight
 
-/// trial_crb [fits] [observations]
 int main(int argc, char** argv) {
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 10000;
   const handsight::Geometry g = handsight::make_geometry(argc > 2 ? std::atoi(argv[2]) : 20);
-  const bool declared = handsight::run(g, count, true);
-  const bool estimated = handsight::run(g, count, false);
-  fmt::print("\nrms within 3 % of the bound, 94 to 96 % in the intervals: {}\n",
-             declared && estimated ? "ok" : "NOT MET");
-  return declared && estimated ? 0 : 1;
+  const handsight::Outcome declared = handsight::run(g, count, true), estimated = handsight::run(g, count, false);
+  handsight::print_outcomes(declared, estimated, output);
+  const bool met = declared.met && estimated.met;
+  fmt::print("\nrms within 3 % of the bound, 94 to 96 % in the intervals: {}\n", met ? "ok" : "NOT MET");
+  return met ? 0 : 1;
 }

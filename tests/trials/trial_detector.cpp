@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The detector's figures: recall, errors against OpenCV's cornerSubPix and the Cramer-Rao bound, calibration of the
 // covariance, the published fixture, the real boards, time, false corners.
-// Usage: trial_detector [SEED [rendered]]: of the rendered markers and textures; with the bound of the rendered image
-// itself, which takes longer, instead of that of a lone blurred corner.
+// Usage: trial_detector [SEED [rendered]] [--markdown]: of the rendered markers and textures; with the bound of the
+// rendered image itself, which takes longer, instead of that of a lone blurred corner.
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
+#include "trials/table.h"
 #include "vision/corners/corner_boards.h"
 #include "vision/corners/corner_detector.h"
 #include "vision/corners/corner_truth.h"
@@ -25,7 +26,8 @@ struct Errors {
   double rms() const { return std::sqrt(squares / std::max(count, 1)); }
 };
 
-void markers(const std::string& name, int count, const Variety& variety, unsigned seed, bool rendered) {
+void markers(const std::string& name, int count, const Variety& variety, unsigned seed, bool rendered,
+             trials::Table& table) {
   std::mt19937 random(seed);
   Errors ours, opencv, bounds;
   int in_scope = 0, far = 0, opencv_lost = 0;
@@ -53,15 +55,14 @@ void markers(const std::string& name, int count, const Variety& variety, unsigne
     else
       ++opencv_lost;
   }
-  fmt::print(
-      "{:<30} {:5} in scope, recall {:.4f}; rms {:.4f} worst {:.3f} px; cornerSubPix {:.4f} ({} beyond 1 px, left "
-      "out), ratio {:.2f}; bound {:.4f}, ratio {:.2f}; normalised error^2 {:.2f}, > 18.4 {:.2f} %\n",
-      name, in_scope, static_cast<double>(ours.count) / in_scope, ours.rms(), ours.worst, opencv.rms(), opencv_lost,
-      ours.rms() / opencv.rms(), bounds.rms(), ours.rms() / bounds.rms(), normalised / ours.count,
-      100.0 * far / ours.count);
+  table.print({fmt::format("{} ({})", name, count), static_cast<double>(ours.count) / in_scope,
+               fmt::format("{:.3f} / {:.2f}", ours.rms(), ours.worst), ours.rms() / opencv.rms(),
+               ours.rms() / bounds.rms(), normalised / ours.count});
+  fmt::print("  {} in scope; cornerSubPix {:.4f} px ({} beyond 1 px, left out); bound {:.4f} px; > 18.4 {:.2f} %\n",
+             in_scope, opencv.rms(), opencv_lost, bounds.rms(), 100.0 * far / ours.count);
 }
 
-void published_fixture(double cell, double blur, double noise, double parts) {
+void published_fixture(double cell, double blur, double noise, double parts, trials::Table& table) {
   std::mt19937 random(12);
   double asked[2] = {}, rendered[2] = {};
   int found = 0;
@@ -75,10 +76,14 @@ void published_fixture(double cell, double blur, double noise, double parts) {
     asked[0] += (ours->position - image.corner).norm(), asked[1] += (theirs - image.corner).norm();
     rendered[0] += (ours->position - image.rendered).norm(), rendered[1] += (theirs - image.rendered).norm();
   }
-  fmt::print(
-      "fixture cell {} offsets k/{} blur {:.1f} noise {:4.1f}: found {}/36; mean error to the corner rendered {:.4f} "
-      "(cornerSubPix {:.4f}), to the one asked for {:.4f} ({:.4f}) px\n",
-      cell, parts, blur, noise, found, rendered[0] / found, rendered[1] / found, asked[0] / found, asked[1] / found);
+  const auto errors = [&](const double(&sums)[2]) {
+    return fmt::format("{:.4f} / {:.4f}", sums[0] / found, sums[1] / found);
+  };
+  std::string name = fmt::format("{:g}, {:g}", blur, noise);
+  if (parts != 6) name += fmt::format(", offsets of k/{:g} (nothing rounded)", parts);
+  if (cell != 8) name += fmt::format(", cells of {:g} px", cell);
+  table.print({name, errors(rendered), errors(asked)});
+  if (found < 36) fmt::print("  found {} of 36\n", found);
 }
 
 template <class Work>
@@ -165,18 +170,28 @@ void false_corners(int images, unsigned seed) {
 
 int main(int count, char** words) {
   using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(count, words);
   const unsigned seed = count > 1 ? static_cast<unsigned>(std::atoi(words[1])) : 11;
   const bool rendered = count > 2 && std::string(words[2]) == "rendered";
-  markers("cells 8-20, even light", 1000, {.gradient = 0}, seed, rendered);
-  markers("cells 8-20, uneven light", 1000, {}, seed, rendered);
-  markers("cells 20-30, uneven light", 600, {.cell = {20, 30}}, seed, rendered);
-  markers("board, cells 10-20", 600, {.cell = {10, 20}, .board = true}, seed, rendered);
-  markers("board, cells 7-9", 600, {.cell = {7, 9}, .board = true}, seed, rendered);
-  markers("shadow's edge 3-10 px off", 600, {.shade = {0.4, 0.8}}, seed, rendered);
-  for (const double blur : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) published_fixture(8, blur, 0, 6);
-  published_fixture(8, 0, 0, 8);
-  published_fixture(5, 0, 0, 6);
-  for (const double noise : {1.0, 2.0, 5.0, 8.0, 10.0}) published_fixture(8, 0.7, noise, 6);
+  trials::Table lone({{.heading = "set", .width = 36},
+                      {"recall", 3},
+                      {.heading = "rms / worst, px", .width = 16},
+                      {"ratio to cornerSubPix", 2},
+                      {"ratio to the bound", 2},
+                      {"normalised squared error", 2}},
+                     output);
+  markers("cells 8-20, even light", 1000, {.gradient = 0}, seed, rendered, lone);
+  markers("cells 8-20, uneven light", 1000, {}, seed, rendered, lone);
+  markers("cells 20-30, uneven light", 600, {.cell = {20, 30}}, seed, rendered, lone);
+  markers("board, cells 10-20", 600, {.cell = {10, 20}, .board = true}, seed, rendered, lone);
+  markers("board, cells 7-9", 600, {.cell = {7, 9}, .board = true}, seed, rendered, lone);
+  markers("shadow's edge 3-10 px off", 600, {.shade = {0.4, 0.8}}, seed, rendered, lone);
+  trials::Table published(
+      {{.heading = "blur, noise", .width = 40}, {"to the corner in the image"}, {"to the corner asked for"}}, output);
+  for (const double blur : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) published_fixture(8, blur, 0, 6, published);
+  published_fixture(8, 0, 0, 8, published);
+  published_fixture(5, 0, 0, 6, published);
+  for (const double noise : {1.0, 2.0, 5.0, 8.0, 10.0}) published_fixture(8, 0.7, noise, 6, published);
   real_boards();
   rendered_scenes();
   false_corners(150, seed + 4);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The detector before a camera with all the habits of real ones (tests/vision/corners/corner_camera.h): recall, errors
 // and whether the covariance is right, set by set; recall as curves over blur, cell size, tilt and contrast; false
-// corners. Usage: trial_detector_sets [SEED [PART [FOLDER]]]: PART is sets, curves, large, false, oracle or all; FOLDER
+// corners. Usage: trial_detector_sets [SEED[,SEED...] [PART [FOLDER]]] [--markdown]: of several seeds the sets' recall
+// and normalised squared error, all else of the first; PART is sets, curves, large, false, oracle or all; FOLDER
 // holds photographs without boards, in which every corner counts as a false one. PART oracle: of the sets whose recall
 // falls short, which share of what is in scope a perfect program could tell (tests/vision/corners/corner_oracle.h).
 #include <fmt/format.h>
@@ -9,7 +10,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
+#include "trials/table.h"
 #include "vision/corners/corner_camera.h"
 #include "vision/corners/corner_detector.h"
 #include "vision/corners/corner_oracle.h"
@@ -106,9 +109,45 @@ Score score_of(const Conditions& conditions, int pictures, unsigned seed, Filter
   return score;
 }
 
-void sets(unsigned seed) {
+/// 1 is not said of what is less.
+std::string recall_text(const Score& s) {
+  const bool is_nearly_one = s.found < s.in_scope && s.recall() >= 0.9995;
+  return fmt::format("{:.{}f}", s.recall(), is_nearly_one ? 4 : 3);
+}
+
+trials::Table table_of_sets(const std::vector<unsigned>& seeds, const trials::TableOutput& output) {
+  std::vector<trials::TableColumn> columns{{.heading = "set", .width = 34}};
+  for (const unsigned seed : seeds) columns.push_back({.heading = fmt::format("recall, seed {}", seed), .width = 16});
+  columns.push_back({fmt::format("rms / worst, seed {}, px", seeds[0])});
+  for (const unsigned seed : seeds) columns.push_back({fmt::format("normalised squared error, seed {}", seed), 2});
+  columns.push_back({fmt::format("ratio to cornerSubPix, seed {}", seeds[0]), 2});
+  return {columns, output};
+}
+
+/// A score for each seed; only the first has OpenCV's.
+void print(trials::Table& table, const std::string& name, const std::vector<Score>& scores) {
+  const auto root = [](double squares, int count) { return std::sqrt(squares / std::max(count, 1)); };
+  const Score& first = scores[0];
+  std::vector<trials::TableCell> row{name};
+  for (const Score& s : scores)
+    row.emplace_back(&s == &first ? fmt::format("{} of {}", recall_text(s), s.in_scope) : recall_text(s));
+  row.emplace_back(fmt::format("{:.3f} / {:.2f}", root(first.squares, first.found), first.worst));
+  for (const Score& s : scores) row.emplace_back(s.normalised / std::max(s.found, 1));
+  row.emplace_back(first.their_squares > 0 ? std::sqrt(first.our_squares_there / first.their_squares) : NAN);
+  table.print(row);
+  fmt::print("  {} lost, squared error > 18.4 {:.2f} %, {} false in {:.1f} MP, {} at the rim\n",
+             first.in_scope - first.found, 100.0 * first.far / std::max(first.found, 1), first.false_ones,
+             first.megapixels, first.at_rim);
+}
+
+void sets(const std::vector<unsigned>& seeds, const trials::TableOutput& output) {
+  trials::Table table = table_of_sets(seeds, output);
   const auto set = [&](const std::string& name, int pictures, const Conditions& conditions,
-                       Filter filter = all_of_them) { print(name, score_of(conditions, pictures, seed, filter)); };
+                       Filter filter = all_of_them) {
+    std::vector<Score> scores;
+    for (const unsigned seed : seeds) scores.push_back(score_of(conditions, pictures, seed, filter, scores.empty()));
+    print(table, name, scores);
+  };
   set("even light", 20, {});
   set("before things", 20, {.ground = Ground::things});
   set("tilt 60-70 deg", 30, {.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}});
@@ -132,7 +171,7 @@ void sets(unsigned seed) {
   // Shadows of far and of round things.
   const Filter any = [](const TrueCorner& c) { return is_shaded(c, -1, 12); };
   set("soft shadow, 2-10 px, to 12 px off", 40, {.shade = {0.25, 0.7}, .penumbra = {2, 10}}, any);
-  set("bent shadow, 1/60-1/400 px", 40, {.shade = {0.25, 0.7}, .shade_bend = {0.0025, 0.0167}}, any);
+  set("curved shadow, 1/60-1/400 px", 40, {.shade = {0.25, 0.7}, .shade_bend = {0.0025, 0.0167}}, any);
   set("sharp, blur 0.2-0.4", 20, {.blur = {0.2, 0.4}});
   set("blur 2-3.5", 20, {.cell = {16, 34}, .blur = {2, 3.5}});
   set("blur 3.5-8", 12, {.width = 640, .height = 480, .cell = {34, 60}, .tilt = {0, 0.7}, .blur = {3.5, 8}});
@@ -304,10 +343,14 @@ void false_corners(unsigned seed, const std::string& folder) {
 }  // namespace handsight
 
 int main(int count, char** words) {
-  const unsigned seed = count > 1 ? static_cast<unsigned>(std::atoi(words[1])) : 11;
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(count, words);
+  std::vector<unsigned> seeds;
+  std::istringstream given(count > 1 ? words[1] : "11");
+  for (std::string one; std::getline(given, one, ',');) seeds.push_back(static_cast<unsigned>(std::atoi(one.c_str())));
+  const unsigned seed = seeds.empty() ? 11 : seeds[0];
   const std::string part = count > 2 ? words[2] : "all", folder = count > 3 ? words[3] : "";
   const auto asked = [&](const char* name) { return part == name || part == "all"; };
-  if (asked("sets")) handsight::sets(seed);
+  if (asked("sets")) handsight::sets(seeds, output);
   if (asked("curves")) handsight::curves(seed);
   if (asked("large")) handsight::large(seed);
   if (asked("oracle")) handsight::oracle(seed);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is what was hidden named, and where it sits? trial_effects COUNT [FIRST_SEED] [ROBOT] [EFFECT]
+// Is what was hidden named, and where it sits? trial_effects COUNT [FIRST_SEED] [ROBOT] [EFFECT] [--markdown]
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <map>
 
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -14,16 +15,25 @@ struct Tally {
   int trials = 0, first = 0, named = 0, joint_trials = 0, joint = 0, detected = 0;
 };
 
-void print(const std::string& name, const Tally& t) {
-  fmt::print("{:<28} {:>6} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.1f}\n", name, t.trials,
-             100.0 * t.first / std::max(1, t.trials), 100.0 * t.named / std::max(1, t.trials),
-             100.0 * t.joint / std::max(1, t.joint_trials), 100.0 * t.detected / std::max(1, t.trials));
+/// Nothing where there is nothing to count.
+TableCell percent(int count, int all, int digits) {
+  return all > 0 ? fmt::format("{:.{}f}", 100.0 * count / all, digits) : "";
 }
 
-int effect_trials(const Arguments& a) {
-  std::map<std::string, Tally> by_effect, by_noncentrality;
+void print(Table& table, const std::string& name, const Tally& t, int digits) {
+  table.print({name, t.trials, percent(t.first, t.trials, digits), percent(t.named, t.trials, digits),
+               percent(t.joint, t.joint_trials, digits)});
+}
+
+Table table_of(const std::string& rows, const TableOutput& output) {
+  return {{{.heading = rows, .width = 28}, {"trials"}, {"first %"}, {"first or tied %"}, {"joint right %"}}, output};
+}
+
+int effect_trials(const Arguments& a, const TableOutput& output) {
+  std::map<std::string, Tally> by_effect;
+  std::map<std::size_t, Tally> by_noncentrality;
   const double edges[] = {0, 10, 30, 50, 100, 1000, 1e300};
-  const char* names[] = {"a 0-10", "b 10-30", "c 30-50", "d 50-100", "e 100-1000", "f over 1000"};
+  const char* names[] = {"0-10", "10-30", "30-50", "50-100", "100-1000", "over 1000"};
   for (int robot = 0; robot < 4; ++robot) {
     if (a.skips(robot)) continue;
     for (const Effect& e : catalogue()) {
@@ -58,7 +68,7 @@ int effect_trials(const Arguments& a) {
                                             : std::string()) > 0;
         std::size_t bin = 0;
         while (lambda >= edges[bin + 1]) ++bin;
-        for (Tally* t : {lambda >= 50 ? &by_effect[e.id] : nullptr, &by_noncentrality[names[bin]]}) {
+        for (Tally* t : {lambda >= 50 ? &by_effect[e.id] : nullptr, &by_noncentrality[bin]}) {
           if (!t) continue;
           ++t->trials;
           t->first += is_first;
@@ -78,16 +88,17 @@ int effect_trials(const Arguments& a) {
       }
     }
   }
-  fmt::print("{:<28} {:>6} {:>8} {:>8} {:>8} {:>8}\n", "at noncentrality >= 50", "trials", "first %", "named %",
-             "joint %", "found %");
+  Table effects = table_of("effect, noncentrality 50 and more", output);
   Tally all;
   for (const auto& [name, t] : by_effect) {
-    print(name, t);
+    print(effects, name, t, 0);
     all.trials += t.trials, all.first += t.first, all.named += t.named, all.joint += t.joint;
     all.joint_trials += t.joint_trials, all.detected += t.detected;
   }
-  print("all", all);
-  for (const auto& [name, t] : by_noncentrality) print("noncentrality " + name, t);
+  Table table = table_of("noncentrality", output);
+  for (const auto& [bin, t] : by_noncentrality) print(table, names[bin], t, 0);
+  print(table, "50 and more (aims: 97, 99.5, 97)", all, 1);
+  fmt::print("not called adequate: {} of {} of 50 and more\n", all.detected, all.trials);
   return 0;
 }
 
@@ -96,5 +107,6 @@ int effect_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return effect_trials(arguments(argc, argv, "all"));
+  const TableOutput output = take_table_output(argc, argv);
+  return effect_trials(arguments(argc, argv, "all"), output);
 }

@@ -2,6 +2,7 @@
 // Robots with joints that err from pose to pose: TCP->Body (of a camera on the hand: its mount) by the fit, by one that
 // takes every pixel alike, and by one that was given all sizes; and how many of the six numbers lie inside 95 %.
 // trial_erring_robot [COUNT] [FIRST_SEED]
+// [--markdown]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "estimation/body_error.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/erring_robot.h"
+#include "trials/table.h"
 
 namespace {
 using namespace handsight;
@@ -48,7 +50,8 @@ Fit reported(const Fit& f, const fixture::ErringRobotOptions& o) {
   return best;
 }
 
-void trial(const char* name, ErringRig rig, int count, std::uint64_t first, fixture::ErringRobotOptions o) {
+void trial(const char* name, ErringRig rig, int count, std::uint64_t first, fixture::ErringRobotOptions o,
+           trials::Table& table) {
   Errors ours, plain, bound;
   const bool of_mount = rig == ErringRig::camera_on_hand;
   int seen = 0;
@@ -61,20 +64,28 @@ void trial(const char* name, ErringRig rig, int count, std::uint64_t first, fixt
     add(s, alike, of_mount, plain);
     add(s, reported(alike, o), of_mount, bound);
   }
-  fmt::print(
-      "{:14} {:3} poses, joints {:.2f} mrad, flange {:.2f} mm {:.2f} mrad: {:.3f} mm, plain {:.3f}, told {:.3f}; "
-      "inside "
-      "95 %: {:.1f} %, plain {:.1f} %; seen in {}, converged {} of {}\n",
-      name, o.poses, 1e3 * o.joints, 1e3 * o.place, 1e3 * o.turn, ours.rms_mm(), plain.rms_mm(), bound.rms_mm(),
-      100.0 * ours.inside / ours.numbers, 100.0 * plain.inside / plain.numbers, seen, ours.fits, count);
-  std::fflush(stdout);
+  table.print({name, o.poses, 1e3 * o.joints, 1e3 * o.place, ours.rms_mm(), plain.rms_mm(), bound.rms_mm(),
+               100.0 * ours.inside / ours.numbers, 100.0 * plain.inside / plain.numbers, seen});
+  if (ours.fits < count) fmt::print("  converged {} of {}\n", ours.fits, count);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 40;
   const auto first = static_cast<std::uint64_t>(argc > 2 ? std::atoi(argv[2]) : 1);
+  trials::Table table({{.heading = "rig", .width = 14},
+                       {"poses"},
+                       {"joints, mrad", 2},
+                       {"flange, mm", 2},
+                       {"ours", 3},
+                       {"all pixels alike", 3},
+                       {"given all sizes", 3},
+                       {"inside", 1, "%"},
+                       {"inside, all pixels alike", 1, "%"},
+                       {"seen"}},
+                      output);
   for (const auto& [name, rig] : {std::pair{"markers", ErringRig::markers},
                                   {"board", ErringRig::board},
                                   {"camera on hand", ErringRig::camera_on_hand}})
@@ -84,6 +95,7 @@ int main(int argc, char** argv) {
           if (mm == 0 && !of_joints) continue;
           // A joint acts over half a metre, about.
           trial(name, rig, count, first,
-                {.poses = poses, .joints = of_joints ? 2e-3 * mm : 0, .place = of_joints ? 0 : 1e-3 * mm, .turn = 0});
+                {.poses = poses, .joints = of_joints ? 2e-3 * mm : 0, .place = of_joints ? 0 : 1e-3 * mm, .turn = 0},
+                table);
         }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots as they are: several effects at once, masses a little wrong, joints that do not repeat, and a shift of the
-// hand that no catalogue has. trial_messy COUNT [FIRST_SEED] [ROBOT] [SHIFT_MM; all for 0, 0.2 and 0.6]
+// hand that no catalogue has. trial_messy COUNT [FIRST_SEED] [ROBOT] [SHIFT_MM; all for 0, 0.2 and 0.6] [--markdown]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -14,6 +14,7 @@
 #include "estimation/report/prediction.h"
 #include "fixtures/gaussian_process.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -242,13 +243,19 @@ struct Reliability {
     sum[bin] += probability;
   }
 
-  std::string text() const {
-    std::string text;
-    for (std::size_t i = 1; i < from.size(); ++i)
-      if (reported[i] > 0)
-        text += fmt::format("; told {:.1f} %: there {:.0f} % of {}", 100 * sum[i] / reported[i],
-                            100.0 * there[i] / reported[i], reported[i]);
-    return text;
+  void add(const Reliability& other) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      reported[i] += other.reported[i], there[i] += other.there[i], sum[i] += other.sum[i];
+  }
+
+  void print(const TableOutput& output) const {
+    Table table({{"reported, on average"}, {.heading = "really there", .width = 16}}, output);
+    for (std::size_t i = 1; i < from.size(); ++i) {
+      if (reported[i] == 0) continue;
+      const bool is_last = i + 1 == from.size();
+      table.print({is_last ? "over 98 %" : fmt::format("{:.0f} %", 100 * sum[i] / reported[i]),
+                   fmt::format("{:.{}f} % of {}", 100.0 * there[i] / reported[i], is_last ? 1 : 0, reported[i])});
+    }
   }
 };
 
@@ -312,8 +319,46 @@ void run_trial(int robot, std::uint64_t seed, double size_mm, Row& row) {
   std::fflush(stdout);
 }
 
-int messy_trials(const Arguments& a) {
-  for (const double size_mm : {0.0, 0.2, 0.6}) {
+/// What the catalogue lacks (mm), and the aims for it: mm, found and wrong in %.
+struct Aim {
+  double size_mm;
+  const char *lacks, *improved, *found, *wrong;
+};
+constexpr Aim aims[] = {
+    {0, "nothing", "0.055", "90", "5"}, {0.2, "0.2 mm", "0.08", "85", "7"}, {0.6, "0.6 mm", "0.10", "80", "7"}};
+
+std::string percent_of(int count, int all) {
+  return fmt::format("{:.0f} % of {}", 100.0 * count / std::max(1, all), all);
+}
+
+void print(Table& table, const Aim& aim, const Row& row) {
+  table.print(
+      {aim.lacks, fmt::format("{:.2f} mm", median(row.alone)), fmt::format("{:.2f}", median(row.learned)),
+       median(row.at_once), median(row.reported), fmt::format("{:.3f} ({})", median(row.improved), aim.improved),
+       median(row.everything), fmt::format("{} ({})", percent_of(row.found, row.true_names), aim.found),
+       percent_of(row.found_of_shown, row.shown), fmt::format("{} ({})", percent_of(row.wrong, row.named), aim.wrong)});
+  fmt::print(
+      "  {} robots, missing_effect at the end of {}; error over what sigma promises: {:.2f} in the median, its square "
+      "{:.2f} on average; without model uncertainty {:.2f} and {:.2f}\n",
+      row.trials, row.missing_at_the_end, median(row.over_promised), mean_square(row.over_promised),
+      median(row.over_promised_without), mean_square(row.over_promised_without));
+}
+
+int messy_trials(const Arguments& a, const TableOutput& output) {
+  Table table({{.heading = "what the catalogue lacks"},
+               {"TCP->Body alone"},
+               {"process"},
+               {"all at once", 3},
+               {"given the effects", 3},
+               {"`improve` (aim)"},
+               {"oracle", 3},
+               {.heading = "effects found (aim)", .width = 20},
+               {.heading = "of those that show", .width = 18},
+               {.heading = "wrong (aim)", .width = 18}},
+              output);
+  Reliability names;
+  for (const Aim& aim : aims) {
+    const double size_mm = aim.size_mm;
     if (a.kind != "all" && std::atof(a.kind.c_str()) != size_mm) continue;
     Row row;
     for (int i = 0; i < a.count; ++i) {
@@ -325,22 +370,10 @@ int messy_trials(const Arguments& a) {
         fmt::print("  robot {} seed {} left out: {}\n", robot, seed, e.what());
       }
     }
-    fmt::print(
-        "outside the catalogue {} mm, {} robots, medians (mm): TCP->Body alone {:.3f}, Gaussian process "
-        "{:.3f}, all at once {:.4f}, improve {:.4f}, "
-        "told the effects {:.4f}, told everything {:.4f}; names found {:.0f} % of {} (of those that show beside the "
-        "rest "
-        "{:.0f} % of {}), wrong {:.0f} % of {}; missing_effect at the end {}\n",
-        size_mm, row.trials, median(row.alone), median(row.learned), median(row.at_once), median(row.improved),
-        median(row.reported), median(row.everything), 100.0 * row.found / std::max(1, row.true_names), row.true_names,
-        100.0 * row.found_of_shown / std::max(1, row.shown), row.shown, 100.0 * row.wrong / std::max(1, row.named),
-        row.named, row.missing_at_the_end);
-    fmt::print(
-        "  error over what sigma promises: {:.2f} in the median, its square {:.2f} on average; without doubt of the "
-        "names {:.2f} and {:.2f}\n  names{}\n",
-        median(row.over_promised), mean_square(row.over_promised), median(row.over_promised_without),
-        mean_square(row.over_promised_without), row.names.text());
+    print(table, aim, row);
+    names.add(row.names);
   }
+  names.print(output);
   return 0;
 }
 
@@ -349,5 +382,6 @@ int messy_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return messy_trials(arguments(argc, argv, "all"));
+  const TableOutput output = take_table_output(argc, argv);
+  return messy_trials(arguments(argc, argv, "all"), output);
 }

@@ -1,17 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 // Is nothing named where nothing is hidden? trial_null COUNT [FIRST_SEED] [ROBOT]
-// [gaussian|student|repeatability|wrong|unseen]
+// [gaussian|student|repeatability|wrong|unseen] [--markdown]
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdio>
 
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
 
-int null_trials(const Arguments& a) {
+/// As the table names it, and the least share that should be called adequate (%).
+struct Kind {
+  const char* name;
+  const char* title;
+  int aim;
+};
+constexpr Kind kinds[] = {{"gaussian", "Gaussian", 99},
+                          {"student", "Student t, 3 degrees", 98},
+                          {"repeatability", "joints repeat to 1e-4 rad", 98},
+                          {"wrong", "5 % wrong corners, 8 px", 98},
+                          {"unseen", "a fifth of the markers unseen", 98}};
+
+void print_row(const Arguments& a, const std::vector<TableCell>& adequate, const TableOutput& output) {
+  std::vector<TableColumn> columns{{.heading = "kind", .width = 64}};
+  for (int robot = 0; robot < 4; ++robot)
+    if (!a.skips(robot)) columns.push_back({.heading = fmt::format("robot {}", robot), .width = 12});
+  columns.push_back({"aim", 0, "%"});
+  const auto* const kind =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return a.kind == k.name; });
+  std::string command = fmt::format("trial_null {} {}", a.count, a.first);
+  if (a.robot >= 0 || kind != kinds) command += fmt::format(" {}", a.robot);
+  if (kind != kinds) command += " " + a.kind;
+  const bool is_known = kind != std::end(kinds);
+  std::vector<TableCell> row{fmt::format("{} (`{}`)", is_known ? kind->title : a.kind, command)};
+  row.insert(row.end(), adequate.begin(), adequate.end());
+  row.push_back(is_known ? TableCell(kind->aim) : TableCell());
+  Table(columns, output).print(row);
+}
+
+int null_trials(const Arguments& a, const TableOutput& output) {
+  std::vector<TableCell> row;
   for (int robot = 0; robot < 4; ++robot) {
     if (a.skips(robot)) continue;
     int adequate = 0;
@@ -41,7 +72,9 @@ int null_trials(const Arguments& a) {
         "null {} robot {}: adequate {} of {} ({:.2f} %), lnBF 95 % {:.2f} 99 % {:.2f} largest {:.2f}, {:.0f} ms each\n",
         a.kind, robot, adequate, a.count, 100.0 * adequate / a.count, best[best.size() * 95 / 100],
         best[best.size() * 99 / 100], largest, milliseconds / a.count);
+    row.emplace_back(share_text(adequate, a.count));
   }
+  print_row(a, row, output);
   return 0;
 }
 
@@ -50,5 +83,6 @@ int null_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return null_trials(arguments(argc, argv, "gaussian"));
+  const TableOutput output = take_table_output(argc, argv);
+  return null_trials(arguments(argc, argv, "gaussian"), output);
 }

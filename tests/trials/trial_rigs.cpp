@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One camera, two, three, five: is TCP->Body unbiased, and do its sigmas hold? And is what was hidden named?
-// trial_rigs fit COUNT [FIRST_SEED] | trial_rigs diagnose COUNT [FIRST_SEED]
+// trial_rigs fit COUNT [FIRST_SEED] | trial_rigs diagnose COUNT [FIRST_SEED]; [--markdown]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/rigs.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -23,8 +24,8 @@ struct Kind {
   int cameras;
   bool mount_is_known, shape_is_known;
   std::string name() const {
-    return fmt::format("{} camera{}, mount {}, shape {}", cameras, cameras == 1 ? "" : "s",
-                       mount_is_known ? "known" : "estimated", shape_is_known ? "known" : "estimated");
+    return fmt::format("{}, mount {}{}", cameras, mount_is_known ? "known" : "estimated",
+                       shape_is_known ? ", shape known" : "");
   }
 };
 
@@ -67,7 +68,12 @@ void add(const Kind& kind, std::uint64_t seed, Sums& sums) {
   }
 }
 
-void tell(const Kind& kind, const Sums& s) {
+/// From the least of the six parameters to the most.
+std::string from_to(const Eigen::Ref<const Eigen::VectorXd>& values, int digits) {
+  return fmt::format("{:.{}f} to {:.{}f}", values.minCoeff(), digits, values.maxCoeff(), digits);
+}
+
+void tell(const Kind& kind, const Sums& s, trials::Table& table) {
   fmt::print("{}: {} fits, {} by scatter, {} not converged, {} refused\n", kind.name(), s.count, s.repeatability,
              s.not_converged, s.failed);
   const char* names[] = {"x", "y", "z", "rx", "ry", "rz"};
@@ -75,17 +81,28 @@ void tell(const Kind& kind, const Sums& s) {
     fmt::print("  {:<3} rms {:9.2f} {:<4}  mean/sigma {:6.3f} +- {:.3f}  rms/sigma {:6.3f}  within 95 %: {:5.1f} %\n",
                names[i], 1e6 * std::sqrt(s.squares[i] / s.count), i < 3 ? "um" : "urad", s.z[i] / s.count,
                1 / std::sqrt(static_cast<double>(s.count)), std::sqrt(s.z2[i] / s.count), 100 * s.covered[i] / s.count);
-  std::fflush(stdout);
+  const Vector6 rms = (s.squares / s.count).cwiseSqrt();
+  table.print({kind.name(),
+               fmt::format("{} um, {} mrad", from_to(1e6 * rms.head<3>(), 0), from_to(1e3 * rms.tail<3>(), 1)),
+               (s.z / s.count).cwiseAbs().maxCoeff(), from_to((s.z2 / s.count).cwiseSqrt(), 2),
+               from_to(100 * s.covered / s.count, 1), fmt::format("{} / {}", s.repeatability, s.not_converged)});
 }
 
-void fits(int count, std::uint64_t first) {
+void fits(int count, std::uint64_t first, const trials::TableOutput& output) {
+  trials::Table table({{.heading = "cameras", .width = 32},
+                       {.heading = "rms error of TCP->Body", .width = 36},
+                       {fmt::format("largest mean / sigma (+- {:.3f})", 1 / std::sqrt(static_cast<double>(count))), 2},
+                       {.heading = "rms / sigma", .width = 12},
+                       {.heading = "within 95 %", .width = 12},
+                       {"covariance by scatter / not converged"}},
+                      output);
   for (const int cameras : {1, 2, 3, 5})
     for (const bool mount_is_known : {true, false})
       for (const bool shape_is_known : {false, true}) {
         const Kind kind{cameras, mount_is_known, shape_is_known};
         Sums sums;
         for (int i = 0; i < count; ++i) add(kind, first + static_cast<std::uint64_t>(i), sums);
-        tell(kind, sums);
+        tell(kind, sums, table);
       }
 }
 
@@ -100,8 +117,15 @@ double noncentrality(const Session& like, SimulationOptions o) {
   return f.solution.normal.data_cost() / (noise * noise);
 }
 
-void diagnose_all(int count, std::uint64_t first) {
+void diagnose_all(int count, std::uint64_t first, const trials::TableOutput& output) {
+  trials::Table table({{"cameras"},
+                       {"trials"},
+                       {.heading = "first", .width = 16},
+                       {"at the right place"},
+                       {"first, or reported as not distinguishable from it"}},
+                      output);
   for (const int cameras : {1, 3, 5}) {
+    Tally all;
     const Session like = fixture::rig_session(cameras);
     const Chain chain = make_chain(like);
     const OwnEffects own = list_own_effects(like, chain);
@@ -138,10 +162,13 @@ void diagnose_all(int count, std::uint64_t first) {
         if (!is_first) fmt::print("  seed {} {} at {}: {} first\n", o.seed, id, where, best.id);
       }
       if (t.trials > 0)
-        fmt::print("{} cameras {:<22} {:>4} trials, first {:>4}, named {:>4}, place {:>4}\n", cameras, id, t.trials,
+        fmt::print("  {} cameras {:<22} {:>4} trials, first {:>4}, named {:>4}, place {:>4}\n", cameras, id, t.trials,
                    t.first, t.named, t.place);
       std::fflush(stdout);
+      all.trials += t.trials, all.first += t.first, all.named += t.named, all.place += t.place;
     }
+    const double share = 100.0 * all.first / std::max(1, all.trials);
+    table.print({cameras, all.trials, fmt::format("{} ({:.1f} %)", all.first, share), all.place, all.named});
   }
 }
 
@@ -149,11 +176,12 @@ void diagnose_all(int count, std::uint64_t first) {
 }  // namespace handsight
 
 int main(int argc, char** argv) {
+  const handsight::trials::TableOutput output = handsight::trials::take_table_output(argc, argv);
   const std::string what = argc > 1 ? argv[1] : "fit";
   const int count = argc > 2 ? std::atoi(argv[2]) : 20;
   const auto first = static_cast<std::uint64_t>(argc > 3 ? std::atoll(argv[3]) : 1);
   if (what == "diagnose")
-    handsight::diagnose_all(count, first);
+    handsight::diagnose_all(count, first, output);
   else
-    handsight::fits(count, first);
+    handsight::fits(count, first, output);
 }

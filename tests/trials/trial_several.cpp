@@ -8,6 +8,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "estimation/solvers/normal_equations.h"
 #include "fixtures/trial_sessions.h"
+#include "trials/table.h"
 
 namespace handsight::trials {
 namespace {
@@ -154,7 +155,24 @@ void run_trial(const Session& like, int robot, std::uint64_t seed, std::size_t e
   std::fflush(stdout);
 }
 
-int several_trials(const Arguments& a) {
+void add(const Tally& one, Tally& all) {
+  all.trials += one.trials, all.exact += one.exact, all.in_band += one.in_band, all.beaten += one.beaten;
+  all.covered += one.covered, all.numbers += one.numbers, all.ratio += one.ratio;
+}
+
+void print(Table& table, const TableCell& effects, const Tally& t) {
+  table.print({effects, share_text(t.exact, t.trials, 1), share_text(t.in_band, t.trials, 1),
+               t.ratio / std::max(1, t.trials), share_text(t.covered, t.numbers, 1)});
+}
+
+int several_trials(const Arguments& a, const TableOutput& output) {
+  Table table({{"effects"},
+               {"exact set (aim: 90 %)"},
+               {"held out in the 99 % band of a right model of that size (aim: 97 %)"},
+               {"held out over what is expected (aim: 1 %)", 3},
+               {"95 % intervals that hold the truth (aim: 93 to 97 %)"}},
+              output);
+  Tally all;
   for (std::size_t effects = 1; effects <= 3; ++effects) {
     if (std::atoi(a.kind.c_str()) > 0 && std::atoi(a.kind.c_str()) != static_cast<int>(effects)) continue;
     Tally tally;
@@ -165,15 +183,11 @@ int several_trials(const Arguments& a) {
         run_trial(robot_session(robot, seed), robot, seed, effects, tally);
       }
     }
-    fmt::print(
-        "{} effects: exact set {} of {} ({:.1f} %; of the others {} are likelier than the truth), held out in the 99 % "
-        "band {} ({:.1f} %), on average {:.4f} of what "
-        "is expected; {} of {} intervals of 95 % hold the truth ({:.1f} %)\n",
-        effects, tally.exact, tally.trials, 100.0 * tally.exact / tally.trials, tally.beaten, tally.in_band,
-        100.0 * tally.in_band / tally.trials, tally.ratio / tally.trials, tally.covered, tally.numbers,
-        100.0 * tally.covered / std::max(1, tally.numbers));
-    std::fflush(stdout);
+    print(table, effects, tally);
+    fmt::print("  of the sets that are not the truth {} are likelier than it\n", tally.beaten);
+    add(tally, all);
   }
+  print(table, "all", all);
   return 0;
 }
 
@@ -182,5 +196,6 @@ int several_trials(const Arguments& a) {
 
 int main(int argc, char** argv) {
   using namespace handsight::trials;
-  return several_trials(arguments(argc, argv, "0"));
+  const TableOutput output = take_table_output(argc, argv);
+  return several_trials(arguments(argc, argv, "0"), output);
 }

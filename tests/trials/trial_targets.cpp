@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // trial_targets COUNT SEED KIND [alone]: boards and tags rendered under tilt, blur, noise, covers and cut by
 // the border: how many of the points in view are found, how many have a wrong number, how exact they are; and the same
-// for OpenCV's detectors on the same images. KIND: chessboard, charuco, charuco_old, aprilgrid, tags,
-// apriltags.
+// for OpenCV's detectors on the same images. KIND: chessboard, charuco, charuco_old, aprilgrid, tags, apriltags or all.
+// [--markdown]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -13,12 +13,17 @@
 #include "fixtures/target_images.h"
 #include "targets/target_detection.h"
 #include "trials/other_detectors.h"
+#include "trials/table.h"
 #include "trials/target_scenes.h"
 
 namespace {
 
 using namespace handsight;
 using namespace handsight::fixtures;
+using handsight::trials::Table;
+using handsight::trials::TableCell;
+using handsight::trials::TableColumn;
+using handsight::trials::TableOutput;
 using Clock = std::chrono::steady_clock;
 
 Points ours(const Image& image, const PreparedTarget& target, std::vector<double>* z2, const Truth& truth) {
@@ -130,30 +135,59 @@ double centred(double squares, const Vector2& sum, long count) {
   return std::sqrt(std::max(squares / count - (sum / count).squaredNorm(), 0.0));
 }
 
-void print(const std::vector<Recall>& scores, int count) {
-  fmt::print("{:<16} {:>8} {:>8} {:>8} {:>8} {:>12} {:>8} {:>8} {:>9} {:>15} {:>12} {:>7}\n", "", "in view", "found",
-             "recall", "nothing", "wrong/images", "> 2.5 px", "rms px", "centred", "mean error px", "ours/theirs",
-             "ms");
-  for (const Recall& s : scores) {
-    const long common = std::max(s.common, 1L);
-    fmt::print(
-        "{:<16} {:>8} {:>8} {:>7.2f}% {:>8} {:>7}/{:<4} {:>8} {:>8.4f} {:>9.4f} {:>7.3f} {:>7.3f} {:>12.3f} {:>7.1f}\n",
-        s.name, s.in_view, s.found, 100.0 * s.found / std::max(s.in_view, 1L), s.nothing, s.wrong, s.wrong_images,
-        s.far, std::sqrt(s.squares / common), centred(s.squares, s.sum, common), s.sum.x() / common, s.sum.y() / common,
-        centred(s.our_squares, s.our_sum, common) / std::max(centred(s.squares, s.sum, common), 1e-12),
-        1e3 * s.seconds / count);
-  }
+struct Kind {
+  const char* name;
+  const char* title;
+};
+constexpr Kind kinds[] = {{"chessboard", "chessboard"},           {"charuco", "ChArUco, new layout"},
+                          {"charuco_old", "ChArUco, old layout"}, {"aprilgrid", "Kalibr's grid"},
+                          {"tags", "single tags, DICT_5X5_100"},  {"apriltags", "single tags, tag36h11"}};
+
+/// The columns of ours alone, and beside others.
+Table table_of(bool alone, const TableOutput& output) {
+  std::vector<TableColumn> columns{{.heading = "kind", .width = 26}};
+  if (!alone) columns.push_back({.heading = "detector", .width = 16});
+  columns.insert(columns.end(), {{"in view"}, {"found", 2, "%"}, {"wrong numbers"}});
+  if (alone) columns.push_back({"2.5 px off and more, moved and glared images too"});
+  columns.push_back({"rms px", 3});
+  if (alone) columns.push_back({"squared error / covariance", 2});
+  if (!alone) columns.insert(columns.end(), {{"centred", 3}, {"ratio", 3}});
+  columns.push_back({.heading = "ms"});
+  return {columns, output};
 }
 
-}  // namespace
+/// ms: two figures.
+std::string ms_text(double ms) { return fmt::format("{:.{}f}", ms, ms < 10 ? 1 : 0); }
 
-int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
-  const auto seed = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
-  const std::string kind = argc > 3 ? argv[3] : "charuco";
-  const bool alone = argc > 4 && std::string(argv[4]) == "alone";
+void print(Table& table, const Kind& kind, const std::vector<Recall>& scores, int count, std::vector<double> z2) {
+  const bool alone = scores.size() == 1;
+  const double mean_z2 =
+      std::accumulate(z2.begin(), z2.end(), 0.0) / static_cast<double>(std::max<std::size_t>(z2.size(), 1));
+  for (const Recall& s : scores) {
+    const long common = std::max(s.common, 1L);
+    const double found = 100.0 * static_cast<double>(s.found) / static_cast<double>(std::max(s.in_view, 1L));
+    const double rms = std::sqrt(s.squares / static_cast<double>(common)), own = centred(s.squares, s.sum, common);
+    const TableCell ratio =
+        &s != &scores[0] && s.common > 0 ? TableCell(centred(s.our_squares, s.our_sum, common) / own) : TableCell();
+    const std::string ms = ms_text(1e3 * s.seconds / count);
+    if (alone)
+      table.print({kind.title, s.in_view, found, s.wrong, s.far, rms, mean_z2, ms});
+    else
+      table.print({kind.title, s.name, s.in_view, found, s.wrong, rms, own, ratio, ms});
+    fmt::print(
+        "  {}: nothing in {} of {} images, wrong in {}, {} points 2.5 px off and more, mean error {:.3f} {:.3f} px\n",
+        s.name, s.nothing, s.images, s.wrong_images, s.far, s.sum.x() / static_cast<double>(common),
+        s.sum.y() / static_cast<double>(common));
+  }
+  if (z2.empty()) return;
+  std::sort(z2.begin(), z2.end());
+  fmt::print("  squared error over covariance: mean {:.2f}, median {:.2f} (1 and 0.69 are right)\n", mean_z2,
+             z2[z2.size() / 2]);
+}
+
+void run(Table& table, const Kind& kind, int count, std::uint64_t seed, bool alone) {
   constexpr double least_module = 4;  // px
-  const PreparedTarget target = prepare(target_of(kind));
+  const PreparedTarget target = prepare(target_of(kind.name));
   const auto rays = fine_rays(camera());
   std::vector<Recall> scores = scores_of(target, alone);
   std::vector<double> z2;
@@ -172,12 +206,18 @@ int main(int argc, char** argv) {
       add_common(score, scores[0]);
     }
   }
-  fmt::print("{}: {} images, {} count for recall\n", kind, count, scores[0].images);
-  print(scores, count);
-  std::sort(z2.begin(), z2.end());
-  const double mean =
-      std::accumulate(z2.begin(), z2.end(), 0.0) / static_cast<double>(std::max<std::size_t>(z2.size(), 1));
-  if (!z2.empty())
-    fmt::print("squared error over covariance: mean {:.2f}, median {:.2f} (1 and 0.69 are right)\n", mean,
-               z2[z2.size() / 2]);
+  print(table, kind, scores, count, z2);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const TableOutput output = handsight::trials::take_table_output(argc, argv);
+  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
+  const auto seed = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
+  const std::string kind = argc > 3 ? argv[3] : "charuco";
+  const bool alone = argc > 4 && std::string(argv[4]) == "alone";
+  Table table = table_of(alone, output);
+  for (const Kind& k : kinds)
+    if (kind == k.name || kind == "all") run(table, k, count, seed, alone);
 }

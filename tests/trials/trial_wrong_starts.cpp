@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fits from wrong starts: is the same minimum reached as from the truth? trial_wrong_starts [COUNT] [FIRST_SEED] [RIG]
+// [--markdown]
 #include <fmt/format.h>
 
 #include <chrono>
@@ -7,12 +8,16 @@
 #include <cstdlib>
 
 #include "fixtures/wrong_starts.h"
+#include "trials/table.h"
 
 int main(int argc, char** argv) {
   using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 200;
   const int first = argc > 2 ? std::atoi(argv[2]) : 1;
   const int only = argc > 3 ? std::atoi(argv[3]) : -1;
+  trials::Table table(
+      {{.heading = "rig", .width = 64}, {"reached"}, {"reported not converged"}, {"wrong without a warning"}}, output);
   const auto rigs = fixture::wrong_start_rigs();
   for (int r = 0; r < static_cast<int>(rigs.size()); ++r) {
     if (only >= 0 && r != only) continue;
@@ -34,8 +39,8 @@ int main(int argc, char** argv) {
                    reported.converged() ? "converged" : "NOT CONVERGED");
       std::fflush(stdout);
     }
-    fmt::print("{}: reached {} of {}, said no {}, lost silently {}; {:.0f} ms for both fits\n",
-               rigs[static_cast<std::size_t>(r)].name, reached, count, said_no, lost, 1e3 * seconds / count);
+    table.print({rigs[static_cast<std::size_t>(r)].name, trials::share_text(reached, count), said_no, lost});
+    fmt::print("  {:.0f} ms for both fits\n", 1e3 * seconds / count);
     std::fflush(stdout);
   }
 }
