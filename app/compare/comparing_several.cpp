@@ -72,7 +72,7 @@ std::vector<std::string> list_names(const std::vector<EffectTerm>& terms, const 
   for (const EffectTerm& term : terms) {
     const Effect& effect = term_effect(term);
     if (effect.is_unnamed()) continue;
-    const std::string place = place_name(effect, term.joint, robot);
+    const std::string place = place_name(effect, term.place, robot);
     names.push_back(place.empty() ? term.id : term.id + ":" + place);
   }
   return names;
