@@ -17,7 +17,7 @@
 namespace handsight {
 namespace {
 
-constexpr double cost_of_a_name = 2;      // ln: odds of 1 to 7
+constexpr double cost_of_a_name = 3;      // ln: odds of 1 to 20, as often as trials with many small causes have them
 constexpr double largest_of_others = 1;   // prior sigmas: more would be known of them
 constexpr double least_of_others = 0.02;  // probability
 

@@ -37,6 +37,14 @@ double squares_without(const Fit& fit, const FitOptions& options, std::size_t fi
   return squares / (noise * noise);
 }
 
+/// Numbers of the first terms that are estimated: choices are not.
+Eigen::Index number_count(const std::vector<EffectTerm>& terms, std::size_t first) {
+  Eigen::Index count = 0;
+  for (std::size_t t = 0; t < first; ++t)
+    for (const EffectParameter& p : term_effect(terms[t]).parameters) count += p.is_choice ? 0 : 1;
+  return count;
+}
+
 DiagnosisOptions diagnosis_options(const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
                                    const std::optional<Unknowns>& start, const std::optional<double>& most) {
   DiagnosisOptions o;
@@ -240,17 +248,20 @@ class Upkeep {
     if (slip_order(other) == slip_order(present) || !goes_on()) return;
     const double before = compute_ln_evidence(without, by);
     const Refit now = refit_with(without, o, present, by, before), then = refit_with(without, o, other, by, before);
-    if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, last, then);
+    if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, then);
   }
 
-  /// The terms from `first` to `last` by those that a refit without them has added.
-  void replace(std::size_t first, std::size_t last, const Refit& refit) {
-    std::vector<EffectTerm> all = terms();
-    const std::vector<EffectTerm> fitted = list_terms(refit.fit);
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
-    all.insert(all.begin() + static_cast<std::ptrdiff_t>(first),
-               fitted.end() - static_cast<std::ptrdiff_t>(refit.added), fitted.end());
-    take_instead(model_from(session_, options_, all, std::nullopt, most_), "");
+  /// At their place the terms that a refit without those of the group at `first` has added; from the refit's answer.
+  void replace(std::size_t first, const Refit& refit) {
+    std::vector<EffectTerm> all = refit.options.estimated;
+    Unknowns start = estimate(refit.fit);
+    const auto added = static_cast<std::ptrdiff_t>(refit.added), at = static_cast<std::ptrdiff_t>(first);
+    const Eigen::Index numbers = number_count(all, all.size()), before = number_count(all, first);
+    const Eigen::Index own = numbers - number_count(all, all.size() - refit.added);
+    std::rotate(start.effects.data() + start.effects.size() - numbers + before,
+                start.effects.data() + start.effects.size() - own, start.effects.data() + start.effects.size());
+    std::rotate(all.begin() + at, all.end() - added, all.end());
+    take_instead(model_from(session_, options_, all, start, most_), "");
   }
 
   void look_for_curve(std::size_t first, std::size_t last) {
@@ -272,8 +283,7 @@ class Upkeep {
     const Refit now = refit_with(without, o, present, by, before),
                 other = refit_with(without, o, {found->term}, by, before);
     // Both were chosen in as many ways.
-    if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better)
-      replace(first, last, other);
+    if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, other);
   }
 
   const Session& session_;
