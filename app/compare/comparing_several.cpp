@@ -2,6 +2,7 @@
 #include "compare/comparing_several.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/error.h"
 #include "correct/calibrated_robot.h"
@@ -29,14 +30,18 @@ std::vector<JoinedMember> members_of_open(const Session& joined) {
 
 [[noreturn]] void refuse(const QString& sentence) { throw InputError(verbatim(sentence.toStdString())); }
 
-std::string unused_title(const Session& session, const std::vector<JoinedMember>& members) {
-  const auto is_taken = [&](const std::string& title) {
-    return std::any_of(members.begin(), members.end(), [&](const JoinedMember& m) { return m.title == title; });
+/// Their titles; where two are called the same, the names of their folders, and a number where these are the same too.
+void name_all(std::vector<JoinedMember>& members) {
+  const auto are_apart = [&] {
+    std::set<std::string> titles;
+    for (const JoinedMember& m : members) titles.insert(m.title);
+    return titles.size() == members.size();
   };
-  std::string title = display_name(session).toStdString();
-  if (is_taken(title)) title = folder_name(session).toStdString();
-  for (int i = 2; is_taken(title); ++i) title = fmt::format("{} ({})", folder_name(session).toStdString(), i);
-  return title;
+  for (JoinedMember& m : members) m.title = display_name(m.session).toStdString();
+  if (are_apart()) return;
+  for (JoinedMember& m : members) m.title = folder_name(m.session).toStdString();
+  if (are_apart()) return;
+  for (std::size_t i = 0; i < members.size(); ++i) members[i].title += fmt::format(" ({})", i + 1);
 }
 
 /// The others and the open one, as if nothing had been changed between them.
@@ -48,8 +53,7 @@ std::vector<JoinedMember> list_members(const SeveralTask& task) {
   }
   std::vector<JoinedMember> members;
   const auto add = [&](Session session) {
-    std::string title = unused_title(session, members);
-    members.push_back({searched(std::move(session)), std::move(title), "the same", "the same"});
+    members.push_back({.session = searched(std::move(session)), .rig = "the same", .body = "the same"});
   };
   for (const std::filesystem::path& other : task.others) {
     std::error_code error;
@@ -63,6 +67,7 @@ std::vector<JoinedMember> list_members(const SeveralTask& task) {
     if (std::filesystem::equivalent(members.back().session.file, task.session->file, error)) members.pop_back();
   }
   add(*task.session);
+  name_all(members);
   return members;
 }
 

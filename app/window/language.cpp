@@ -88,7 +88,9 @@ void speak(QCoreApplication& application, const QString& language) {
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   QLocale::setDefault(locale);
   if (!is_known) return;
-  application.installTranslator(new Translation(wanted));
+  auto* translation = new Translation(wanted);
+  translation->setParent(&application);
+  application.installTranslator(translation);
   //: what parts the whole from its decimals in a number
   const QString mark = QCoreApplication::translate("QObject", "decimal point");
   if (mark.size() == 1) widgets::set_decimal_mark(mark[0]);

@@ -9721,11 +9721,11 @@
     </message>
     <message>
         <source>What was asked for is reached. What is missing: %1, by odds of %2.</source>
-        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, Quote %2.</translation>
+        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, mit einer Quote von %2.</translation>
     </message>
     <message>
         <source>What was asked for is reached. What is missing: %1, by odds of %2; the hand is known to %3 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, Quote %2; die Hand ist auf %3 mm bekannt (95 %).</translation>
+        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, mit einer Quote von %2; die Hand ist auf %3 mm bekannt (95 %).</translation>
     </message>
     <message>
         <source>is no log of recheck; expected the columns %1.</source>
@@ -9830,6 +9830,10 @@
     <message>
         <source>%1: %2 single wrong points are left out.</source>
         <translation>%1: %2 einzelne falsche Punkte sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: between %2 and %3</source>
+        <translation>%1: zwischen %2 und %3</translation>
     </message>
 </context>
 <context>

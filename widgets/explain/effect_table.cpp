@@ -44,8 +44,8 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(control_height);
-  header.setSectionResizeMode(0, QHeaderView::ResizeToContents);
-  header.setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  const int widths[] = {150, 176};
+  for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(2, QHeaderView::Stretch);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
   header.setMinimumSectionSize(32);

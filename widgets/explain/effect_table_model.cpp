@@ -87,6 +87,7 @@ QVariant EffectTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) return make_text(row, column);
   if (role == verdict_role) return static_cast<int>(row.verdict);
   if (role == Qt::ToolTipRole && column != EffectColumn::name) {
+    if (column == EffectColumn::where && !row.where.isEmpty()) return row.where;  // all of them, where there is no room
     const bool is_unseen = column == EffectColumn::verdict && row.verdict == EffectVerdict::cannot_be_seen;
     return is_unseen ? said("These poses could not show it, if it were there.") : row.reason;
   }

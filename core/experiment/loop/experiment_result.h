@@ -55,7 +55,7 @@ struct ExperimentResult {
   Session session;  // with what was measured
   ExperimentEnd end = ExperimentEnd::reached;
   Message reason;    // a sentence: why it ended
-  std::string more;  // a sentence: what more poses would bring; empty where that is not known
+  Message more;  // a sentence: what more poses would bring; empty where that is not known
   int moves = 0, observations = 0, accepted = 0;
   std::vector<ExperimentStep> steps;
   std::vector<PlannedMove> planned;  // of a dry run

@@ -28,15 +28,16 @@ Message reached_text(const Goals& until, const ExperimentResult& result) {
                             "the hand is known to {} mm (95 %).",
                             hand)
                       : Message("What was asked for is reached: nothing is missing that these poses could show.");
+  const Message odds = result.settled->odds > 1e6 ? Message("more than a million to one")
+                                                  : message("about {:.0f} to 1", result.settled->odds);
   const Effect* const effect = find_effect(result.settled->id);
   Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
   if (!result.settled->where.empty()) cause = message("{} ({})", cause, listed_places(result.settled->where));
   return until.hand ? message(
-                          "What was asked for is reached. What is missing: {}, by odds of {:.3g}; the hand is known to "
+                          "What was asked for is reached. What is missing: {}, by odds of {}; the hand is known to "
                           "{} mm (95 %).",
-                          cause, result.settled->odds, hand)
-                    : message("What was asked for is reached. What is missing: {}, by odds of {:.3g}.", cause,
-                              result.settled->odds);
+                          cause, odds, hand)
+                    : message("What was asked for is reached. What is missing: {}, by odds of {}.", cause, odds);
 }
 
 }  // namespace

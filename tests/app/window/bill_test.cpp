@@ -139,7 +139,7 @@ QStringList painted_in(QAbstractItemView* view) {
   return texts;
 }
 
-TEST_F(Bill, NamesAreWholeOnALaptopInBillAndVersionsAndPlots) {
+TEST_F(Bill, NamesAreWholeOnALaptopInBillAndVersions) {
   open("hidden_3");
   desk.window.resize(1366, 768);
   explain.press_add();
@@ -152,13 +152,6 @@ TEST_F(Bill, NamesAreWholeOnALaptopInBillAndVersionsAndPlots) {
     EXPECT_TRUE(texts.join(' ').contains("right_arm_1, right_arm_2 and right_arm_4"))
         << texts.join(" | ").toStdString();
   }
-  ASSERT_TRUE(desk.window.open(QString::fromStdString(make_copy("hidden_7").string())));
-  ASSERT_TRUE(desk.settle());
-  ASSERT_TRUE(explain.open());
-  ASSERT_TRUE(desk.wait([&] { return is_proof(); }));
-  QStringList heads;
-  for (const PaintedText& t : texts_of(*desk.find<QWidget>("pattern_page"))) heads << t.text;
-  EXPECT_TRUE(heads.filter("…").isEmpty()) << heads.join(" | ").toStdString();
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ QStringList painted(QWidget& window) {
 /// Figures of this unit in a text.
 QStringList figures_in(const QString& text, const QString& unit) {
   static const QRegularExpression one(
-      QString::fromUtf8("(?<![\\d.\\w−-])(\\d+(?:\\.\\d+)?)[ \u00A0](px|mm)(?![\\w/])"));
+      QString::fromUtf8("(?<!± )(?<![\\d.\\w−-])(\\d+(?:\\.\\d+)?)[ \u00A0](px|mm)(?![\\w/])"));
   QStringList figures;
   for (auto i = one.globalMatch(text); i.hasNext();) {
     const auto found = i.next();
