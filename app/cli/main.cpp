@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <iostream>
+#include <limits>
 #include <new>
 
 #include "base/text.h"
@@ -48,9 +49,9 @@ int run(int argc, char** argv) {
 /// system's.
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);
-  mallopt(M_TOP_PAD, 16 << 20);
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 64 << 20);
 #endif
 }
 

@@ -76,7 +76,7 @@ Effect changed_between(const Effect& of_robot, const Chain& chain) {
                             std::find(own.begin(), own.end(), of_robot.id) != own.end();
       if (session == 0 && !is_asked) continue;  // against the first session, unless that is the one
       places.push_back({session, joint});
-      effect.parts.push_back((name.empty() ? "" : name + " ") + joint_name);
+      effect.parts.push_back(name.empty() ? joint_name : fmt::format("{} {}", name, joint_name));
     }
   }
   effect.move = [=, of_robot_move = of_robot.move](const ObservationState& c, int place, std::span<const double> values,

@@ -342,6 +342,8 @@ void try_changes(int count, std::uint64_t first) {
       for (const Observation& o : before.observations) watch.add(before, o);
       std::optional<WatchStep> last;
       for (const Observation& o : after.observations) last = watch.add(after, o);
+      fmt::print("{} {}: ln e-value {:.1f}, {}\n", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
+                 last->text);
       auto& tally = tallies[kind];
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
