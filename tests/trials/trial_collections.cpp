@@ -20,6 +20,7 @@
 #include "estimation/report/prediction.h"
 #include "fixtures/trial_sessions.h"
 #include "fixtures/two_arms.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -244,6 +245,14 @@ double middle(std::vector<double> v) {
   return v.empty() ? 0 : v[v.size() / 2];
 }
 
+/// As the table names them.
+std::string title_of(const std::string& kind) {
+  if (kind == "two_hands") return "both hands before one tracker, two days";
+  if (kind == "places") return "one hand, the tracker in four places";
+  if (kind == "days") return "one hand, four days, markers glued anew";
+  return "both hands, nothing hidden";
+}
+
 double processor_seconds(const auto& work) {
   const std::clock_t began = std::clock();
   work();
@@ -289,6 +298,7 @@ void measure_time(int count, std::uint64_t seed) {
 
 int main(int argc, char** argv) {
   using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 20;
   const auto seed = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
   const std::vector<std::string> all{"two_hands", "places", "days", "null"};
@@ -296,14 +306,21 @@ int main(int argc, char** argv) {
     measure_time(count, seed);
     return 0;
   }
+  trials::Table table({{.heading = "worlds", .width = 44},
+                       {"named together"},
+                       {"by a session alone"},
+                       {"wrong names"},
+                       {"hand error together / alone", 2}},
+                      output);
   for (const std::string& kind : argc > 3 ? std::vector<std::string>{argv[3]} : all) {
     Tally t;
     for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
+    const bool is_hidden = kind != "null";
+    table.print({title_of(kind), is_hidden ? trials::TableCell(t.named) : "-",
+                 is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong, middle(t.ratio)});
     fmt::print(
-        "{}: {} worlds, named together {}, by a session alone {}, wrong names {}; not named but told as open {}, sure "
-        "and wrong {}, the truth clearly likelier {}; hand error together / best alone {:.2f} (median), {:.1f} s a "
-        "world\n",
-        kind, t.worlds, t.named, t.named_alone, t.wrong, t.reported_as_open, t.sure_and_wrong, t.likelier_truth,
-        middle(t.ratio), middle(t.seconds));
+        "  of {} worlds not named but reported as open {}, sure and wrong {}, the truth clearly likelier {}; {:.1f} s "
+        "a world\n",
+        t.worlds, t.reported_as_open, t.sure_and_wrong, t.likelier_truth, middle(t.seconds));
   }
 }

@@ -13,6 +13,7 @@
 #include "estimation/fit/fit.h"
 #include "estimation/problem/problem.h"
 #include "fixtures/hand_eye.h"
+#include "trials/table.h"
 
 namespace {
 using namespace handsight;
@@ -73,7 +74,7 @@ double rms(const std::vector<double>& v) {
   return std::sqrt(squares / static_cast<double>(v.size()));
 }
 
-void trial(int count, std::uint64_t first, int poses, double place, double turn) {
+void trial(int count, std::uint64_t first, int poses, double place, double turn, trials::Table& table) {
   std::vector<double> ours, bound;
   std::vector<std::vector<double>> theirs(7);
   int inside = 0, numbers = 0, converged = 0;
@@ -99,19 +100,24 @@ void trial(int count, std::uint64_t first, int poses, double place, double turn)
   }
   double best = std::numeric_limits<double>::infinity();
   for (const auto& way : theirs) best = std::min(best, rms(way));
-  fmt::print(
-      "{:3} poses, robot {:.1f} mm {:.1f} mrad: ours {:.3f} mm, told both noises {:.3f}, best of OpenCV {:.3f}; "
-      "{:.1f} % inside 95 %, converged {} of {}\n",
-      poses, 1e3 * place, 1e3 * turn, 1e3 * rms(ours), 1e3 * rms(bound), 1e3 * best, 100.0 * inside / numbers,
-      converged, count);
-  std::fflush(stdout);
+  table.print({fmt::format("{:.1f} mm, {:.1f} mrad", 1e3 * place, 1e3 * turn), poses, 1e3 * rms(ours), 1e3 * rms(bound),
+               1e3 * best, 100.0 * inside / numbers});
+  if (converged < count) fmt::print("  converged {} of {}\n", converged, count);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 100;
   const auto first = static_cast<std::uint64_t>(argc > 2 ? std::atoi(argv[2]) : 1);
+  trials::Table table({{.heading = "robot", .width = 18},
+                       {"poses"},
+                       {"ours", 3},
+                       {"given both noises", 3},
+                       {"best of OpenCV's seven", 3},
+                       {"inside", 1, "%"}},
+                      output);
   for (const double place : {1e-4, 3e-4, 1e-3, 3e-3})
-    for (const int poses : {4, 6, 8, 15, 40}) trial(count, first, poses, place, 3 * place);
+    for (const int poses : {4, 6, 8, 15, 40}) trial(count, first, poses, place, 3 * place, table);
 }

@@ -12,6 +12,7 @@
 #include "diagnosis/verdict/finding.h"
 #include "effects/own_effect.h"
 #include "fixtures/touch_session.h"
+#include "trials/table.h"
 
 namespace handsight {
 namespace {
@@ -57,6 +58,17 @@ EffectTerm at_joint(const Session& s, const char* id, const std::string& joint) 
   return term_of(*find_effect(id), find_joint(s.robot, joint));
 }
 
+struct Fixtures {
+  const char* kind;
+  const char* title;  // as tables name it
+};
+constexpr Fixtures all_fixtures[] = {{"plane", "one plate"},
+                                     {"planes", "a plate in three places"},
+                                     {"sockets", "two sockets, 50 mm apart to 0.01 mm"},
+                                     {"gauges", "dial gauges on three sides"},
+                                     {"bar", "ball bar of three lengths"},
+                                     {"all", "all together"}};
+
 struct Sums {
   double z = 0, squares = 0;
   int count = 0, covered = 0, untold = 0;
@@ -70,7 +82,8 @@ struct Sums {
 };
 
 /// All joints' zeros at once, drawn within 2 mrad; those whose sigma is above half of the prior's cannot be determined.
-void coverage(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
+void coverage(const Fixtures& fixtures, int seeds, int touches, std::uint64_t first_seed, trials::Table& table) {
+  const std::string kind = fixtures.kind;
   std::map<std::string, Sums> sums;
   int not_converged = 0, repeatability = 0, failed = 0;
   for (int i = 0; i < seeds; ++i) {
@@ -107,6 +120,7 @@ void coverage(const std::string& kind, int seeds, int touches, std::uint64_t fir
   }
   fmt::print("{} ({} touches, {} seeds): not converged {}, scatter {}, refused {}\n", kind, touches, seeds,
              not_converged, repeatability, failed);
+  double least_mean = 1e9, most_mean = -1e9, least_within = 100, most_within = -1;
   for (const auto& [joint, of] : sums) {
     if (of.count == 0) {
       fmt::print("  {}: cannot be told ({} of {})\n", joint, of.untold, of.untold);
@@ -115,8 +129,13 @@ void coverage(const std::string& kind, int seeds, int touches, std::uint64_t fir
     fmt::print("  {}: told {}, mean {:+.3f} sigma (+- {:.3f}), rms {:.3f}, within 95 % {:.1f} %\n", joint, of.count,
                of.z / of.count, 1 / std::sqrt(of.count), std::sqrt(of.squares / of.count),
                100.0 * of.covered / of.count);
+    const double mean = of.z / of.count, within = 100.0 * of.covered / of.count;
+    least_mean = std::min(least_mean, mean), most_mean = std::max(most_mean, mean);
+    least_within = std::min(least_within, within), most_within = std::max(most_within, within);
   }
-  std::fflush(stdout);
+  if (most_within < 0) return;  // no joint can be reported
+  table.print({fixtures.title, seeds - failed, fmt::format("{:.3f} to {:.3f}", least_mean, most_mean),
+               fmt::format("{:.1f} to {:.1f} %", least_within, most_within)});
 }
 
 /// chi-squared of what a model without them leaves, in units of the noise.
@@ -212,9 +231,18 @@ std::string oracle_name(const Session& s) {
   return name;
 }
 
-void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed) {
-  for (const char* id :
-       {"joint_offset", "joint_scale", "link_geometry", "joint_elasticity", "encoder_eccentricity", "backlash"}) {
+void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed,
+            const trials::TableOutput& output) {
+  fmt::print("{}\n", kind);
+  trials::Table table(
+      {{.heading = "hidden", .width = 16}, {"sessions in which it shows"}, {"first"}, {"first or tied"}, {"oracle"}},
+      output);
+  for (const auto& [id, title] : {std::pair{"joint_offset", "joint zero"},
+                                  {"joint_scale", "joint scale"},
+                                  {"link_geometry", "geometry"},
+                                  {"joint_elasticity", "elasticity"},
+                                  {"encoder_eccentricity", "eccentricity"},
+                                  {"backlash", "backlash"}}) {
     int shown = 0, first = 0, equal = 0, unseen = 0, by_oracle = 0;
     for (int i = 0; i < seeds; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
@@ -248,28 +276,31 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
                    is_twin ? ", said to be the same here" : "", oracle);
       std::fflush(stdout);
     }
-    fmt::print(
-        "{}, {} hidden: first {} of {}, and {} of them said to be the same as the first; by the evidence of each "
-        "alone, "
-        "the noise known: {}; {} cannot show\n",
-        kind, id, first, shown, equal, by_oracle, unseen);
-    std::fflush(stdout);
+    table.print({title, shown, first, first + equal, by_oracle});
+    if (unseen > 0) fmt::print("  {} cannot show\n", unseen);
   }
 }
 
 }  // namespace
 }  // namespace handsight
 
-/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed]
+/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [--markdown]
 int main(int argc, char** argv) {
+  using namespace handsight;
+  const trials::TableOutput output = trials::take_table_output(argc, argv);
   const std::string what = argc > 1 ? argv[1] : "both";
   const int seeds = argc > 2 ? std::atoi(argv[2]) : 500, touches = argc > 3 ? std::atoi(argv[3]) : 120;
   const std::string only = argc > 4 ? argv[4] : "";
   const std::uint64_t first = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1;
-  for (const std::string kind : {"plane", "planes", "sockets", "gauges", "bar", "all"}) {
-    if (!only.empty() && only != kind) continue;
-    if (what != "causes") handsight::coverage(kind, seeds, touches, first);
-    if (what != "coverage") handsight::causes(kind, seeds, touches, first);
+  trials::Table table({{.heading = "fixtures", .width = 36},
+                       {"sessions"},
+                       {.heading = "bias in sigmas", .width = 18},
+                       {.heading = "within 95 %", .width = 16}},
+                      output);
+  for (const Fixtures& fixtures : all_fixtures) {
+    if (!only.empty() && only != fixtures.kind) continue;
+    if (what != "causes") coverage(fixtures, seeds, touches, first, table);
+    if (what != "coverage") causes(fixtures.kind, seeds, touches, first, output);
   }
   return 0;
 }
