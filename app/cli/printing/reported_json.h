@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks, error attributions, predictions and corrections as JSON: what the command line writes and the Python module gives.
+// Checks, error attributions, predictions and corrections as JSON: what the command line writes and the Python module
+// gives.
 #pragma once
 
 #include "correct/correction.h"

@@ -54,8 +54,8 @@ struct ExperimentOptions {
 struct ExperimentResult {
   Session session;  // with what was measured
   ExperimentEnd end = ExperimentEnd::reached;
-  Message reason;    // a sentence: why it ended
-  Message more;  // a sentence: what more poses would bring; empty where that is not known
+  Message reason;  // a sentence: why it ended
+  Message more;    // a sentence: what more poses would bring; empty where that is not known
   int moves = 0, observations = 0, accepted = 0;
   std::vector<ExperimentStep> steps;
   std::vector<PlannedMove> planned;  // of a dry run
