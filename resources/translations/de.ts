@@ -6221,7 +6221,7 @@
     </message>
     <message>
         <source>whose fault: noise unknown</source>
-        <translation>wessen Fehler: Rauschen unbekannt</translation>
+        <translation>Rauschen unbekannt</translation>
     </message>
     <message>
         <source>Its points say the same in every pose. </source>

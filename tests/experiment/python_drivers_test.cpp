@@ -37,6 +37,7 @@ position = hello["position"]
 
 def drive(path, speed):
     global position
+    print("Words that a library prints are no answer.")
     position = ask("move", path=path, speed=speed)["position"]
 
 

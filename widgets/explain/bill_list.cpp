@@ -98,7 +98,7 @@ BillList::BillList(QWidget* parent) : QWidget(parent) {
   view_ = new QListView(this);
   view_->setModel(new QStandardItemModel(this));
   view_->setItemDelegate(new BillDelegate(*this, this));
-  view_->setResizeMode(QListView::Adjust);  // rows are as high as their texts at this width
+  lay_rows_out_again(view_);
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setSelectionMode(QAbstractItemView::NoSelection);

@@ -42,8 +42,12 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   };
   const QRectF head(cell.left(), cell.top(), cell.width(), 16), last(cell.left(), cell.bottom() - 15, cell.width(), 15);
   const QRectF foot(cell.left(), last.top() - 14, cell.width(), 15);
-  // The strength: a bar that is filled as far as the residual follows.
-  const QRectF mark(last.right() - 30, last.top() + 4, 30, 7);
+  // The strength: a bar that is filled as far as the residual follows; beside the variable where that leaves it whole,
+  // so that the names of effects have their line.
+  constexpr double of_mark = 34;
+  const QString against = tr("against %1").arg(plot.against);
+  const bool is_at_foot = metrics.horizontalAdvance(against) <= foot.width() - of_mark;
+  const QRectF mark(last.right() - 30, (is_at_foot ? foot : last).top() + 4, 30, 7);
   painter.setPen(c.ink1);
   worded(plot.what, plot.what, head, Qt::ElideMiddle);
   painter.setPen(QPen(plot.is_chance ? c.hairline : c.control_edge, 1));
@@ -53,11 +57,11 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
     painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
                      c.ink2);
   painter.setPen(c.ink2);
-  worded(tr("against %1").arg(plot.against), plot.against, foot,
-         Qt::ElideMiddle);  // joints differ at their ends
+  worded(against, plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
   painter.setPen(c.ink3);
-  const QString shown = whole_names(plot.shows, metrics, last.width() - 34);
-  if (!shown.isEmpty()) worded(tr("shows %1").arg(shown), shown, last.adjusted(0, 0, -34, 0), Qt::ElideRight);
+  const QRectF names = last.adjusted(0, 0, is_at_foot ? 0 : -of_mark, 0);
+  const QString shown = whole_names(plot.shows, metrics, names.width());
+  if (!shown.isEmpty()) worded(tr("shows %1").arg(shown), shown, names, Qt::ElideRight);
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {

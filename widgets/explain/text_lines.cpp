@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/explain/text_lines.h"
 
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QTextLayout>
+#include <QTimer>
 #include <algorithm>
 #include <vector>
 
@@ -50,5 +52,27 @@ void draw_lines(QPainter& painter, const QFont& font, const QRectF& area, const 
     painter.drawText(QPointF(area.left(), area.top() + metrics.ascent() + i * metrics.lineSpacing()), line);
   }
 }
+
+namespace {
+
+class RowsOfWidth : public QObject {
+ public:
+  explicit RowsOfWidth(QListView* list) : QObject(list), list_(list) { list->viewport()->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Show)
+      QTimer::singleShot(0, list_, [list = list_] {
+        list->doItemsLayout();
+        list->scrollTo(list->currentIndex());
+      });
+    return false;
+  }
+
+ private:
+  QListView* list_;
+};
+
+}  // namespace
+
+void lay_rows_out_again(QListView* list) { new RowsOfWidth(list); }
 
 }  // namespace handsight::widgets

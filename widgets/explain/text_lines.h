@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrapped text of at most so many lines. Internal to widgets/explain.
+// Wrapped text of at most so many lines, and lists whose rows are as high as their texts. Internal to widgets/explain.
 #pragma once
 
 #include <QFont>
+#include <QListView>
 #include <QPainter>
 #include <QString>
 
@@ -13,5 +14,9 @@ double lines_height(const QFont& font, const QString& text, double width, int mo
 
 /// Draws it from the top of the area in the painter's pen; what does not fit is shortened with "...".
 void draw_lines(QPainter& painter, const QFont& font, const QRectF& area, const QString& text, int most_lines);
+
+/// Rows are laid out anew, and the current one is in sight, whenever the list is shown or has another size: heights of
+/// rows that were found at another width would leave it scrolled to nowhere.
+void lay_rows_out_again(QListView* list);
 
 }  // namespace handsight::widgets

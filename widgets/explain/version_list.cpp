@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/base/theme.h"
+#include "widgets/explain/text_lines.h"
 #include "widgets/explain/version_list_model.h"
 
 namespace handsight::widgets {
@@ -23,7 +24,7 @@ VersionList::VersionList(QWidget* parent) : QWidget(parent) {
   view_ = new QListView(this);
   view_->setModel(model_);
   view_->setItemDelegate(new VersionListDelegate(model_, this));
-  view_->setResizeMode(QListView::Adjust);  // rows are as high as their texts at this width
+  lay_rows_out_again(view_);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setSelectionMode(QAbstractItemView::NoSelection);
   view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
