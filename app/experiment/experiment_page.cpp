@@ -121,7 +121,7 @@ void ExperimentPage::show_end(const ExperimentResult& result) {
     }
     known_ = known;
   }
-  more_->setText(result.more.empty() ? tr("cannot be foretold") : translated(result.more));
+  more_->setText(result.more.empty() ? tr("cannot be predicted") : translated(result.more));
   if (result.end != ExperimentEnd::not_confirmed && result.end != ExperimentEnd::dry_run)
     tabs_->setCurrentIndex(known_tab);
   show_knowledge();

@@ -6212,7 +6212,7 @@
         <translation>wird am Ende gesagt</translation>
     </message>
     <message>
-        <source>cannot be foretold</source>
+        <source>cannot be predicted</source>
         <translation>lässt sich nicht vorhersagen</translation>
     </message>
     <message>

@@ -25,7 +25,7 @@ print(f"{session.title}: {plain.used} observations, {plain.held_out_rms_pixel:.2
 
 # %% [markdown]
 # ## What is missing?
-# The candidates for what the model lacks, by the ln of their Bayes factors: how much better the measurements are foretold with
+# The candidates for what the model lacks, by the ln of their Bayes factors: how much better the measurements are predicted with
 # them. Those beyond the threshold are no chance.
 # %%
 found = handsight.diagnose(session)
