@@ -11,6 +11,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "compare/compare_cells.h"
 #include "compare/compare_texts.h"
 #include "findings/fit_watch.h"
 #include "findings/pattern_plots.h"
@@ -25,19 +26,6 @@ namespace handsight::app {
 namespace {
 
 constexpr double much = 4;  // sigmas beyond which a number counts as another one
-
-QTableWidgetItem* head_cell(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  return item;
-}
-
-QTableWidgetItem* cell(const QString& text, bool is_number) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  if (is_number) item->setFont(widgets::number_font(widgets::TextRole::body));
-  return item;
-}
 
 std::vector<widgets::CloudPoint> list_points(const ComparedSide& side) {
   if (!side.residuals) return {};
@@ -320,11 +308,8 @@ void ComparePage::refresh_lists() {
     const NumberLine& line = lines[static_cast<std::size_t>(r)];
     const QString cells[] = {line.name, line.change, line.unit, widgets::fixed_text(line.sigmas, 1)};
     for (int column = 0; column < 4; ++column) {
-      QTableWidgetItem* item = cell(cells[column], column == 1 || column == 3);
+      QTableWidgetItem* item = cell(cells[column], column == 1 || column == 3, std::abs(line.sigmas) > much);
       item->setToolTip(line.name + ": " + line.before_after);
-      QFont font = item->font();
-      font.setWeight(std::abs(line.sigmas) > much ? QFont::DemiBold : QFont::Normal);
-      item->setFont(font);
       numbers_->setItem(r, column, item);
     }
   }

@@ -5,6 +5,7 @@
 #include <QTableWidget>
 #include <algorithm>
 
+#include "compare/compare_cells.h"
 #include "compare/compare_page.h"
 #include "compare/compare_texts.h"
 #include "widgets/base/number_text.h"
@@ -12,20 +13,6 @@
 #include "words/core_words.h"
 
 namespace handsight::app {
-namespace {
-
-QTableWidgetItem* cell(const QString& text, bool is_number, bool is_bold) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment((is_number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-  QFont font = is_number ? widgets::number_font(widgets::TextRole::body) : item->font();
-  font.setWeight(is_bold ? QFont::DemiBold : QFont::Normal);
-  item->setFont(font);
-  item->setToolTip(text);
-  return item;
-}
-
-}  // namespace
-
 void ComparePage::show_several(std::shared_ptr<const ComparedSeveral> several) {
   is_running_ = false;
   several_ = std::move(several);
@@ -66,15 +53,15 @@ void ComparePage::refresh_several_lists() {
   changes_title_->setToolTip(
       tr("How likely it is; a click on a change shows the plots of two sessions that it lies "
          "between"));
-  auto* head = new QTableWidgetItem(tr("likely"));
-  head->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  changes_->setHorizontalHeaderItem(1, head);
+  changes_->setHorizontalHeaderItem(1, head_cell(tr("likely")));
   const std::vector<SeveralLine> lines = several_lines(c);
   changes_->setRowCount(static_cast<int>(lines.size()));
   sides_of_rows_.clear();
   for (int r = 0; r < changes_->rowCount(); ++r) {
     const SeveralLine& line = lines[static_cast<std::size_t>(r)];
-    changes_->setItem(r, 0, cell(line.name, false, line.is_change));
+    QTableWidgetItem* name = cell(line.name, false, line.is_change);
+    name->setToolTip(line.name);
+    changes_->setItem(r, 0, name);
     changes_->setItem(r, 1, cell(line.likely, true, line.is_change));
     sides_of_rows_.push_back(
         {line.before.empty() ? -1 : several_->side(line.before), line.after.empty() ? -1 : several_->side(line.after)});

@@ -60,9 +60,9 @@ DiagnosisOptions diagnosis_options(const ImprovementOptions& options, const std:
   return o;
 }
 
-class Upkeep {
+class Pruning {
  public:
-  Upkeep(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
+  Pruning(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
       : session_(session), options_(options), most_(most), change_(change) {}
 
   void run() {
@@ -320,7 +320,7 @@ std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first
 }
 
 void prune(const Session& session, const ImprovementOptions& options, double most, ModelChange& change) {
-  Upkeep(session, options, most, change).run();
+  Pruning(session, options, most, change).run();
 }
 
 }  // namespace handsight

@@ -26,7 +26,7 @@ Improvement begun(const Session& session) {
   return m;
 }
 
-TEST(Upkeep, ANameThatExplainsAsMuchMorePlausiblyComesInAndWhatStoodInForItGoes) {
+TEST(Pruning, ANameThatExplainsAsMuchMorePlausiblyComesInAndWhatStoodInForItGoes) {
   const Session session = simulated(hidden, 5);
   const Improvement m = begun(session);
   const auto mount = std::find_if(m.last.candidates.begin(), m.last.candidates.end(),
