@@ -287,17 +287,12 @@ void ComparePage::refresh_lists() {
   changes_->setRowCount(static_cast<int>(c.changes.size()));
   for (int r = 0; r < changes_->rowCount(); ++r) {
     const Change& change = c.changes[static_cast<std::size_t>(r)];
-    changes_->setItem(r, 0, cell(change_title(change), false));
-    changes_->setItem(r, 1, cell(widgets::fixed_text(change.ln_bayes_factor, 1), true));
     const bool counts = change.ln_bayes_factor >= c.threshold;
+    changes_->setItem(r, 0, cell(change_title(change), false, counts));
+    changes_->setItem(r, 1, cell(widgets::fixed_text(change.ln_bayes_factor, 1), true, counts));
     QString tip = change_numbers(change).join('\n');
     if (counts) tip += '\n' + tr("Above %1: no chance.").arg(widgets::fixed_text(c.threshold, 1));
-    for (int column : {0, 1}) {
-      changes_->item(r, column)->setToolTip(tip);
-      QFont font = changes_->item(r, column)->font();
-      font.setWeight(counts ? QFont::DemiBold : QFont::Normal);
-      changes_->item(r, column)->setFont(font);
-    }
+    for (int column : {0, 1}) changes_->item(r, column)->setToolTip(tip);
   }
   const std::vector<NumberLine> lines = number_lines(c);
   numbers_title_->setText(tr("Numbers of both"));
