@@ -6,7 +6,13 @@ if(HANDSIGHT_CCACHE)
   # Sloppiness: what a cache must overlook to know precompiled headers.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${HANDSIGHT_CCACHE})
 endif()
-add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-unused-parameter
+# Most of what is left of a compiler's time goes into instantiating the same templates in source after source: the sources
+# of a room are compiled as one, which takes a third. While one room is worked on, -DHANDSIGHT_JOINED=OFF compiles less
+# after a change. Sources of one room must not give the same name to different things, not in unnamed namespaces either.
+option(HANDSIGHT_JOINED "Compile the sources of a room together" ON)
+
+add_compile_options(-Wall -Wextra -Wnon-virtual-dtor -Wno-unused-parameter
+  $<$<NOT:$<BOOL:${HANDSIGHT_JOINED}>>:-Wshadow>  # of joined sources one may use a name of another's unnamed namespace
   -Wno-missing-field-initializers  # designated initialisers name what they set
   # False alarms of GCC 12 on std::string and on Eigen's memory.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
@@ -63,6 +69,28 @@ function(handsight_use_headers target name)
   endif()
 endfunction()
 
+# handsight_join(TARGET [APART ROOM ...]): the sources of each folder of TARGET are compiled as one, twelve at most, but for
+# those of the rooms that stand APART.
+function(handsight_join target)
+  cmake_parse_arguments(arg "" "" "APART" ${ARGN})
+  if(NOT HANDSIGHT_JOINED)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(room ${source} DIRECTORY)
+    string(REGEX REPLACE "^${CMAKE_CURRENT_SOURCE_DIR}/?" "" room "${room}")
+    if(source MATCHES "\\.cpp$" AND NOT room IN_LIST arg_APART)
+      string(MAKE_C_IDENTIFIER "in_${room}" room)
+      list(APPEND ${room}_joined ${source})
+      list(LENGTH ${room}_joined part)
+      math(EXPR part "(${part} - 1) / 12")
+      set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP "${room}_${part}")
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # handsight_library(NAME [folders and libraries that it uses ...]): the .cpp files of the folder and its rooms as target
 # handsight_NAME, compiled with the set of headers that the variable handsight_headers_of names.
 function(handsight_library name)
@@ -74,6 +102,7 @@ function(handsight_library name)
     if(NOT name STREQUAL "base")  # the only one without Eigen
       handsight_use_headers(handsight_${name} ${handsight_headers_of})
     endif()
+    handsight_join(handsight_${name} APART ${handsight_rooms_apart})
   else()
     add_library(handsight_${name} INTERFACE)
     target_include_directories(handsight_${name} INTERFACE ${CMAKE_SOURCE_DIR}/core)

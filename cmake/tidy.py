@@ -75,13 +75,21 @@ def write(entries, record):
     fresh.replace(record)
 
 
+def compiled_by(file):
+    """The sources that the build compiles as one (HANDSIGHT_JOINED); else the file itself."""
+    if file.parent.name != "Unity":
+        return [str(file)]
+    return re.findall(r'^#include "([^"]+)"', file.read_text(), re.M)
+
+
 def commands(build):
     """What compiles each source, as clang understands it, without precompiled headers: path -> (folder, command)."""
     strange = r"-Winvalid-pch|-Xclang \S+|-fpch-instantiate-templates|-include \S+|--param=\S+|-Wno-(restrict|stringop-overflow|use-after-free)|-o \S+|-M[DTF] ?\S*"
     found = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        command = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"])).replace(entry["file"], "")
-        found[entry["file"]] = (entry["directory"], command)
+        command = re.sub(strange, "", re.sub(r"^.*?ccache ", "", entry["command"])).replace(entry["file"], "") + " -Wshadow"
+        for source in compiled_by(Path(entry["file"])):
+            found[source] = (entry["directory"], command)
     return found
 
 

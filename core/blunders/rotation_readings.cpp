@@ -8,14 +8,14 @@
 namespace handsight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-double wrapped(double angle) { return std::remainder(angle, 2 * pi); }
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 /// The two triples of roll, pitch, yaw of a rotation, each number within half a turn.
 std::vector<Vector3> as_roll_pitch_yaw(const Matrix3& rotation) {
   const Vector3 rpy = rpy_from_rotation(rotation);
-  return {rpy, {wrapped(rpy.x() + pi), wrapped(pi - rpy.y()), wrapped(rpy.z() + pi)}};
+  return {
+      rpy,
+      {wrapped(rpy.x() + std::numbers::pi), wrapped(std::numbers::pi - rpy.y()), wrapped(rpy.z() + std::numbers::pi)}};
 }
 
 /// The rotation vectors of a rotation, of a length up to what three angles within half a turn have.
@@ -24,14 +24,14 @@ std::vector<Vector3> as_vectors(const Matrix3& rotation) {
   if (v.norm() < 1e-12) return {v};
   std::vector<Vector3> all;
   for (const double turns : {0.0, -1.0, 1.0}) {
-    const Vector3 one = v * (1 + turns * 2 * pi / v.norm());
-    if (one.cwiseAbs().maxCoeff() < pi + 1e-3) all.push_back(one);
+    const Vector3 one = v * (1 + turns * 2 * std::numbers::pi / v.norm());
+    if (one.cwiseAbs().maxCoeff() < std::numbers::pi + 1e-3) all.push_back(one);
   }
   return all;
 }
 
 /// Programs give a pitch of no more than a right angle.
-bool has_usual_pitch(const Vector3& rpy) { return std::abs(rpy.y()) < pi / 2 + 1e-3; }
+bool has_usual_pitch(const Vector3& rpy) { return std::abs(rpy.y()) < std::numbers::pi / 2 + 1e-3; }
 
 Matrix3 by(const Vector3& n, const std::string& convention) {
   const auto about = [](int axis, double angle) { return rotation_about<double>(Vector3::Unit(axis), angle); };
@@ -54,7 +54,7 @@ std::vector<Matrix3> read_again(const Matrix3& wrong, const std::string& convent
   if (convention == "rotation_vector") {  // controllers give them no longer than half a turn
     std::stable_sort(numbers.begin(), numbers.end(),
                      [](const Vector3& a, const Vector3& b) { return a.norm() < b.norm(); });
-    while (numbers.size() > 1 && numbers.back().norm() > pi + 1e-3) numbers.pop_back();
+    while (numbers.size() > 1 && numbers.back().norm() > std::numbers::pi + 1e-3) numbers.pop_back();
   }
   if (convention == "rpy" && std::any_of(numbers.begin(), numbers.end(), has_usual_pitch))
     std::erase_if(numbers, [](const Vector3& n) { return !has_usual_pitch(n); });

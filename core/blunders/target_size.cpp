@@ -11,7 +11,7 @@
 namespace handsight {
 namespace {
 
-constexpr double many_times = 3;  // the noise: below that an effect may be missing, and diagnose finds it
+constexpr double clear_times = 3;  // the noise: below that an effect may be missing, and diagnose finds it
 constexpr const char* scale_effect = "target_scale";
 constexpr double most_left = 0.6;     // of the error before
 constexpr double least_scale = 0.01;  // less is a matter of diagnose, too
@@ -91,7 +91,7 @@ std::optional<TargetSize> other_target_size(const Session& session, const Fit& f
   const double before = fit_before.residual_rms;
   if (fit_before.solution.stopped || fit_before.problem.observations.size() < fewest_views) return std::nullopt;
   if (has_effect(options.estimated, scale_effect) || has_effect(options.effects, scale_effect)) return std::nullopt;
-  if (fit_before.noise && !has_no_answer(fit_before) && before < many_times * *fit_before.noise) return std::nullopt;
+  if (fit_before.noise && !has_no_answer(fit_before) && before < clear_times * *fit_before.noise) return std::nullopt;
   const bool is_known = session.shape && session.shape->sigma && session.shape->piece_count() == 1;
   const bool are_tags = session.target && session.target->kind == TargetKind::tags && session.shape &&
                         session.shape->sigma && session.shape->piece_count() > 1;

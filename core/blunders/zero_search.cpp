@@ -10,8 +10,8 @@
 namespace handsight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double near_quarter = 1.5 * pi / 180;  // rad: so far from a multiple of 90 degrees it is meant to be that
+constexpr double near_quarter =
+    1.5 * std::numbers::pi / 180;  // rad: so far from a multiple of 90 degrees it is meant to be that
 
 class ShiftedJoint {
  public:
@@ -53,12 +53,12 @@ double lowest_between(ShiftedJoint& joint, double low, double high) {
 double find_zero(const Session& points, const std::string& name) {
   ShiftedJoint joint(points, name);
   const bool slides = joint_named(points, name).kind == JointKind::prismatic;
-  const double step = slides ? 0.05 : pi / 12;
+  const double step = slides ? 0.05 : std::numbers::pi / 12;
   double best = 0, least = joint.left_at(0);
   for (int i = -11; i <= 12; ++i)
     if (const double left = joint.left_at(i * step); left < least) best = i * step, least = left;
   const double found = lowest_between(joint, best - step, best + step);
-  const double quarter = std::round(found / (pi / 2)) * (pi / 2);
+  const double quarter = std::round(found / (std::numbers::pi / 2)) * (std::numbers::pi / 2);
   return !slides && quarter != 0 && std::abs(found - quarter) < near_quarter ? quarter : found;
 }
 

@@ -9,27 +9,27 @@
 namespace handsight {
 namespace {
 
-constexpr std::array<LensNumber, 12> names{{{"fx", "px", 0.05},
-                                            {"fy", "px", 0.05},
-                                            {"cx", "px", 20},
-                                            {"cy", "px", 20},
-                                            {"k1", "1", 0.2},
-                                            {"k2", "1", 0.2},
-                                            {"p1", "1", 2e-3},
-                                            {"p2", "1", 2e-3},
-                                            {"k3", "1", 0.2},
-                                            {"k4", "1", 0.2},
-                                            {"k5", "1", 0.2},
-                                            {"k6", "1", 0.2}}};
+constexpr std::array<LensNumber, 12> brown_numbers{{{"fx", "px", 0.05},
+                                                    {"fy", "px", 0.05},
+                                                    {"cx", "px", 20},
+                                                    {"cy", "px", 20},
+                                                    {"k1", "1", 0.2},
+                                                    {"k2", "1", 0.2},
+                                                    {"p1", "1", 2e-3},
+                                                    {"p2", "1", 2e-3},
+                                                    {"k3", "1", 0.2},
+                                                    {"k4", "1", 0.2},
+                                                    {"k5", "1", 0.2},
+                                                    {"k6", "1", 0.2}}};
 
-struct Radial {
+struct RadialTerms {
   double value, slope;  // slope: by r2
   double above, below;
 };
 
 template <bool rational>
-Radial radial_of(std::span<const double> n, double r2) {
-  Radial r{};
+RadialTerms radial_of(std::span<const double> n, double r2) {
+  RadialTerms r{};
   r.above = 1 + r2 * (n[4] + r2 * (n[5] + r2 * n[8]));
   const double above_slope = n[4] + r2 * (2 * n[5] + r2 * 3 * n[8]);
   r.below = 1;
@@ -46,7 +46,7 @@ Radial radial_of(std::span<const double> n, double r2) {
 template <bool rational>
 void project_brown(std::span<const double> n, const Vector3& p, LensProjection& out) {
   const double inverse = 1 / p.z(), x = p.x() * inverse, y = p.y() * inverse, r2 = x * x + y * y;
-  const Radial radial = radial_of<rational>(n, r2);
+  const RadialTerms radial = radial_of<rational>(n, r2);
   const double p1 = n[6], p2 = n[7];
   const Vector2 distorted(x * radial.value + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
                           y * radial.value + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y);
@@ -82,7 +82,7 @@ bool brown_sees(std::span<const double> n, const Vector3& p) {
   if (!(p.z() > 1e-9 * p.norm())) return false;
   const double r2 = p.head<2>().squaredNorm() / (p.z() * p.z());
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
-    const Radial radial = radial_of<rational>(n, share * r2);
+    const RadialTerms radial = radial_of<rational>(n, share * r2);
     if (!(radial.below > 1e-6) || !(radial.value + 2 * share * r2 * radial.slope > 1e-3)) return false;
   }
   return true;
@@ -90,9 +90,9 @@ bool brown_sees(std::span<const double> n, const Vector3& p) {
 
 }  // namespace
 
-const LensModel brown_lens{"brown", "Brown: k1 k2 p1 p2 k3", std::span(names).first<9>(), project_brown<false>,
+const LensModel brown_lens{"brown", "Brown: k1 k2 p1 p2 k3", std::span(brown_numbers).first<9>(), project_brown<false>,
                            brown_sees<false>};
-const LensModel rational_lens{"rational", "Brown with OpenCV's rational terms: k1 k2 p1 p2 k3 k4 k5 k6", names,
+const LensModel rational_lens{"rational", "Brown with OpenCV's rational terms: k1 k2 p1 p2 k3 k4 k5 k6", brown_numbers,
                               project_brown<true>, brown_sees<true>};
 
 }  // namespace handsight

@@ -9,14 +9,14 @@
 namespace handsight {
 namespace {
 
-constexpr std::array<LensNumber, 8> names{{{"fx", "px", 0.05},
-                                           {"fy", "px", 0.05},
-                                           {"cx", "px", 20},
-                                           {"cy", "px", 20},
-                                           {"k1", "1", 0.1},
-                                           {"k2", "1", 0.05},
-                                           {"k3", "1", 0.05},
-                                           {"k4", "1", 0.05}}};
+constexpr std::array<LensNumber, 8> fisheye_numbers{{{"fx", "px", 0.05},
+                                                     {"fy", "px", 0.05},
+                                                     {"cx", "px", 20},
+                                                     {"cy", "px", 20},
+                                                     {"k1", "1", 0.1},
+                                                     {"k2", "1", 0.05},
+                                                     {"k3", "1", 0.05},
+                                                     {"k4", "1", 0.05}}};
 
 double slope_of(std::span<const double> n, double t) {
   const double t2 = t * t;
@@ -59,6 +59,7 @@ bool fisheye_sees(std::span<const double> n, const Vector3& p) {
 
 }  // namespace
 
-const LensModel fisheye_lens{"fisheye", "OpenCV's fisheye: k1 k2 k3 k4", names, project_fisheye, fisheye_sees};
+const LensModel fisheye_lens{"fisheye", "OpenCV's fisheye: k1 k2 k3 k4", fisheye_numbers, project_fisheye,
+                             fisheye_sees};
 
 }  // namespace handsight

@@ -9,8 +9,7 @@
 namespace handsight {
 namespace {
 
-constexpr PdfColor ink{0.1, 0.12, 0.15}, quiet{0.35, 0.39, 0.44}, rule{0.72, 0.76, 0.8}, inside{0.13, 0.42, 0.66},
-    outside{0.78, 0.25, 0.13};
+constexpr PdfColor inside{0.13, 0.42, 0.66}, outside{0.78, 0.25, 0.13};
 
 /// Light to dark, readable in grey too.
 PdfColor shade(double share) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double top = 20, bottom = PdfDocument::height - 22;
 constexpr double mm_a_point = 25.4 / 72;
-constexpr PdfColor quiet{0.35, 0.39, 0.44}, rule{0.72, 0.76, 0.8}, accent{0.09, 0.31, 0.52};
+constexpr PdfColor accent{0.09, 0.31, 0.52};
 
 double line_height(double size) { return 1.35 * size * mm_a_point; }
 

@@ -9,6 +9,9 @@
 
 namespace handsight {
 
+/// Of lines and letters, of what stands beside them, and of what divides.
+inline constexpr PdfColor ink{0.1, 0.12, 0.15}, quiet{0.35, 0.39, 0.44}, rule{0.72, 0.76, 0.8};
+
 struct PdfTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;

@@ -10,7 +10,7 @@
 namespace handsight {
 namespace {
 
-constexpr PdfColor ink{0.1, 0.12, 0.15}, metal{0.72, 0.76, 0.8}, tip{0.13, 0.42, 0.66};
+constexpr PdfColor metal{0.72, 0.76, 0.8}, tip{0.13, 0.42, 0.66};
 constexpr double ball = 2.2, sketch_height = 26, sketch_width = 48;  // mm
 
 /// A circle's line.

@@ -7,19 +7,14 @@
 #include <map>
 
 #include "compare/change_evidence.h"
+#include "compare/change_limits.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/evidence.h"
 
 namespace handsight {
 namespace {
 
-constexpr double least_visible = 1e-2;  // chi-squared of a prior sigma below which a change cannot be seen at all
 constexpr std::size_t most_refitted = 8, most_groups_wide = 5;
-constexpr int most_iterations = 8, most_iterations_wide = 3;
-constexpr double least_gain = 1e-4, least_gain_wide = 1e-1;  // of chi-squared, of one more iteration
-constexpr double change_scale = 3;                           // prior sigmas that a change is held at while it is fitted
-constexpr double free_scale = 1e6;
-constexpr int learning_rounds = 3, learning_steps = 4;
 
 /// The shared unknowns and how one change of the second side is added to them.
 class Comparer {
@@ -94,7 +89,7 @@ class Comparer {
   /// Gauss-Newton over the shared unknowns and one unit's numbers.
   Refitted fitted(std::vector<EffectTerm> terms) {
     Refitted r{state_, std::move(terms), {}, {}, 0};
-    for (int i = 0; i < (is_wide() ? most_iterations_wide : most_iterations); ++i) {
+    for (int i = 0; i < (is_wide() ? most_change_iterations_wide : most_change_iterations); ++i) {
       keep_going(sides_.progress);
       const ChangeRows rows = rows_with(r.terms, r.state);
       if (r.change.size() != sizes_.size()) r.change = find_change(r.terms);
@@ -107,7 +102,7 @@ class Comparer {
       r.state = moved_by(sides_, r.state, step.head(base));
       r.change += step.tail(step.size() - base);
       r.terms = with_change(r.terms, r.change);
-      if (n.gradient.dot(step) < (is_wide() ? least_gain_wide : least_gain)) break;
+      if (n.gradient.dot(step) < (is_wide() ? least_change_gain_wide : least_change_gain)) break;
     }
     return r;
   }
@@ -176,7 +171,7 @@ class Comparer {
 
   /// Of every unit by the linearised model; those worth a fit of their own, best first.
   std::vector<std::size_t> rank_linearly() {
-    const ScatteredNormal n = with_priors(free_scale);
+    const ScatteredNormal n = with_priors(free_change_scale);
     const Eigen::Index base = shared_columns(sides_), changes = n.gradient.size() - base;
     const Eigen::LDLT<Eigen::MatrixXd> shared(n.information.topLeftCorner(base, base));
     const Eigen::MatrixXd cross = n.information.topRightCorner(base, changes);
@@ -196,7 +191,7 @@ class Comparer {
       f.visible = a.trace();
       f.terms = units_[u].terms;
       f.sigma = Eigen::VectorXd::Zero(count);
-      if (f.visible >= least_visible) {
+      if (f.visible >= least_visible_change) {
         f.ln_bayes_factor = change_evidence(a, gradient.segment(at, count));
         order.push_back(u);
         places.push_back({units_[u].group, at, count});
@@ -221,10 +216,9 @@ class Comparer {
     ends.bottomRows(count).setIdentity();
     const Eigen::MatrixXd covariance = r.information.ldlt().solve(ends).bottomRows(count);
     // Held while it was fitted; the prior of each scale is counted in the evidence.
-    constexpr double held = 1 / (change_scale * change_scale);
-    const double gained = none_squares_ - (r.squares - held * r.change.squaredNorm());
+    const double gained = none_squares_ - (r.squares - change_weight * r.change.squaredNorm());
     const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
-    const double evidence = change_evidence_at(covariance.ldlt().solve(one) - held * one, r.change, gained);
+    const double evidence = change_evidence_at(covariance.ldlt().solve(one) - change_weight * one, r.change, gained);
     if (!std::isfinite(evidence) || !covariance.allFinite()) return;  // the linearised answer stands
     Found& f = found_[u];
     f.ln_bayes_factor = evidence;
@@ -237,7 +231,7 @@ class Comparer {
     std::map<std::string, std::vector<double>> factors;
     std::map<std::string, std::size_t> best;
     for (std::size_t u = 0; u < units_.size(); ++u) {
-      if (found_[u].visible < least_visible) continue;
+      if (found_[u].visible < least_visible_change) continue;
       factors[units_[u].group].push_back(found_[u].ln_bayes_factor);
       const auto [place, is_new] = best.emplace(units_[u].group, u);
       if (!is_new && found_[u].ln_bayes_factor > found_[place->second].ln_bayes_factor) place->second = u;

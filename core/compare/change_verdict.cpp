@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "compare/change_limits.h"
 
 namespace handsight {
 namespace {
-
-constexpr double ln_20 = 2.995732273553991;
-constexpr double in_model_uncertainty = 0.05;  // probability of what is left below which the model is made wider
-constexpr double misses = 1e-3;                // ... below which it is said to miss
 
 const char* rest_text(const std::string& id, bool are_touches) {
   if (are_touches) {
@@ -33,7 +30,7 @@ double ln_odds(const Change& c) { return c.ln_bayes_factor + ln_prior_odds(c.id)
 /// The ranking by the narrowest model that leaves no more than noise, else by the widest.
 RankedChanges ranked(const ComparedSides& sides, Comparison& c) {
   RankedChanges found = ranked_changes(sides, {});
-  c.model_fits = sides.known ? sides.repeatability.isZero(0) : found.left.p > misses;
+  c.model_fits = sides.known ? sides.repeatability.isZero(0) : found.left.p > model_misses;
   if (sides.known) return found;
   for (const Width width : {Width::catalogue, Width::catalogue_and_curves}) {
     if (found.left.p > in_model_uncertainty) break;

@@ -10,6 +10,7 @@
 #include "compare/calibrated_sides.h"
 #include "compare/change_candidates.h"
 #include "compare/change_evidence.h"
+#include "compare/change_limits.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/evidence.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double same_pose = 5e-3;         // rad (m)
 constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
-constexpr double ln_20 = 2.995732273553991;
-constexpr double change_scale = 3;  // prior sigmas that a change is held at while its size is reported
 
 /// What observations of one pose say. Columns: the shared unknowns, the changes, six of the pose's own motion.
 struct PoseSums {

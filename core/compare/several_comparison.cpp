@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "compare/change_limits.h"
 #include "compare/change_verdict.h"
 #include "compare/several_changes.h"
 #include "diagnosis/evidence/evidence.h"
@@ -16,9 +17,6 @@
 namespace handsight {
 namespace {
 
-constexpr double in_model_uncertainty = 0.05;  // probability of what is left below which the model is made wider
-constexpr double misses = 1e-3;                // ... below which it is said to miss
-constexpr double ln_20 = 2.995732273553991;
 constexpr std::size_t most_changes = 8, most_alternatives = 6;
 constexpr double least_likely = 0.01;
 
@@ -195,7 +193,7 @@ class Judge {
       keep_going(sides.progress, width == Width::reported ? 0.5 : width == Width::catalogue ? 0.55 : 0.6);
       comparer_.emplace(widened(sides, width));
       ranking_ = comparer_->rank({}, true);
-      if (width == Width::reported) c_.model_fits = ranking_.left.p > misses;
+      if (width == Width::reported) c_.model_fits = ranking_.left.p > model_misses;
       if (ranking_.left.p > in_model_uncertainty) break;
     }
     c_.threshold = ranking_.threshold;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Cholesky>
 
+#include "compare/change_limits.h"
 #include "compare/several_changes.h"
 #include "compare/several_normal.h"
 
 namespace handsight {
-namespace {
-
-constexpr int most_iterations = 8, most_iterations_wide = 3;
-constexpr double least_gain = 1e-4, least_gain_wide = 1e-1;  // of chi-squared, of one more iteration
-
-}  // namespace
 
 /// Normal equations of all sides, the active changes' columns behind the shared ones; with priors.
 ScatteredNormal SeveralComparer::make_normal(const SeveralState& state, const std::vector<ActiveChange>& active) const {
@@ -47,7 +42,7 @@ ScatteredNormal SeveralComparer::make_normal(const SeveralState& state, const st
 /// Gauss-Newton over the shared unknowns and the changes' numbers.
 SeveralComparer::Fitted SeveralComparer::fitted(std::vector<ActiveChange> active) const {
   Fitted r{state_, std::move(active), {}, 0};
-  for (int i = 0; i < (sides_.is_wide ? most_iterations_wide : most_iterations); ++i) {
+  for (int i = 0; i < (sides_.is_wide ? most_change_iterations_wide : most_change_iterations); ++i) {
     const ScatteredNormal n = make_normal(r.state, r.active);
     const Eigen::VectorXd step = n.information.ldlt().solve(n.gradient);
     r.information = n.information;
@@ -58,9 +53,9 @@ SeveralComparer::Fitted SeveralComparer::fitted(std::vector<ActiveChange> active
       a.change += step.segment(column, a.change.size());
       column += a.change.size();
     }
-    if (n.gradient.dot(step) < (sides_.is_wide ? least_gain_wide : least_gain)) break;
+    if (n.gradient.dot(step) < (sides_.is_wide ? least_change_gain_wide : least_change_gain)) break;
   }
-  for (const ActiveChange& a : r.active) r.squares -= held * a.change.squaredNorm();
+  for (const ActiveChange& a : r.active) r.squares -= change_weight * a.change.squaredNorm();
   return r;
 }
 

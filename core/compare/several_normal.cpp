@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 
 #include "compare/change_evidence.h"
+#include "compare/change_limits.h"
 #include "diagnosis/evidence/candidates.h"
 
 namespace handsight {
@@ -46,7 +47,7 @@ EvidenceAt evidence_at(const Eigen::MatrixXd& covariance, const Eigen::VectorXd&
                        double squares_with) {
   const double gained = squares_without - squares_with;
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(change.size(), change.size());
-  return {change_evidence_at(covariance.ldlt().solve(one) - held * one, change, gained), gained};
+  return {change_evidence_at(covariance.ldlt().solve(one) - change_weight * one, change, gained), gained};
 }
 
 void place_unit(std::vector<Eigen::Triplet<double>>& places, const ChangeUnit& unit, const Chain& chain,

@@ -10,10 +10,6 @@
 
 namespace handsight {
 
-/// Plausible sizes that a change is held at while it is fitted.
-inline constexpr double change_scale = 3;
-inline constexpr double held = 1 / (change_scale * change_scale);  // how much of a change's square that costs
-
 /// Numbers of a unit that are no choices.
 Eigen::Index list_numbers(const ChangeUnit& unit);
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "compare/change_evidence.h"
+#include "compare/change_limits.h"
 #include "compare/several_changes.h"
 #include "compare/several_normal.h"
 #include "diagnosis/evidence/evidence.h"
@@ -13,10 +14,7 @@
 namespace handsight {
 namespace {
 
-constexpr double least_visible = 1e-2;  // chi-squared of a prior sigma below which a change cannot be seen at all
 constexpr std::size_t most_groups = 5, most_beside = 3;  // that are fitted in full: the best of each, the best of all
-constexpr double free_scale = 1e6;
-constexpr int learning_rounds = 3, learning_steps = 4;
 
 int sides_in(const Alternative& a) { return static_cast<int>(std::count(a.in.begin(), a.in.end(), 1)); }
 
@@ -145,7 +143,7 @@ std::vector<std::size_t> SeveralComparer::rank_linearly(const std::vector<Active
   for (const ActiveChange& a : taken) base += a.change.size();
   for (std::size_t a = 0; a < alternatives_.size(); ++a)
     if (!is_taken(a)) columns.push_back({a, Eigen::VectorXd::Zero(count_numbers(alternatives_[a].unit))});
-  const ScatteredNormal n = with_priors(make_linear(columns, true).normal, columns, taken.size(), free_scale);
+  const ScatteredNormal n = with_priors(make_linear(columns, true).normal, columns, taken.size(), free_change_scale);
   const Eigen::Index changes = n.gradient.size() - base;
   const Eigen::LDLT<Eigen::MatrixXd> shared(n.information.topLeftCorner(base, base));
   const Eigen::MatrixXd cross = n.information.topRightCorner(base, changes);
@@ -159,7 +157,7 @@ std::vector<std::size_t> SeveralComparer::rank_linearly(const std::vector<Active
     const Eigen::Index count = columns[c].change.size();
     const std::size_t a = columns[c].alternative;
     const Eigen::MatrixXd own = information.block(at, at, count, count);
-    if (own.trace() >= least_visible) {
+    if (own.trace() >= least_visible_change) {
       ranking.found[a].is_visible = true;
       ranking.found[a].ln_bayes_factor = change_evidence(own, gradient.segment(at, count));
       order.push_back(a);

@@ -91,7 +91,7 @@ void add_curves(SeveralSides& all) {
   all.curve_scales = Eigen::VectorXd::Ones(next);
 }
 
-SeveralSide side_of(const Fit& f) {
+SeveralSide several_side(const Fit& f) {
   const NoiseModel w = noise_model(f);
   SeveralSide side;
   side.problem = f.problem;
@@ -160,7 +160,7 @@ SeveralSides several_sides(const std::vector<JoinedMember>& members, const std::
   SeveralSides all;
   std::vector<std::string> rigs, bodies;
   for (std::size_t k = 0; k < members.size(); ++k) {
-    SeveralSide side = side_of(fits[k]);
+    SeveralSide side = several_side(fits[k]);
     const Unknowns found = estimate(fits[k]);
     const std::size_t known_rigs = rigs.size(), known_bodies = bodies.size();
     side.rig = number_of(members[k].rig, rigs);

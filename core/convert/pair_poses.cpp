@@ -29,7 +29,7 @@ std::vector<T> some_of(const std::vector<T>& all, const Rows& rows) {
 }
 
 /// "img_01" of "images/IMG_01.jpg".
-std::string plain_name(const std::string& name) {
+std::string image_stem(const std::string& name) {
   std::string plain = name.substr(name.find_last_of("/\\") == std::string::npos ? 0 : name.find_last_of("/\\") + 1);
   if (const std::size_t dot = plain.rfind('.'); dot != std::string::npos && dot > 0) plain.resize(dot);
   for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -38,7 +38,7 @@ std::string plain_name(const std::string& name) {
 
 std::vector<std::string> plain_names(const std::vector<std::string>& names) {
   std::vector<std::string> plain;
-  for (const std::string& name : names) plain.push_back(plain_name(name));
+  for (const std::string& name : names) plain.push_back(image_stem(name));
   return plain;
 }
 
@@ -161,10 +161,10 @@ Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vect
   std::map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < images.size(); ++i)
     for (const auto& file : images[i].files)
-      if (!file.empty()) places.emplace(plain_name(file.filename().string()), i);
+      if (!file.empty()) places.emplace(image_stem(file.filename().string()), i);
   Pairs pairs;
   for (std::size_t r = 0; r < names.size(); ++r)
-    if (const auto found = places.find(plain_name(names[r])); found != places.end()) {
+    if (const auto found = places.find(image_stem(names[r])); found != places.end()) {
       pairs.first.push_back(r);
       pairs.second.push_back(found->second);
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int enough = 20;  // observations whose images are looked at
 
-std::vector<int> spread(std::size_t count) {
+std::vector<int> spread_places(std::size_t count) {
   std::vector<int> places;
   const int all = static_cast<int>(count), taken = std::min(all, enough);
   for (int i = 0; i < taken; ++i) places.push_back(i * (all - 1) / std::max(1, taken - 1));
@@ -48,7 +48,7 @@ std::vector<Sighting> of_piece(const KnownShape& shape, int piece, const std::ve
 
 Seen seen_in_images(const Session& session) {
   Seen seen;
-  const std::vector<int> places = spread(session.observations.size());
+  const std::vector<int> places = spread_places(session.observations.size());
   Session some = take_part(session, places);
   find_targets(some);
   if (!some.shape) return seen;

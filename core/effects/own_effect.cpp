@@ -161,7 +161,8 @@ std::vector<double> numbers_at(const Compiled& own, const ObservationState& c, i
   return numbers;
 }
 
-void move(const Compiled& own, const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
+void move_by_formula(const Compiled& own, const ObservationState& c, int place, std::span<const double> values,
+                     Sites& sites) {
   std::vector<double> numbers = numbers_at(own, c, place);
   std::copy(values.begin(), values.end(), numbers.begin());
   for (const CompiledMove& m : own.moves) add_to(m.place, place, m.formula.value(numbers), c, sites);
@@ -302,7 +303,7 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
   effect->reads_torque = own->reads_torque;
   effect->reads_place = own->reads_place;
   effect->move = [own](const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-    move(*own, c, place, values, sites);
+    move_by_formula(*own, c, place, values, sites);
   };
   return effect;
 }

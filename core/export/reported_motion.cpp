@@ -10,7 +10,7 @@ namespace handsight {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<const char*, 6> names{"x", "y", "z", "rx", "ry", "rz"};
+constexpr std::array<const char*, 6> number_names{"x", "y", "z", "rx", "ry", "rz"};
 
 /// Of the place of the motion's own origin, and of its turn.
 Matrix6 at_own_origin(const EstimatedMotion& m) {
@@ -43,7 +43,7 @@ ReportedMotion reported(const Rigid& motion, const EstimatedMotion& estimated, b
 Message make_text(const char* what, const ReportedMotion& m, const Message& instead) {
   std::vector<Message> numbers;
   for (int i = 0; i < 3; ++i)
-    if (std::isnan(m.place[i])) numbers.push_back(verbatim(std::string(names[static_cast<std::size_t>(i)])));
+    if (std::isnan(m.place[i])) numbers.push_back(verbatim(std::string(number_names[static_cast<std::size_t>(i)])));
   Message list = joined(numbers);
   if (!m.is_rotation) list = numbers.empty() ? "the rotation" : message("{} and the rotation", list);
   return message("The measurements do not determine {} of {}: {}. More poses, turned about other axes, tell it.", list,

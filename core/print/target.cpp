@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kind_names{"chessboard", "charuco", "aprilgrid", "tags"};
 constexpr int most_points = 4096;
-constexpr Bounds sizes{1e-5, 100};  // m
+constexpr Bounds lengths{1e-5, 100};  // m
 
 std::vector<TargetPoint> lattice(int columns, int rows, double square, double first) {
   std::vector<TargetPoint> points;
@@ -60,8 +60,9 @@ void require(bool holds, std::string_view where, const Message& sentence) {
 }
 
 void check_size(double size, const char* name, std::string_view where) {
-  require(sizes.hold(size), where,
-          message("{} is {:g}; expected a length in m from {:g} to {:g}.", name, size, sizes.lowest, sizes.highest));
+  require(
+      lengths.hold(size), where,
+      message("{} is {:g}; expected a length in m from {:g} to {:g}.", name, size, lengths.lowest, lengths.highest));
 }
 
 void check_ids(const Target& target, std::string_view where) {

@@ -14,7 +14,7 @@ namespace handsight {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
+using CsvCells = std::vector<std::string_view>;
 
 /// Where each joint's number stands in a line of so many cells.
 struct Columns {
@@ -47,7 +47,7 @@ std::optional<std::size_t> find_column(const std::vector<std::string>& names, co
   return static_cast<std::size_t>(found - names.begin());
 }
 
-Columns read_header(const Cells& cells, const std::string& file, int line, const std::vector<std::string>& joints,
+Columns read_header(const CsvCells& cells, const std::string& file, int line, const std::vector<std::string>& joints,
                     bool with_motion, std::vector<Message>* notes) {
   Columns columns{{}, {}, {}, cells.size()};
   std::vector<std::string> names;
@@ -72,7 +72,7 @@ Columns read_header(const Cells& cells, const std::string& file, int line, const
   return columns;
 }
 
-double read_cell(const Cells& cells, std::size_t column, const Bounds& within, const std::string& file, int line) {
+double read_cell(const CsvCells& cells, std::size_t column, const Bounds& within, const std::string& file, int line) {
   const std::string_view cell = cells[column];
   const std::optional<double> number = parse_number(cell);
   if (!number)
@@ -85,7 +85,7 @@ double read_cell(const Cells& cells, std::size_t column, const Bounds& within, c
   return *number;
 }
 
-void read_line(const Cells& cells, const std::string& file, int line, const Columns& columns, PoseTable& table) {
+void read_line(const CsvCells& cells, const std::string& file, int line, const Columns& columns, PoseTable& table) {
   if (cells.size() != columns.count)
     refuse(file, line, message("the line has {} columns, expected {}.", cells.size(), columns.count));
   const auto count = static_cast<Eigen::Index>(columns.of_joint.size());
@@ -109,7 +109,7 @@ PoseTable parse_table(const std::string& text, const std::string& file, const st
   PoseTable table;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
-    Cells cells = cells_of_line(rest.substr(0, end));
+    CsvCells cells = cells_of_line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (cells.empty()) continue;
     if (cells.back().empty()) cells.pop_back();  // many programs end each line with a separator
@@ -132,7 +132,7 @@ std::vector<std::string_view> cells_of_line(std::string_view line) {
   if (line.empty()) return {};
   const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
   if (line.find(separator) == std::string_view::npos) return split_words(line);
-  Cells cells;
+  CsvCells cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(separator, begin), line.size());
     cells.push_back(trimmed(line.substr(begin, end - begin)));

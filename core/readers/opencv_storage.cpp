@@ -17,8 +17,8 @@ namespace {
 
 using Entries = std::map<std::string, StorageEntry>;
 
-constexpr std::size_t largest_text = std::size_t{16} << 20;  // bytes
-constexpr std::size_t most_side = 64;                        // rows or columns of a camera's matrix
+constexpr std::size_t largest_storage = std::size_t{16} << 20;  // bytes
+constexpr std::size_t most_side = 64;                           // rows or columns of a camera's matrix
 
 [[noreturn]] void refuse_text(const std::string& file, const Message& reason) {
   throw InputError(
@@ -26,7 +26,7 @@ constexpr std::size_t most_side = 64;                        // rows or columns 
               file, at_most(reason, 200)));
 }
 
-bool is_nested_deeply(std::string_view text) {
+bool is_storage_nested_deeply(std::string_view text) {
   constexpr int deepest = 64;
   int brackets = 0, elements = 0, indent = 0;
   bool at_start = true;
@@ -230,9 +230,9 @@ Entries parse_xml_storage(const std::string& text, const std::string& file) {
 }  // namespace
 
 Entries parse_opencv_storage(const std::string& text, const std::string& file) {
-  if (text.size() > largest_text) refuse_text(file, message("it has {} MB", text.size() >> 20));
+  if (text.size() > largest_storage) refuse_text(file, message("it has {} MB", text.size() >> 20));
   if (text.find('\0') != std::string::npos) refuse_text(file, "it holds a zero byte");
-  if (is_nested_deeply(text)) refuse_text(file, "its elements are nested too deeply");
+  if (is_storage_nested_deeply(text)) refuse_text(file, "its elements are nested too deeply");
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) refuse_text(file, "it is empty");
   Entries entries = text[first] == '{'   ? parse_json(text, file)

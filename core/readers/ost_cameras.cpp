@@ -12,14 +12,14 @@
 namespace handsight {
 namespace {
 
-using Section = std::map<std::string, std::vector<double>>;
+using SectionNumbers = std::map<std::string, std::vector<double>>;
 
 struct NamedSection {
   std::string name;
-  Section numbers;
+  SectionNumbers numbers;
 };
 
-std::vector<NamedSection> sections_of(const std::string& text, const std::string& file) {
+std::vector<NamedSection> ost_sections(const std::string& text, const std::string& file) {
   std::vector<NamedSection> all;
   std::istringstream lines(text);
   std::string line, key;
@@ -74,7 +74,7 @@ bool is_ost(const std::string& text) {
 std::vector<RosCamera> read_ost(const std::string& text, const std::string& file) {
   std::vector<double> size = {0, 0};
   std::vector<RosCamera> cameras;
-  for (const NamedSection& section : sections_of(text, file)) {
+  for (const NamedSection& section : ost_sections(text, file)) {
     for (const auto& [place, name] : {std::pair{std::size_t{0}, "width"}, {std::size_t{1}, "height"}})
       if (const auto found = section.numbers.find(name); section.name == "image" && found != section.numbers.end())
         size[place] = found->second.front();

@@ -57,7 +57,7 @@ RosCamera look_up_camera(const Intrinsics& i, const std::string& file, std::vect
   return c;
 }
 
-std::string trimmed(const std::string& text) {
+std::string trimmed_text(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
@@ -78,7 +78,7 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
   std::istringstream lines(text);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    const std::string reported = trimmed(line);
+    const std::string reported = trimmed_text(line);
     if (reported.starts_with("Intrinsic of ")) {
       all.push_back({reported.substr(13), {}});
       inside = true;
@@ -86,7 +86,7 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
     }
     const std::size_t colon = reported.find(':');
     inside = inside && colon != std::string::npos;
-    if (inside) take_line(all.back(), reported.substr(0, colon), trimmed(reported.substr(colon + 1)));
+    if (inside) take_line(all.back(), reported.substr(0, colon), trimmed_text(reported.substr(colon + 1)));
   }
   return all;
 }

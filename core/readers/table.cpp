@@ -16,14 +16,14 @@
 namespace handsight {
 namespace {
 
-using Cells = std::vector<std::string>;
+using TableCells = std::vector<std::string>;
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
-std::string trimmed(std::string_view text) {
+std::string plain_cell(std::string_view text) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
@@ -32,15 +32,15 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-Cells split(std::string_view line, char separator) {
-  Cells cells;
+TableCells split(std::string_view line, char separator) {
+  TableCells cells;
   if (separator == ' ') {
-    for (const std::string_view word : split_words(line)) cells.push_back(trimmed(word));
+    for (const std::string_view word : split_words(line)) cells.push_back(plain_cell(word));
     return cells;
   }
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    cells.push_back(plain_cell(line.substr(begin, end - begin)));
     begin = end + 1;
   }
   return cells;
@@ -66,8 +66,8 @@ TableColumn column_of(const std::string& cell) {
   TableColumn column{cell, ""};
   const std::size_t open = cell.find_last_of("[(");
   if (open != std::string::npos && open > 0 && (cell.back() == ']' || cell.back() == ')')) {
-    column.unit = plain_unit(lower(trimmed(std::string_view(cell).substr(open + 1, cell.size() - open - 2))));
-    column.name = trimmed(std::string_view(cell).substr(0, open));
+    column.unit = plain_unit(lower(plain_cell(std::string_view(cell).substr(open + 1, cell.size() - open - 2))));
+    column.name = plain_cell(std::string_view(cell).substr(0, open));
     return column;
   }
   for (const char* unit : {"deg", "degrees", "rad", "mm", "m", "ms", "us", "ns"}) {
@@ -114,7 +114,7 @@ bool names_things(const std::string& column) {
   return small == "fixture" || small == "touched" || is_recorded || names_images(column);
 }
 
-bool is_header(const Cells& cells, bool decimal_commas) {
+bool is_header(const TableCells& cells, bool decimal_commas) {
   return std::none_of(cells.begin(), cells.end(), [&](const std::string& c) {
     const auto n = number_of(c, decimal_commas);
     return (n && std::isfinite(*n)) || is_image_name(c);
@@ -122,8 +122,8 @@ bool is_header(const Cells& cells, bool decimal_commas) {
 }
 
 /// Numbers that are names too: all different, each one of `names` (a time beside them).
-bool are_names(const Cells& cells, const std::vector<std::string>& names) {
-  Cells seen;
+bool are_names(const TableCells& cells, const std::vector<std::string>& names) {
+  TableCells seen;
   for (const std::string& c : cells) {
     const bool is_name = std::find(names.begin(), names.end(), c) != names.end();
     if ((!is_name && lower(c) != "time") || std::find(seen.begin(), seen.end(), c) != seen.end()) return false;
@@ -167,13 +167,13 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
                               lines.back().text.find('.') == std::string_view::npos;
   Table table;
   table.file = file;
-  Cells first = split(lines.front().text, separator);
+  TableCells first = split(lines.front().text, separator);
   if (first.size() > 1 && first.back().empty()) first.pop_back();  // many programs end each line with a separator
   if (first.size() < 2) return std::nullopt;
   const bool header_is_a_line = is_header(first, decimal_commas) || are_names(first, names);
   table.has_header = header_is_a_line;
   if (!table.has_header) {
-    const Cells named = split(comment, separator_of(comment));
+    const TableCells named = split(comment, separator_of(comment));
     if (named.size() == first.size() && is_header(named, false)) {
       for (const std::string& name : named) table.columns.push_back(column_of(name));
       table.has_header = true;
@@ -184,11 +184,11 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
     for (const std::string& name : first) table.columns.push_back(column_of(name));
   }
   if (header_is_a_line && lines.size() > 1) {  // a table has numbers below its names; other texts have not
-    const Cells second = split(lines[1].text, separator);
+    const TableCells second = split(lines[1].text, separator);
     if (second.size() < 2 || is_header(second, decimal_commas)) return std::nullopt;
   }
   for (std::size_t i = header_is_a_line ? 1 : 0; i < lines.size(); ++i) {
-    Cells cells = split(lines[i].text, separator);
+    TableCells cells = split(lines[i].text, separator);
     if (cells.size() == table.width() + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != table.width())
       refuse(file, lines[i].number, message("the line has {} columns, expected {}.", cells.size(), table.width()));

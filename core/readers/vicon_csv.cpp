@@ -16,25 +16,25 @@ using namespace mocap;
 
 constexpr const char* section_names[] = {"Objects", "Segments", "Trajectories", "Model Outputs", "Devices", "Joints"};
 
-struct Section {
+struct ViconSection {
   std::string name;
   double rate = 0;                             // Hz
   std::size_t names = 0, first = 0, last = 0;  // lines: of the names, of the first frame, behind the last one
 };
 
-bool is_name(const std::string& cell) {
+bool is_thing(const std::string& cell) {
   return std::find(std::begin(section_names), std::end(section_names), cell) != std::end(section_names);
 }
 
-std::vector<Section> sections_of(const std::vector<Cells>& lines, const std::string& file) {
-  std::vector<Section> all;
+std::vector<ViconSection> vicon_sections(const std::vector<Cells>& lines, const std::string& file) {
+  std::vector<ViconSection> all;
   for (std::size_t l = 0; l + 5 < lines.size(); ++l) {
-    if (!is_name(lines[l].front())) continue;
+    if (!is_thing(lines[l].front())) continue;
     const auto rate = parse_number(lines[l + 1].front());
     if (!rate || !(*rate > 0) || lines[l + 3].front() != "Frame")
       refuse(file, static_cast<int>(l) + 2,
              "is no head of a section of Vicon's, expected its rate, names and axes below.");
-    Section s{lines[l].front(), *rate, l + 2, l + 5, l + 5};
+    ViconSection s{lines[l].front(), *rate, l + 2, l + 5, l + 5};
     while (s.last < lines.size() && parse_number(lines[s.last].front())) ++s.last;
     all.push_back(s);
     l = s.last - 1;
@@ -54,7 +54,8 @@ std::string column_name(const std::string& axis) {
 }
 
 /// Things in the order of the file, each with its columns.
-std::vector<std::pair<std::string, std::vector<Column>>> things_of(const std::vector<Cells>& lines, const Section& s) {
+std::vector<std::pair<std::string, std::vector<Column>>> things_of(const std::vector<Cells>& lines,
+                                                                   const ViconSection& s) {
   std::vector<std::pair<std::string, std::vector<Column>>> all;
   const Cells &names = lines[s.names], &axes = lines[s.names + 1], &units = lines[s.names + 2];
   std::string name;
@@ -80,13 +81,14 @@ std::vector<Column> with_quaternion(std::vector<Column> columns) {
 
 bool is_vicon_csv(const std::string& text) {
   const std::vector<Cells> lines = split_cells(std::string_view(text).substr(0, 4000));
-  return lines.size() > 3 && is_name(lines[0].front()) && parse_number(lines[1].front()) && lines[3].front() == "Frame";
+  return lines.size() > 3 && is_thing(lines[0].front()) && parse_number(lines[1].front()) &&
+         lines[3].front() == "Frame";
 }
 
 MocapTables read_vicon_csv(const std::string& text, const std::string& file) {
   const std::vector<Cells> lines = split_cells(text);
   MocapTables all;
-  for (const Section& s : sections_of(lines, file)) {
+  for (const ViconSection& s : vicon_sections(lines, file)) {
     const double frame = 1 / s.rate;
     if (s.name == "Objects" || s.name == "Segments") {
       for (const auto& [name, columns] : things_of(lines, s))

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_inside(const fs::path& file, const fs::path& folder) {
+bool lies_below(const fs::path& file, const fs::path& folder) {
   const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder));
   return !relative.empty() && *relative.begin() != "..";
 }
@@ -132,7 +132,7 @@ Session observed_session(const NewSession& parts, const Robot& robot, std::vecto
 }  // namespace
 
 std::string bring_into(const fs::path& file, const fs::path& folder, const fs::path& into) {
-  if (is_inside(file, folder))
+  if (lies_below(file, folder))
     return fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(folder)).generic_string();
   std::error_code error;
   fs::create_directories(folder / into, error);

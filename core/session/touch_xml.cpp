@@ -179,7 +179,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-void set(XMLElement& element, const char* attribute, const Vector3& v) {
+void set_vector(XMLElement& element, const char* attribute, const Vector3& v) {
   element.SetAttribute(attribute, format_numbers({v.data(), 3}).c_str());
 }
 
@@ -187,17 +187,17 @@ void write_place(XMLElement& element, FixtureKind kind, const Rigid& frame) {
   const Vector3 z = frame.rotation.col(2);
   switch (kind) {
     case FixtureKind::plane:
-      set(element, "normal", z);
+      set_vector(element, "normal", z);
       element.SetAttribute("offset", format_number(z.dot(frame.translation)).c_str());
       return;
     case FixtureKind::point:
-      return set(element, "xyz", frame.translation);
+      return set_vector(element, "xyz", frame.translation);
     case FixtureKind::length:
-      return set(element, "to", frame.translation);
+      return set_vector(element, "to", frame.translation);
     case FixtureKind::line:
     case FixtureKind::gauge:
-      set(element, "xyz", frame.translation);
-      return set(element, kind == FixtureKind::line ? "direction" : "axis", z);
+      set_vector(element, "xyz", frame.translation);
+      return set_vector(element, kind == FixtureKind::line ? "direction" : "axis", z);
   }
 }
 

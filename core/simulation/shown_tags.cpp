@@ -9,12 +9,6 @@ namespace {
 
 constexpr double same_plane = 0.98;  // of the product of two normals
 
-Vector3 find_middle(const std::vector<Vector3>& points) {
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
-  return middle;
-}
-
 /// White between two tags of one plane; large where they are of different ones.
 double gap_between(const TagPlace& a, const TagPlace& b) {
   const Vector3 off = target_from_tag(a).rotation.transpose() * (b.xyz - a.xyz);
@@ -34,6 +28,12 @@ double distance_to_plane(const TagPlace& a, const TagPlace& b) {
 
 }  // namespace
 
+Vector3 mean_point(const std::vector<Vector3>& points) {
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
+  return middle;
+}
+
 std::vector<Vector3> face_normals(const Target& target) {
   std::vector<Vector3> normals;
   for (const TagPlace& place : target.places) normals.insert(normals.end(), 4, -target_from_tag(place).rotation.col(2));
@@ -46,7 +46,7 @@ std::vector<Vector3> really_placed(const KnownShape& shape, Random& random) {
   std::vector<Vector3> markers = shape.markers;
   for (const ShapePart& part : shape.parts) {
     const auto from = markers.begin() + part.first;
-    const Vector3 middle = find_middle({from, from + part.count});
+    const Vector3 middle = mean_point({from, from + part.count});
     const Vector3 shift = part.sigma * random.gaussian3();
     const Matrix3 turn = rotation_from_vector<double>(part.sigma_angle * random.gaussian3());
     std::for_each(from, from + part.count, [&](Vector3& x) { x = middle + shift + turn * Vector3(x - middle); });

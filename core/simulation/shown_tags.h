@@ -9,6 +9,9 @@
 
 namespace handsight {
 
+/// The mean of the points.
+Vector3 mean_point(const std::vector<Vector3>& points);
+
 /// The outward normals of the tags' faces in the target's frame, one a marker; empty where all are the same.
 std::vector<Vector3> face_normals(const Target& target);
 

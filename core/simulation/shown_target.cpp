@@ -27,13 +27,6 @@ Eigen::VectorXd drawn(const Session& like, const Chain& chain, double share, Ran
   return position;
 }
 
-/// The middle of the points and their outward normal, in the frame of the target.
-Vector3 find_middle(const std::vector<Vector3>& points) {
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3& x : points) middle += x / static_cast<double>(points.size());
-  return middle;
-}
-
 /// A frame whose z goes into the sheet that faces `normal`, turned about it.
 Matrix3 facing(const Vector3& normal, double turn) {
   return rotation_about(normal, turn) * axes_from(-normal, normal.unitOrthogonal());
@@ -76,7 +69,7 @@ double measure_size(const std::vector<Vector3>& points, const Vector3& middle) {
 /// Where the pieces lie to each other: side by side, tilted and out of plane a little.
 std::vector<Rigid> lay_out(const KnownShape& shape, double size, Random& random) {
   const int count = shape.piece_count();
-  if (count == 1) return {Rigid{Matrix3::Identity(), -find_middle(shape.markers)}};
+  if (count == 1) return {Rigid{Matrix3::Identity(), -mean_point(shape.markers)}};
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   std::vector<Rigid> pieces;
   for (int p = 0; p < count; ++p) {
@@ -134,7 +127,7 @@ std::optional<Rigid> arm_behind(const Session& session, const std::vector<Vector
     open -= faces[m] / static_cast<double>(faces.size());
   }
   if (open.norm() < 0.05) return std::nullopt;
-  const Vector3 middle = find_middle(points_in_tcp);
+  const Vector3 middle = mean_point(points_in_tcp);
   const Rigid tcp_from_target = align_points(there, here, Eigen::VectorXd::Ones(here.cols()));
   const Vector3 along = tcp_from_target.rotation * open.normalized();
   return Rigid{axes_from(along, along.unitOrthogonal()),
@@ -151,7 +144,7 @@ ShownBody shown_target(const Session& like, const SimulationOptions& options, do
       1.2 * measure_size(target_points(*like.target).size() > 4 && shape.piece_count() == 1
                              ? shape.markers
                              : std::vector<Vector3>(shape.markers.begin(), shape.markers.begin() + 4),
-                         shape.piece_count() == 1 ? find_middle(shape.markers) : Vector3::Zero().eval());
+                         shape.piece_count() == 1 ? mean_point(shape.markers) : Vector3::Zero().eval());
   const Rigid tcp_from_target =
       tcp_is_moved(make_chain(like)) ? place_on_hand(piece_size, random) : place_on_table(like, options, random);
   const std::vector<Rigid> pieces = lay_out(shape, piece_size, random);

@@ -12,10 +12,15 @@ namespace handsight {
 namespace {
 
 constexpr double usual_touch_sigma = 2e-5;  // m
-constexpr int most_tries = 400;
+constexpr int most_attempts = 400;
 constexpr double gauge_travel = 5e-3, bar_travel = 1e-3;  // m
 
-enum Purpose : std::uint64_t { time_stream = 3, value_stream = 50, reading_stream = 100, distance_stream = 1 << 22 };
+enum Purpose : std::uint64_t {
+  touch_time_stream = 3,
+  value_stream = 50,
+  reading_stream = 100,
+  distance_stream = 1 << 22
+};
 
 /// What a reading at this fixture is to show.
 double wanted_value(FixtureKind kind, Random& random) {
@@ -77,7 +82,7 @@ double touch_sigma(const Session& like, const SimulationOptions& options, std::s
 
 std::vector<Observation> simulated_touches(const TouchSimulation& s) {
   const Random root(s.options.seed);
-  Random times = root.child(time_stream);
+  Random times = root.child(touch_time_stream);
   const Limits limits = limits_of(s.chain);
   std::vector<Observation> all(static_cast<std::size_t>(s.options.observations));
   double time = 0;
@@ -99,7 +104,7 @@ std::vector<Observation> simulated_touches(const TouchSimulation& s) {
     const Eigen::VectorXd wanted = errors(fixture.kind, touch_sigma(s.like, s.options, f), readings).array() + value;
     const auto at = [&](const Eigen::VectorXd& q) { return states_in(part, next, q); };
     const TipInFixture tip = [&](const Eigen::VectorXd& q) { return s.place(at(q), static_cast<int>(f), marker); };
-    for (int attempt = 0; attempt < most_tries && o.position.size() == 0; ++attempt)
+    for (int attempt = 0; attempt < most_attempts && o.position.size() == 0; ++attempt)
       if (auto q = touching_posture(tip, fixture.kind, wanted, s.posture(), limits.lower, limits.upper);
           q && stands_well(s, fixture.kind, at(*q), static_cast<int>(f)))
         o.position = std::move(*q);
@@ -107,7 +112,7 @@ std::vector<Observation> simulated_touches(const TouchSimulation& s) {
       throw InputError(
           message("No posture in {} searches touches the fixture {} within the joint limits; place it nearer to the "
                   "robot, or widen --joint-range.",
-                  most_tries, fixture.id));
+                  most_attempts, fixture.id));
     o.sightings = touch_sightings(s.like.fixtures[f], marker, value);
     next.before = at(o.position).sensor;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "targets/sampling.h"
 #include "vision/corners/corner_detector.h"
 
@@ -28,12 +29,6 @@ bool has_sectors(const Image& image, const Vector2& pixel, const Eigen::Matrix2d
     return grey_at(image, pixel + slope * Vector2(x * std::abs(reach), y * reach));
   };
   return std::max(grey(1, 1), grey(-1, -1)) < std::min(grey(1, -1), grey(-1, 1));
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

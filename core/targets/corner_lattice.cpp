@@ -19,7 +19,7 @@ struct Step {
   bool operator<(const Step& other) const { return cost > other.cost; }
 };
 
-struct Placed {
+struct PlacedCorner {
   LatticeCell cell;
   std::size_t turn = 0;  // quarter turns from its first ray to the lattice's x
 };
@@ -42,7 +42,7 @@ class Growth {
   }
 
  private:
-  void place(std::size_t corner, const Placed& placed) {
+  void place(std::size_t corner, const PlacedCorner& placed) {
     is_used_[corner] = true;
     placed_[corner] = placed;
     lattice_[placed.cell] = corner;
@@ -53,7 +53,7 @@ class Growth {
   void take(const Step& step) {
     const CornerLink& link = links_[step.from][step.ray];
     const auto to = static_cast<std::size_t>(link.corner);
-    const Placed& here = placed_[step.from];
+    const PlacedCorner& here = placed_[step.from];
     const std::size_t direction = (step.ray + here.turn) % 4;
     const LatticeCell cell{here.cell.column + directions[direction].column, here.cell.row + directions[direction].row};
     if (is_used_[to] || lattice_.contains(cell) || !is_like_the_last(here.cell, directions[direction], to)) return;
@@ -74,7 +74,7 @@ class Growth {
   const std::vector<RayCorner>& corners_;
   const std::vector<std::array<CornerLink, 4>>& links_;
   std::vector<bool>& is_used_;
-  std::vector<Placed> placed_;
+  std::vector<PlacedCorner> placed_;
   CornerLattice lattice_;
   std::priority_queue<Step> open_;
 };

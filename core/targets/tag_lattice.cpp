@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 
+#include "base/median.h"
 #include "targets/homography.h"
 
 namespace handsight {
@@ -35,12 +36,6 @@ std::vector<Neighbour> neighbours_of(const std::vector<SurveyedTag>& tags, std::
             [](const Neighbour& a, const Neighbour& b) { return a.offset.norm() < b.offset.norm(); });
   if (all.size() > neighbours) all.resize(neighbours);
   return all;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Nearest neighbours stand askew on a ChArUco board, straight on a grid.

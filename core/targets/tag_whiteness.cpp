@@ -11,11 +11,11 @@ namespace {
 constexpr std::size_t skew_term_count = 5;
 
 /// The normal distribution's integral and density, by tables: exact to 1e-6.
-struct Normal {
+struct NormalTable {
   static constexpr int count = 1024;
   static constexpr double most = 5;
   std::array<double, count + 2> integral{}, density{};
-  Normal() {
+  NormalTable() {
     for (int i = 0; i < count + 2; ++i) {
       const double x = (2.0 * i / count - 1) * most;
       integral[static_cast<std::size_t>(i)] = 0.5 * std::erfc(-x / std::sqrt(2.0));
@@ -35,8 +35,8 @@ struct Normal {
   }
 };
 
-const Normal& normal() {
-  static const Normal table;
+const NormalTable& normal() {
+  static const NormalTable table;
   return table;
 }
 
@@ -62,12 +62,12 @@ Shares shares_near(double place, double sigma, int side) {
   shares.first = std::clamp(static_cast<int>(std::floor(place - reach)), -1, side);
   const int last = std::clamp(static_cast<int>(std::floor(place + reach)), -1, side);
   shares.count = last - shares.first + 1;
-  Normal::Value left{0, 0};
+  NormalTable::Value left{0, 0};
   std::array<double, skew_term_count> left_terms{};
   for (int i = 0; i < shares.count; ++i) {
     const bool is_last = i + 1 == shares.count;
     const double x = (shares.first + i + 1 - place) / sigma;
-    const Normal::Value right = is_last ? Normal::Value{1, 0} : normal().at(x);
+    const NormalTable::Value right = is_last ? NormalTable::Value{1, 0} : normal().at(x);
     const auto right_terms = hermite(x, right.density);
     for (std::size_t n = 0; n < skew_term_count; ++n)
       shares.terms[n][static_cast<std::size_t>(i)] = right_terms[n] - left_terms[n];

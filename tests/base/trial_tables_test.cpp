@@ -20,7 +20,7 @@ using trials::share_text;
 using trials::Table;
 using trials::TableOutput;
 
-const std::filesystem::path root = HANDSIGHT_SOURCE_DIR;
+const std::filesystem::path source_root = HANDSIGHT_SOURCE_DIR;
 
 Table two_columns(TableOutput output) {
   return {{{.heading = "set", .width = 6}, {"rms px", 3}, {"found", 1, "%"}}, output};
@@ -205,7 +205,8 @@ TEST(TrialTables, AHeadingThatTheProgramDoesNotPrintIsFound) {
 
 std::string source_of(const std::string& program) {
   for (const char* folder : {"tests/trials", "tests/benchmarks", "tests/app/programs"})
-    if (const auto path = root / folder / (program + ".cpp"); std::filesystem::exists(path)) return read_file(path);
+    if (const auto path = source_root / folder / (program + ".cpp"); std::filesystem::exists(path))
+      return read_file(path);
   return {};
 }
 
@@ -213,7 +214,7 @@ std::string source_of(const std::string& program) {
 TEST(TrialTables, TheDocumentsHaveTheColumnsOfTheirPrograms) {
   static const std::regex by_hand("[Bb]y\\s+hand");
   int checked = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(root / "docs" / "measurements")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_root / "docs" / "measurements")) {
     for (const DocumentTable& table : tables_of(entry.path().filename(), read_file(entry.path()))) {
       if (table.program.empty() || std::regex_search(table.before, by_hand)) continue;
       const std::string source = source_of(table.program);

@@ -46,7 +46,7 @@ Vector2 upside_down(const Vector2& p, int width, int height) { return {width - 1
 Vector2 turned_right(const Vector2& p, int, int height) { return {height - 1 - p.y(), p.x()}; }
 Vector2 turned_left(const Vector2& p, int width, int) { return {p.y(), width - 1 - p.x()}; }
 
-double compute_rms(const Session& s) { return fit(s).residual_rms; }
+double compute_picture_rms(const Session& s) { return fit(s).residual_rms; }
 
 Session two_cameras(std::uint64_t seed) {
   return fixture::simulated_right(fixture::with_free_mount(fixture::target_session(fixture::charuco(), 2)), seed);
@@ -84,10 +84,10 @@ TEST(PictureBlunders, TurnedImages) {
 TEST(PictureBlunders, AreMendedByName) {
   Session known = six_axes(26);
   known.mount.estimate = false;
-  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, mirrored), "image_mirrored")), 0.5);
-  EXPECT_LT(compute_rms(mended(with_pixels(known, 1, flipped), "image_mirrored:right=vertical")), 0.5);
-  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, upside_down), "image_turned")), 0.5);
-  EXPECT_LT(compute_rms(mended(with_pixels(known, -1, turned_left), "image_turned:270")), 0.5);
+  EXPECT_LT(compute_picture_rms(mended(with_pixels(known, -1, mirrored), "image_mirrored")), 0.5);
+  EXPECT_LT(compute_picture_rms(mended(with_pixels(known, 1, flipped), "image_mirrored:right=vertical")), 0.5);
+  EXPECT_LT(compute_picture_rms(mended(with_pixels(known, -1, upside_down), "image_turned")), 0.5);
+  EXPECT_LT(compute_picture_rms(mended(with_pixels(known, -1, turned_left), "image_turned:270")), 0.5);
   EXPECT_THROW(mended(known, "image_turned:45"), InputError);
   EXPECT_THROW(mended(known, "image_turned:middle=90"), InputError);
   EXPECT_THROW(mended(known, "size_swapped:middle"), InputError);
@@ -126,7 +126,7 @@ TEST(SizeSwapped, ShowsInThePointsAndIsMended) {
     const Session right = mended(wrong, "size_swapped");
     EXPECT_EQ(right.rig->at(0).camera.width, six_axes(27).rig->at(0).camera.width);
     EXPECT_EQ(right.rig->at(1).camera.cx, six_axes(27).rig->at(1).camera.cx);
-    EXPECT_LT(compute_rms(right), 0.5);
+    EXPECT_LT(compute_picture_rms(right), 0.5);
     EXPECT_THAT(blunders_in_files(right), IsEmpty());
   }
 }
@@ -183,7 +183,7 @@ TEST(BlundersInFiles, MirroredImagesOfTagsAreFoundAndPutRight) {
   EXPECT_EQ(display_name(found[0]), "image_mirrored");
   Session right = write_mended(s, {"image_mirrored"}, folder.path / "mended");
   EXPECT_EQ(find_targets(right).found, 12);
-  EXPECT_LT(compute_rms(right), 0.5);
+  EXPECT_LT(compute_picture_rms(right), 0.5);
 }
 
 TEST(BlundersInFiles, ImagesOfTheOtherSizeAreFoundAndPutRight) {
@@ -197,7 +197,7 @@ TEST(BlundersInFiles, ImagesOfTheOtherSizeAreFoundAndPutRight) {
   EXPECT_EQ(display_name(found[0]), "size_swapped");
   Session right = write_mended(s, {"size_swapped"}, folder.path / "mended");
   EXPECT_EQ(find_targets(right).found, 12);
-  EXPECT_LT(compute_rms(right), 0.5);
+  EXPECT_LT(compute_picture_rms(right), 0.5);
 }
 
 /// The arm with soft joints, simulated where gravity pulls along `down`.
@@ -217,7 +217,7 @@ TEST(GravityTurned, IsNamedWhereSpringsShowIt) {
   Session on_the_wall = soft_arm(Vector3::UnitX(), 32);
   on_the_wall.gravity = {0, 0, -9.81};
   EXPECT_THAT(blunders_in(on_the_wall), ElementsAre("gravity_turned:x"));
-  EXPECT_LT(compute_rms(mended(on_the_wall, "gravity_turned:x")), 0.5);
+  EXPECT_LT(compute_picture_rms(mended(on_the_wall, "gravity_turned:x")), 0.5);
 }
 
 TEST(GravityTurned, IsNamedWhereMeasuredTorquesShowIt) {

@@ -17,7 +17,7 @@ namespace {
 using fixture::board_views;
 using fixture::make_rig;
 
-CameraCalibration calibrated(const BoardImages& images, const std::string& model) {
+CameraCalibration calibrated_camera(const BoardImages& images, const std::string& model) {
   const auto count = static_cast<std::size_t>(images.camera_count);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < count; ++i) names.push_back("camera" + std::to_string(i));
@@ -27,7 +27,7 @@ CameraCalibration calibrated(const BoardImages& images, const std::string& model
 TEST(CameraCalibration, RecoversWithoutNoise) {
   for (const LensModel* model : {&brown_lens, &fisheye_lens}) {
     const CameraRig truth = make_rig(*model, 3);
-    const CameraCalibration c = calibrated(board_views(truth, 14, 0, 1), std::string(model->name));
+    const CameraCalibration c = calibrated_camera(board_views(truth, 14, 0, 1), std::string(model->name));
     EXPECT_LT(c.bundle.rms_pixel, 1e-5) << model->name;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 4; ++k)
@@ -61,17 +61,18 @@ TEST(CameraCalibration, CovariancesAreRight) {
 
 TEST(CameraCalibration, WrongCornersDoNotMatterMuch) {
   const CameraRig truth = make_rig(brown_lens, 2);
-  const CameraCalibration c = calibrated(board_views(truth, 14, 0.1, 3, 50), "brown");
+  const CameraCalibration c = calibrated_camera(board_views(truth, 14, 0.1, 3, 50), "brown");
   // Six of the clean sigmas (0.15 px at this noise, by the test above); plain least squares are off by 3 px and more.
   EXPECT_NEAR(c.bundle.rig.lenses[0].numbers[0], truth.lenses[0].numbers[0], 1.0);
 }
 
 TEST(CameraCalibration, ChoosesTheModelThatPredicts) {
-  const CameraCalibration fisheye = calibrated(board_views(make_rig(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
+  const CameraCalibration fisheye =
+      calibrated_camera(board_views(make_rig(fisheye_lens, 1), 14, 0.1, 4, 0, 0.35), "best");
   EXPECT_EQ(fisheye.bundle.rig.lenses[0].model, &fisheye_lens)
       << fisheye.tried[0].held_out_rms_pixel << " " << fisheye.tried[1].held_out_rms_pixel << " "
       << fisheye.tried[2].held_out_rms_pixel << fisheye.tried[2].failure;
-  const CameraCalibration brown = calibrated(board_views(make_rig(brown_lens, 1), 14, 0.1, 5), "best");
+  const CameraCalibration brown = calibrated_camera(board_views(make_rig(brown_lens, 1), 14, 0.1, 5), "best");
   EXPECT_EQ(brown.bundle.rig.lenses[0].model, &brown_lens);
   EXPECT_EQ(brown.tried.size(), 3u);
   EXPECT_NEAR(brown.held_out.rms_pixel, 0.1 * std::sqrt(2.0), 0.02);
@@ -79,7 +80,7 @@ TEST(CameraCalibration, ChoosesTheModelThatPredicts) {
 
 TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
   BoardImages images = board_views(make_rig(brown_lens, 1), 14, 0.1, 6);
-  EXPECT_TRUE(calibrated(images, "brown").warnings.empty());
+  EXPECT_TRUE(calibrated_camera(images, "brown").warnings.empty());
   // Only poses that face the camera.
   const CameraRig rig = make_rig(brown_lens, 1);
   std::mt19937_64 random(1);
@@ -96,16 +97,16 @@ TEST(CameraCalibration, SaysWherePosesDoNotSuffice) {
     }
   }
   std::string all;
-  for (const Message& warning : calibrated(images, "brown").warnings) all += warning + "\n";
+  for (const Message& warning : calibrated_camera(images, "brown").warnings) all += warning + "\n";
   EXPECT_NE(all.find("degrees"), std::string::npos) << all;
   images.images.resize(2);
-  EXPECT_THROW(calibrated(images, "brown"), InputError);
+  EXPECT_THROW(calibrated_camera(images, "brown"), InputError);
 }
 
 TEST(CameraCalibration, CamerasThatShareNoMomentAreRefused) {
   BoardImages images = board_views(make_rig(brown_lens, 2), 12, 0.1, 7);
   std::erase_if(images.images, [](const BoardImage& image) { return (image.camera == 0) != (image.frame < 6); });
-  EXPECT_THROW(calibrated(images, "brown"), InputError);
+  EXPECT_THROW(calibrated_camera(images, "brown"), InputError);
 }
 
 TEST(CameraCalibration, YamlReadsBackBitForBit) {

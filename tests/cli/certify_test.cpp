@@ -16,13 +16,15 @@ namespace {
 using test::run_cli;
 using testing::HasSubstr;
 
-std::string sample(const std::string& name) { return std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/" + name; }
+std::string certify_sample(const std::string& name) {
+  return std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/" + name;
+}
 
 TEST(CertifyCommand, WritesAPdfAndTheSameAsJson) {
   const TemporaryFolder folder;
   const std::string pdf = (folder.path / "c.pdf").string();
-  const auto made = run_cli(
-      folder.path, {"certify", sample("hidden_3"), "--effects", "joint_elasticity", "--out", pdf, "--json", "-"});
+  const auto made = run_cli(folder.path, {"certify", certify_sample("hidden_3"), "--effects", "joint_elasticity",
+                                          "--out", pdf, "--json", "-"});
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   const auto json = made.json();
   const std::string bytes = test::read_text(pdf);
@@ -51,7 +53,7 @@ TEST(CertifyCommand, IsOfOneCameraAndOfACameraOnTheHand) {
   for (const char* like : {"one_camera_board", "camera_on_hand"}) {
     const std::string session = (folder.path / like).string();
     const auto simulated =
-        run_cli(folder.path, {"simulate", "--like", sample(std::string("rigs/") + like), "--out", session,
+        run_cli(folder.path, {"simulate", "--like", certify_sample(std::string("rigs/") + like), "--out", session,
                               "--observations", "60", "--effect", "joint_offset:axis_3.offset=0.03"});
     ASSERT_EQ(simulated.exit_code, 0) << simulated.errors;
     const auto json = certified(folder, session);
@@ -76,8 +78,9 @@ TEST(CertifyCommand, IsOfATrackerAndOfASensorOfPoses) {
 TEST(CertifyCommand, RefusesWhatItCannotCertify) {
   const TemporaryFolder folder;
   const std::string pdf = (folder.path / "c.pdf").string();
-  EXPECT_EQ(run_cli(folder.path, {"certify", sample("hidden_3")}).exit_code, 2) << "no --out";
-  EXPECT_EQ(run_cli(folder.path, {"certify", sample("hidden_3"), sample("hidden_3") + "/session.xml", "--out", pdf})
+  EXPECT_EQ(run_cli(folder.path, {"certify", certify_sample("hidden_3")}).exit_code, 2) << "no --out";
+  EXPECT_EQ(run_cli(folder.path,
+                    {"certify", certify_sample("hidden_3"), certify_sample("hidden_3") + "/session.xml", "--out", pdf})
                 .exit_code,
             2)
       << "a session is no calibration";

@@ -18,7 +18,7 @@ using test::read_text;
 using test::run_cli;
 using test::write_text;
 
-fs::path sample(const std::string& name) { return fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name; }
+fs::path whole_sample(const std::string& name) { return fs::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name; }
 
 class HardToBreak : public testing::Test {
  protected:
@@ -26,7 +26,7 @@ class HardToBreak : public testing::Test {
 
   /// A small simulated session of the six-axis arm.
   fs::path simulated(const std::string& name, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {"simulate", "--like", sample("rigs/six_axis_stand").string(), "--out",
+    std::vector<std::string> arguments = {"simulate", "--like", whole_sample("rigs/six_axis_stand").string(), "--out",
                                           (folder.path / name).string()};
     if (std::find(more.begin(), more.end(), "--observations") == more.end())
       arguments.insert(arguments.end(), {"--observations", "20"});
@@ -64,8 +64,8 @@ TEST_F(HardToBreak, PredictsFromAnExportWithSlippedMarkers) {
   const fs::path session = simulated("s", {"--effect", "marker_slip:1.x=4e-3", "--effect", "marker_slip:1.k=10"});
   const fs::path file = folder.path / "c.xml";
   ASSERT_EQ(run({"fit", session, "--effects", "marker_slip:1", "body_slip", "--export", file}).exit_code, 0);
-  const CliResult predicted = run(
-      {"predict", file, "--robot", sample("robots/six_axis.urdf"), "--position", "0 0.3 0.2 0 0.1 0", "--json", "-"});
+  const CliResult predicted = run({"predict", file, "--robot", whole_sample("robots/six_axis.urdf"), "--position",
+                                   "0 0.3 0.2 0 0.1 0", "--json", "-"});
   ASSERT_EQ(predicted.exit_code, 0) << predicted.errors;
   const CliResult direct = run({"predict", session, "--position", "0 0.3 0.2 0 0.1 0", "--json", "-"});
   EXPECT_EQ(direct.exit_code, 0) << direct.errors;
@@ -95,7 +95,7 @@ TEST_F(HardToBreak, NumbersBeyondAllMeasureAreOneSentence) {
 }
 
 TEST_F(HardToBreak, OptionsTakeOnlyPlausibleNumbers) {
-  const std::string like = sample("rigs/six_axis_stand"), out = folder.path / "s";
+  const std::string like = whole_sample("rigs/six_axis_stand"), out = folder.path / "s";
   const std::vector<std::vector<std::string>> wrong = {{"--noise", "1e308"},
                                                        {"--noise", "nan"},
                                                        {"--shift", "nan", "0", "0"},
@@ -197,7 +197,7 @@ TEST_F(HardToBreak, SimulationsLeaveOthersFoldersAlone) {
   EXPECT_EQ(names_in(folder.path), (std::vector<std::string>{"cli_err.txt", "cli_out.txt", "d", "d.part"}));
   // A robot that is named like the session.
   const fs::path robot = folder.path / "robot" / "session.xml";
-  write_text(robot, read_text(sample("robots/six_axis.urdf")));
+  write_text(robot, read_text(whole_sample("robots/six_axis.urdf")));
   simulated("e", {"--robot", robot});
   EXPECT_EQ(run({"check", folder.path / "e"}).exit_code, 0);
   EXPECT_NE(read_text(folder.path / "e" / "session.xml").find("<handsight_session"), std::string::npos);
@@ -205,7 +205,7 @@ TEST_F(HardToBreak, SimulationsLeaveOthersFoldersAlone) {
 
 TEST_F(HardToBreak, AFolderOfImagesThatIsGoneIsNoDecision) {
   const fs::path session = folder.path / "first_steps";
-  fs::copy(sample("first_steps"), session, fs::copy_options::recursive);
+  fs::copy(whole_sample("first_steps"), session, fs::copy_options::recursive);
   const std::string before = read_text(session / "session.xml");
   ASSERT_NE(before.find("<images"), std::string::npos);
   for (const auto& entry : fs::directory_iterator(session))
@@ -247,7 +247,7 @@ TEST_F(HardToBreak, NamesSteerNoTerminal) {
 
 TEST_F(HardToBreak, PosesAreTakenInTheirOrderOrByTheirColumns) {
   const fs::path session = simulated("s", {"--effect", "friction_hysteresis:axis_2.gap=2e-2"});
-  const fs::path c = folder.path / "c.xml", robot = sample("robots/six_axis.urdf");
+  const fs::path c = folder.path / "c.xml", robot = whole_sample("robots/six_axis.urdf");
   ASSERT_EQ(run({"fit", session, "--effects", "friction_hysteresis:axis_2", "--export", c}).exit_code, 0);
   const auto predicted = [&](const std::string& table, const std::string& said) {
     write_text(folder.path / "poses.csv", table);

@@ -12,7 +12,9 @@ namespace {
 
 using test::run_cli;
 
-std::string sample(const std::string& name) { return std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/" + name; }
+std::string joint_paths_sample(const std::string& name) {
+  return std::string(HANDSIGHT_SOURCE_DIR) + "/sample_sessions/" + name;
+}
 
 /// The third of a session's joints.
 std::string joint_of(const std::string& session) {
@@ -44,12 +46,12 @@ class Ways : public testing::Test {
 
   /// A calibration with effects, and the robot that it is of.
   void calibrate() {
-    const auto fit = run_cli(folder.path, {"fit", sample("hidden_3"), "--effects", "joint_elasticity", "joint_offset",
-                                           "--export", at("calibration.xml")});
+    const auto fit = run_cli(folder.path, {"fit", joint_paths_sample("hidden_3"), "--effects", "joint_elasticity",
+                                           "joint_offset", "--export", at("calibration.xml")});
     ASSERT_EQ(fit.exit_code, 0) << fit.errors;
-    const auto session = test::read_text(sample("hidden_3") + "/session.xml");
+    const auto session = test::read_text(joint_paths_sample("hidden_3") + "/session.xml");
     const std::size_t begin = session.find("file=\"") + 6;
-    robot = sample("hidden_3") + "/" + session.substr(begin, session.find('"', begin) - begin);
+    robot = joint_paths_sample("hidden_3") + "/" + session.substr(begin, session.find('"', begin) - begin);
     const std::size_t first = session.find("<position>") + 10;
     position = session.substr(first, session.find("</position>") - first);
   }
@@ -130,8 +132,8 @@ TEST_F(Ways, CorrectTellsWhatToCommandAndWhatItBuys) {
                                   "--target", "9 0 nan 0 0 0"})
                 .exit_code,
             2);
-  const auto gain =
-      run_cli(folder.path, {"correct", sample("hidden_3"), "--effects", "joint_elasticity", "--gain", "50"});
+  const auto gain = run_cli(
+      folder.path, {"correct", joint_paths_sample("hidden_3"), "--effects", "joint_elasticity", "--gain", "50"});
   EXPECT_EQ(gain.exit_code, 0) << gain.errors;
   EXPECT_NE(gain.output.find("Over 50 poses"), std::string::npos);
 }
@@ -158,15 +160,16 @@ TEST_F(Ways, ConvertSaysWhatItTookAndWhatIsMissing) {
 
 TEST_F(Ways, CompareFindsALostZeroAndNothingWhereNothingIs) {
   const auto simulate = [&](const std::string& name, const std::string& seed, const std::vector<std::string>& effect) {
-    std::vector<std::string> arguments{"simulate", "--like", sample("hidden_2"), "--observations", "80", "--seed", seed,
-                                       "--out",    at(name)};
+    std::vector<std::string> arguments{
+        "simulate", "--like", joint_paths_sample("hidden_2"), "--observations", "80", "--seed", seed,
+        "--out",    at(name)};
     arguments.insert(arguments.end(), effect.begin(), effect.end());
     const auto out = run_cli(folder.path, arguments);
     ASSERT_EQ(out.exit_code, 0) << out.errors;
   };
   simulate("before", "7", {});
   // The same seed makes the same hand and poses; half of them are before, half after.
-  simulate("after", "7", {"--effect", "joint_offset:" + joint_of(sample("hidden_2")) + ".offset=0.004"});
+  simulate("after", "7", {"--effect", "joint_offset:" + joint_of(joint_paths_sample("hidden_2")) + ".offset=0.004"});
   keep_half(at("before"), true);
   keep_half(at("after"), false);
   const auto changed = run_cli(folder.path, {"compare", at("before"), at("after"), "--json", "-"});
@@ -178,12 +181,13 @@ TEST_F(Ways, CompareFindsALostZeroAndNothingWhereNothingIs) {
   keep_half(at("later"), false);
   const auto same = run_cli(folder.path, {"compare", at("before"), at("later"), "--json", "-"});
   EXPECT_EQ(same.json()["verdict"], "unchanged") << same.json()["reason"];
-  EXPECT_EQ(run_cli(folder.path, {"compare", at("before"), sample("thesis_simulation")}).exit_code, 2);
+  EXPECT_EQ(run_cli(folder.path, {"compare", at("before"), joint_paths_sample("thesis_simulation")}).exit_code, 2);
 }
 
 TEST_F(Ways, BatchHasALineForEachAndTheSameOnesWithAnyNumberOfJobs) {
   test::write_text(at("broken/session.xml"), "<handsight_session version='1'>");
-  const std::vector<std::string> sessions{sample("hidden_1"), at("broken"), sample("hidden_2"), at("nowhere")};
+  const std::vector<std::string> sessions{joint_paths_sample("hidden_1"), at("broken"), joint_paths_sample("hidden_2"),
+                                          at("nowhere")};
   const auto with_jobs = [&](const std::string& jobs) {
     std::vector<std::string> arguments{"batch", "--jobs", jobs, "--csv", "-"};
     arguments.insert(arguments.end(), sessions.begin(), sessions.end());
@@ -238,8 +242,8 @@ TEST_F(Ways, OnlineWatchTakesWhatArrivesAndSurvivesARestart) {
 
 /// One camera and a board, nothing labelled: what arrives is found in the images.
 TEST_F(Ways, OnlineWatchTakesImagesOfOneCameraAndABoard) {
-  const auto played = run_cli(folder.path, {"simulate", "--like", sample("rigs/one_camera_board"), "--live", at("live"),
-                                            "--rate", "1000", "--observations", "14", "--seed", "4"});
+  const auto played = run_cli(folder.path, {"simulate", "--like", joint_paths_sample("rigs/one_camera_board"), "--live",
+                                            at("live"), "--rate", "1000", "--observations", "14", "--seed", "4"});
   ASSERT_EQ(played.exit_code, 0) << played.errors;
   const auto watched = run_cli(folder.path, {"online", at("live"), "--watch", "--for", "2", "--save"});
   EXPECT_EQ(watched.exit_code, 0) << watched.errors << watched.output;

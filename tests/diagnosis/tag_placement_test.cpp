@@ -12,7 +12,7 @@ using fixture::askew;
 using fixture::tag_cube;
 using fixture::target_session;
 
-DiagnosisOptions quick() {
+DiagnosisOptions quick_options() {
   DiagnosisOptions o;
   o.with_held_out = false;
   return o;
@@ -24,7 +24,7 @@ TEST(TagPlacement, IsNamedWithItsTag) {
   for (const auto& [tag, by, turn] : {std::tuple{1, Vector3(2e-3, 0, 0), Vector3(0, 0, 0)},
                                       std::tuple{3, Vector3(0, 0, 0), Vector3(two_degrees, 0, 0)},
                                       std::tuple{0, Vector3(0, -2e-3, 0), Vector3(0, 0, two_degrees)}}) {
-    const Diagnosis d = diagnose(askew(tag, by, turn).session, quick());
+    const Diagnosis d = diagnose(askew(tag, by, turn).session, quick_options());
     ASSERT_FALSE(d.candidates.empty());
     EXPECT_EQ(d.verdict, Verdict::missing_effect) << d.reason;
     EXPECT_EQ(d.candidates.front().id, "tag_placement") << d.reason;
@@ -35,14 +35,15 @@ TEST(TagPlacement, IsNamedWithItsTag) {
 
 TEST(TagPlacement, IsNotNamedWhereAllTagsAreRight) {
   for (const std::uint64_t seed : {5, 6, 7})
-    EXPECT_EQ(diagnose(askew(0, Vector3::Zero(), Vector3::Zero(), seed).session, quick()).verdict, Verdict::adequate);
+    EXPECT_EQ(diagnose(askew(0, Vector3::Zero(), Vector3::Zero(), seed).session, quick_options()).verdict,
+              Verdict::adequate);
 }
 
 TEST(TagPlacement, IsNotNamedWhereTheSigmasAllowForIt) {
   Target loose = tag_cube();
   for (TagPlace& place : loose.places) place.sigma = 2e-3, place.sigma_angle = 0.03;
   const SimulatedSession s = askew(1, Vector3(2e-3, 0, 0), Vector3(0, two_degrees, 0), 5, 40, loose);
-  const Diagnosis d = diagnose(s.session, quick());
+  const Diagnosis d = diagnose(s.session, quick_options());
   EXPECT_EQ(d.verdict, Verdict::adequate) << d.reason;
 }
 
@@ -59,7 +60,7 @@ TEST(TagPlacement, ASpringOfTheRobotIsNotBlamedOnATag) {
   o.observations = 50;
   o.seed = 5;
   o.effects = {{"joint_elasticity", 2, {1.5e-4}}};
-  const Diagnosis d = diagnose(simulate_session(target_session(tag_cube()), o).session, quick());
+  const Diagnosis d = diagnose(simulate_session(target_session(tag_cube()), o).session, quick_options());
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "joint_elasticity") << d.reason;
 }

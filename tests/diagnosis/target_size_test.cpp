@@ -15,7 +15,7 @@ namespace {
 using fixture::eye_in_hand_session;
 using fixture::target_session;
 
-DiagnosisOptions quick() {
+DiagnosisOptions quick_sizes() {
   DiagnosisOptions o;
   o.with_held_out = false;
   return o;
@@ -67,7 +67,7 @@ TEST(TargetSize, IsFoundWithTheBodyInItsPlace) {
 TEST(TargetSize, IsNamedFirstHoweverLarge) {
   for (const Session& like : {target_session(fixture::charuco(), 2), target_session(), eye_in_hand_session()})
     for (const double by : {0.005, -0.02, 0.05}) {
-      const Diagnosis d = diagnose(printed_larger(like, by).session, quick());
+      const Diagnosis d = diagnose(printed_larger(like, by).session, quick_sizes());
       ASSERT_FALSE(d.candidates.empty());
       EXPECT_EQ(d.candidates.front().id, "target_scale") << by << ": " << d.reason;
       EXPECT_EQ(d.verdict, Verdict::missing_effect) << by << ": " << d.reason;
@@ -77,7 +77,7 @@ TEST(TargetSize, IsNamedFirstHoweverLarge) {
 
 TEST(TargetSize, IsNotNamedWhereTheBoardIsRight) {
   for (const Session& like : {target_session(fixture::charuco(), 2), target_session(), eye_in_hand_session()})
-    EXPECT_EQ(diagnose(simulated(like, {}, 6).session, quick()).verdict, Verdict::adequate);
+    EXPECT_EQ(diagnose(simulated(like, {}, 6).session, quick_sizes()).verdict, Verdict::adequate);
 }
 
 TEST(TargetSize, IsTakenFirstAndEnoughToImproveTheModel) {
@@ -99,7 +99,7 @@ TEST(TargetSize, OfAPoseSensorsTargetIsThatOfItsDistances) {
   show_poses(s.session, pose_lever(*s.session.pose_sensor));
   const Fit f = fitted(s.session, "target_scale");
   EXPECT_NEAR(f.effects.at(0).term.values[0], 0.03, 3 * f.effects[0].sigmas[0]);
-  const Diagnosis d = diagnose(s.session, quick());
+  const Diagnosis d = diagnose(s.session, quick_sizes());
   EXPECT_EQ(d.candidates.at(0).id, "target_scale") << d.reason;
 }
 
@@ -108,13 +108,13 @@ TEST(TargetBend, IsFoundAndNamed) {
   const Fit f = fitted(s.session, "target_bend");
   for (const std::size_t p : {0u, 1u})
     EXPECT_NEAR(f.effects.at(0).term.values[p], p == 0 ? 0.2 : -0.1, 3.5 * f.effects[0].sigmas[p]);
-  const Diagnosis d = diagnose(s.session, quick());
+  const Diagnosis d = diagnose(s.session, quick_sizes());
   EXPECT_EQ(d.candidates.at(0).id, "target_bend") << d.reason;
 }
 
 TEST(JointCoupling, IsNamedWithBothJoints) {
   const SimulatedSession s = simulated(target_session(), {"joint_coupling:a3.ratio=0.02", "joint_coupling:a3.from=1"});
-  const Diagnosis d = diagnose(s.session, quick());
+  const Diagnosis d = diagnose(s.session, quick_sizes());
   ASSERT_FALSE(d.candidates.empty());
   const DiagnosisCandidate& best = d.candidates.front();
   EXPECT_EQ(best.id, "joint_coupling") << d.reason;
@@ -138,7 +138,7 @@ TEST(TargetSize, OfABoardThatWasPrintedTwoPercentTooLarge) {
 TEST(TargetSize, OfARealBoardIsNotTakenForABend) {
   const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
-  const Diagnosis d = diagnose(read_session(folder), quick());
+  const Diagnosis d = diagnose(read_session(folder), quick_sizes());
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "target_scale") << d.reason;
   EXPECT_NEAR(d.candidates.front().terms.at(0).values[0], 0.09, 0.01) << "squares of 21.8 mm in place of 20";
@@ -148,7 +148,7 @@ TEST(TargetSize, OfARealBoardIsNotTakenForABend) {
 TEST(TargetSize, OfAPositionersTargetIsNotNothing) {
   const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "real/positioner_even";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
-  DiagnosisOptions o = quick();
+  DiagnosisOptions o = quick_sizes();
   o.with_curves = false;
   const Diagnosis d = diagnose(read_session(folder), o);
   ASSERT_FALSE(d.candidates.empty());

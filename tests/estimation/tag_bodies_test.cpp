@@ -22,14 +22,14 @@ using fixture::tag_cube;
 using fixture::target_session;
 using fixture::with_unknown_mount;
 
-SimulatedSession simulated(const Session& like, std::uint64_t seed, int observations = 30) {
+SimulatedSession simulated_tags(const Session& like, std::uint64_t seed, int observations = 30) {
   SimulationOptions o;
   o.observations = observations;
   o.seed = seed;
   return simulate_session(like, o);
 }
 
-double error_of_body(const SimulatedSession& s, const Fit& f) {
+double error_of_tag_body(const SimulatedSession& s, const Fit& f) {
   const Vector6 xi = small_motion_between(fixture::true_target_body(s, f.sides), f.tcp_from_body);
   return xi.dot(f.covariance.ldlt().solve(xi));
 }
@@ -42,7 +42,7 @@ Target loosely_placed(double sigma = 8e-4, double sigma_angle = 0.015) {
 }
 
 TEST(TagBody, ShowsOnlyTheFacesThatLookAtTheCamera) {
-  const SimulatedSession s = simulated(target_session(tag_cube()), 3, 20);
+  const SimulatedSession s = simulated_tags(target_session(tag_cube()), 3, 20);
   std::set<std::size_t> counts;
   for (const Observation& o : s.session.observations) counts.insert(o.sightings.size());
   EXPECT_GE(*counts.begin(), 4u);
@@ -51,7 +51,7 @@ TEST(TagBody, ShowsOnlyTheFacesThatLookAtTheCamera) {
 }
 
 TEST(TagBody, HasOnePoseInOneImageWhateverFacesAreSeen) {
-  const SimulatedSession s = simulated(target_session(tag_cube()), 3, 40);
+  const SimulatedSession s = simulated_tags(target_session(tag_cube()), 3, 40);
   int found = 0, of_faces = 0;
   for (std::size_t k = 0; k < s.session.observations.size(); ++k) {
     const Observation& o = s.session.observations[k];
@@ -78,13 +78,13 @@ TEST(TagBody, IsWhereItIsAndAsSureAsIsSaid) {
     for (const bool mount_is_known : {true, false}) {
       double squares = 0;
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        SimulatedSession s = simulated(target_session(target), seed);
+        SimulatedSession s = simulated_tags(target_session(target), seed);
         if (!mount_is_known) s.session = with_unknown_mount(s.session);
         const Fit f = fit(s.session);
         EXPECT_TRUE(f.converged());
         EXPECT_EQ(f.unknowns, mount_is_known ? 6 : 12) << "one body";
         EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows));
-        squares += error_of_body(s, f);
+        squares += error_of_tag_body(s, f);
       }
       EXPECT_LT(squares, 18 + 4.5 * std::sqrt(36.0)) << is_tag_grid(target) << mount_is_known;
     }
@@ -93,11 +93,11 @@ TEST(TagBody, IsWhereItIsAndAsSureAsIsSaid) {
 TEST(TagBody, TagsThatArePlacedWithinSigmasAreAllowedFor) {
   double squares = 0, held_chi2 = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SimulatedSession s = simulated(target_session(loosely_placed()), seed);
+    SimulatedSession s = simulated_tags(target_session(loosely_placed()), seed);
     const Fit f = fit(s.session);
     EXPECT_TRUE(f.converged());
     EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows));
-    squares += error_of_body(s, f);
+    squares += error_of_tag_body(s, f);
     s.session.shape->parts.clear();
     held_chi2 += *fit(s.session).chi2_per_dof / 4;
   }
@@ -106,7 +106,7 @@ TEST(TagBody, TagsThatArePlacedWithinSigmasAreAllowedFor) {
 }
 
 TEST(TagBody, SigmasOfNothingAreAPlaceThatIsHeld) {
-  SimulatedSession s = simulated(target_session(tag_cube()), 5);
+  SimulatedSession s = simulated_tags(target_session(tag_cube()), 5);
   const Fit held = fit(s.session);
   for (int k = 0; k < 5; ++k) s.session.shape->parts.push_back({4 * k, 4, 1e-9, 1e-9});
   const Fit nearly = fit(s.session);
@@ -124,7 +124,7 @@ TEST(TagBody, PlacesThatAreFreeAreThoseOfSingleTags) {
 }
 
 TEST(TagBody, TheTargetsOwnFrameIsToldWhereItIs) {
-  const SimulatedSession s = simulated(target_session(tag_cube()), 6);
+  const SimulatedSession s = simulated_tags(target_session(tag_cube()), 6);
   const auto found = tcp_from_target(s.session, fit(s.session));
   ASSERT_TRUE(found);
   for (std::size_t m = 0; m < s.markers_in_tcp.size(); ++m)

@@ -19,8 +19,8 @@ namespace {
 using fixture::target_session;
 using fixture::with_unknown_mount;
 
-SimulatedSession simulated(const Session& like, std::uint64_t seed, const std::vector<EffectTerm>& effects = {},
-                           int observations = 30) {
+SimulatedSession simulated_board(const Session& like, std::uint64_t seed, const std::vector<EffectTerm>& effects = {},
+                                 int observations = 30) {
   SimulationOptions o;
   o.observations = observations;
   o.seed = seed;
@@ -34,7 +34,7 @@ double error_of_body(const SimulatedSession& s, const Fit& f) {
 }
 
 TEST(TargetPose, IsFoundInOneImageWithoutAGuess) {
-  const SimulatedSession s = simulated(target_session(), 3, {}, 20);
+  const SimulatedSession s = simulated_board(target_session(), 3, {}, 20);
   int found = 0;
   for (std::size_t k = 0; k < 20; ++k) {
     const Observation& o = s.session.observations[k];
@@ -51,7 +51,7 @@ TEST(TargetPose, IsFoundInOneImageWithoutAGuess) {
 }
 
 TEST(TargetPose, NeedsFourPointsThatAreNotOnALine) {
-  const SimulatedSession s = simulated(target_session(), 3, {}, 1);
+  const SimulatedSession s = simulated_board(target_session(), 3, {}, 1);
   std::vector<Sighting> few(s.session.observations[0].sightings.begin(),
                             s.session.observations[0].sightings.begin() + 3);
   EXPECT_FALSE(target_pose(&*s.session.rig, few, s.session.shape->markers));
@@ -66,7 +66,7 @@ TEST(Targets, TheBodyIsWhereItIsAndAsSureAsIsSaid) {
     for (const bool mount_is_known : {true, false}) {
       double squares = 0;
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        SimulatedSession s = simulated(target_session(target), seed);
+        SimulatedSession s = simulated_board(target_session(target), seed);
         if (!mount_is_known) s.session = with_unknown_mount(s.session);
         const Fit f = fit(s.session);
         EXPECT_TRUE(f.converged());
@@ -79,12 +79,12 @@ TEST(Targets, TheBodyIsWhereItIsAndAsSureAsIsSaid) {
 }
 
 TEST(Targets, ABoardThatIsHeldHasSixUnknowns) {
-  const SimulatedSession s = simulated(target_session(), 4);
+  const SimulatedSession s = simulated_board(target_session(), 4);
   EXPECT_EQ(fit(s.session).unknowns, 6);
   SimulatedSession free = s;
   free.session.shape->sigma.reset();
   EXPECT_EQ(fit(free.session).unknowns, 3 * 24);
-  SimulatedSession tags = simulated(target_session(fixture::tags()), 4);
+  SimulatedSession tags = simulated_board(target_session(fixture::tags()), 4);
   EXPECT_EQ(fit(tags.session).unknowns, 3 * 6) << "each tag is a body of its own";
 }
 
@@ -93,7 +93,7 @@ TEST(Targets, APrintThatIsOnlyAboutRightIsAllowedFor) {
   target.sigma = 2e-4;
   double squares = 0, held_chi2 = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SimulatedSession s = simulated(target_session(target), seed);
+    SimulatedSession s = simulated_board(target_session(target), seed);
     const Fit f = fit(s.session);
     EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows));
     squares += error_of_body(s, f);
@@ -107,7 +107,7 @@ TEST(Targets, APrintThatIsOnlyAboutRightIsAllowedFor) {
 TEST(Targets, OnTheTableWithTheCameraOnTheHand) {
   double squares = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    SimulatedSession s = simulated(fixture::eye_in_hand_session(), seed);
+    SimulatedSession s = simulated_board(fixture::eye_in_hand_session(), seed);
     s.session = with_unknown_mount(s.session);
     const Fit f = fit(s.session);
     EXPECT_TRUE(f.converged());
@@ -117,7 +117,7 @@ TEST(Targets, OnTheTableWithTheCameraOnTheHand) {
 }
 
 TEST(Targets, OneCameraSaysErrorsInMetresToo) {
-  const SimulatedSession s = simulated(target_session(), 7);
+  const SimulatedSession s = simulated_board(target_session(), 7);
   const Fit f = fit(s.session);
   const FitReport reported = report(s.session, f);
   ASSERT_TRUE(reported.fitted.rms_m);
@@ -139,19 +139,19 @@ TEST(Targets, PartsOfABoardAreEnough) {
 }
 
 TEST(Targets, AMissingSpringIsNamed) {
-  const SimulatedSession s = simulated(target_session(), 5, {{"joint_elasticity", 2, {1.5e-4}}}, 50);
+  const SimulatedSession s = simulated_board(target_session(), 5, {{"joint_elasticity", 2, {1.5e-4}}}, 50);
   const Diagnosis d = diagnose(s.session, {.with_held_out = false});
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "joint_elasticity") << d.reason;
   for (const auto& candidate : d.candidates) EXPECT_NE(candidate.id, "marker_slip") << "a board's points stay together";
-  EXPECT_EQ(diagnose(simulated(target_session(), 6, {}, 50).session, {.with_held_out = false}).verdict,
+  EXPECT_EQ(diagnose(simulated_board(target_session(), 6, {}, 50).session, {.with_held_out = false}).verdict,
             Verdict::adequate);
 }
 
 TEST(Targets, OnlineNeedsNoLabelAndEndsWhereTheFitDoes) {
   for (const bool mount_is_known : {true, false})
     for (const Target& target : {fixture::charuco(), fixture::tags()}) {
-      SimulatedSession s = simulated(target_session(target), 9);
+      SimulatedSession s = simulated_board(target_session(target), 9);
       if (!mount_is_known) s.session = with_unknown_mount(s.session);
       OnlineCalibration online(s.session);
       OnlineStep last;
@@ -175,7 +175,7 @@ TEST(Targets, OnlineNeedsNoLabelAndEndsWhereTheFitDoes) {
 }
 
 TEST(Targets, OnlineRejectsPointsThatDoNotLieAsOnTheTarget) {
-  SimulatedSession s = simulated(target_session(), 10, {}, 12);
+  SimulatedSession s = simulated_board(target_session(), 10, {}, 12);
   Observation& wrong = s.session.observations[6];
   std::swap(wrong.sightings[0].in_cameras, wrong.sightings[5].in_cameras);  // two numbers exchanged
   Observation& empty = s.session.observations[7];
@@ -200,7 +200,7 @@ TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
   chess.rows = 6;
   chess.square = 0.025;
   for (const bool mount_is_known : {true, false}) {
-    SimulatedSession s = simulated(target_session(chess), 12);
+    SimulatedSession s = simulated_board(target_session(chess), 12);
     if (!mount_is_known) s.session = with_unknown_mount(s.session);
     const Fit truth = fit(s.session);
     for (std::size_t k = 0; k < s.session.observations.size(); k += 3)
@@ -221,7 +221,7 @@ TEST(Targets, ChessboardsThatLookTheSameTurnedAreToldByTheRobotsMotion) {
 }
 
 TEST(Targets, AreExportedAndReadBack) {
-  const SimulatedSession s = simulated(target_session(fixture::charuco(12, 9, 0.015)), 11, {}, 20);
+  const SimulatedSession s = simulated_board(target_session(fixture::charuco(12, 9, 0.015)), 11, {}, 20);
   const Fit f = fit(s.session);
   const FitReport reported = report(s.session, f);
   const std::string text = calibration_text(make_calibration(s.session, f, reported, {}, "test"));
@@ -231,13 +231,13 @@ TEST(Targets, AreExportedAndReadBack) {
 
 TEST(TargetFit, ABoardsOwnFrameIsToldBesideTheBodys) {
   for (const Session& like : {target_session(), fixture::eye_in_hand_session()}) {
-    const SimulatedSession s = simulated(like, 12);
+    const SimulatedSession s = simulated_board(like, 12);
     const auto frame = tcp_from_target(s.session, fit(s.session));
     ASSERT_TRUE(frame);
     for (std::size_t m = 0; m < s.markers_in_tcp.size(); ++m)
       EXPECT_LT((*frame * s.session.shape->markers[m] - s.markers_in_tcp[m]).norm(), 5e-4);
   }
-  const SimulatedSession tags = simulated(target_session(fixture::tags()), 12);
+  const SimulatedSession tags = simulated_board(target_session(fixture::tags()), 12);
   EXPECT_FALSE(tcp_from_target(tags.session, fit(tags.session))) << "they have no frame together";
 }
 

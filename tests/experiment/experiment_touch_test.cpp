@@ -33,7 +33,7 @@ struct Workshop {
   SimulationOptions truth;
 };
 
-ExperimentOptions in_memory(const std::string& until) {
+ExperimentOptions touched_in_memory(const std::string& until) {
   ExperimentOptions options;
   options.save = false;
   add_goals(until, options.until);
@@ -49,7 +49,7 @@ struct TouchExperiments : testing::Test {
 TEST_F(TouchExperiments, AHiddenZeroIsNamedFromTouches) {
   const Workshop workshop("joint_offset:a3.offset=0.003");
   SimulatedRobot robot(workshop.start, {.truth = workshop.truth});
-  const ExperimentResult result = run_experiment(workshop.start, robot, in_memory("odds=20|count=60"));
+  const ExperimentResult result = run_experiment(workshop.start, robot, touched_in_memory("odds=20|count=60"));
   EXPECT_EQ(result.end, ExperimentEnd::reached) << result.reason;
   ASSERT_TRUE(result.settled);
   EXPECT_EQ(result.settled->id, "joint_offset");
@@ -60,7 +60,7 @@ TEST_F(TouchExperiments, AHiddenZeroIsNamedFromTouches) {
 TEST_F(TouchExperiments, EachTouchBeginsBeforeItsFixtureAndThePlanChoosesAmongThem) {
   const Workshop workshop("");
   SimulatedRobot robot(workshop.start, {.truth = workshop.truth});
-  const ExperimentResult result = run_experiment(workshop.start, robot, in_memory("count=20"));
+  const ExperimentResult result = run_experiment(workshop.start, robot, touched_in_memory("count=20"));
   EXPECT_EQ(result.end, ExperimentEnd::count) << result.reason;
   EXPECT_EQ(result.observations, 20);
   EXPECT_EQ(result.accepted, 20);
@@ -89,7 +89,7 @@ TEST_F(TouchExperiments, ATouchOfSomethingElseIsRejectedAndAnotherFixtureEndsIt)
     }
     int touches = 0;
   } robot(workshop.start, {.truth = workshop.truth});
-  const ExperimentResult result = run_experiment(workshop.start, robot, in_memory("count=20"));
+  const ExperimentResult result = run_experiment(workshop.start, robot, touched_in_memory("count=20"));
   EXPECT_EQ(result.end, ExperimentEnd::fault);
   EXPECT_THAT(result.reason.english(), HasSubstr("the_vice"));
   EXPECT_EQ(result.observations, 5);
@@ -102,7 +102,7 @@ TEST_F(TouchExperiments, BeginsWhereTouchesCanBeFitted) {
   fixture::forget_places(workshop.start);
   workshop.start.observations.resize(1);
   SimulatedRobot robot(workshop.start, {.truth = workshop.truth});
-  EXPECT_THROW(run_experiment(workshop.start, robot, in_memory("count=20")), InputError);
+  EXPECT_THROW(run_experiment(workshop.start, robot, touched_in_memory("count=20")), InputError);
 }
 
 /// The whole way through a driver's process, and everything on disk.

@@ -11,17 +11,17 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::string refusal(const std::string& text) {
+std::string reader_refusal(const std::string& text) {
   return find_refusal([&] { parse_session(text, "session.xml"); });
 }
 
 /// What the small session refuses with one piece replaced.
-std::string refusal(const std::string& piece, const std::string& by) {
-  return refusal(changed(small_session, piece, by));
+std::string reader_refusal(const std::string& piece, const std::string& by) {
+  return reader_refusal(changed(small_session, piece, by));
 }
 
 std::string tracker_refusal(const std::string& piece, const std::string& by) {
-  return refusal(changed(small_tracker_session, piece, by));
+  return reader_refusal(changed(small_tracker_session, piece, by));
 }
 
 TEST(SessionReader, EverythingOfAStereoSession) {
@@ -137,125 +137,130 @@ TEST(SessionReader, APointInAStereoSessionIsUnknown) {
 }
 
 TEST(SessionRefuses, WrongFiles) {
-  EXPECT_EQ(refusal("version=\"1\" title", "version=\"2\" title"),
+  EXPECT_EQ(reader_refusal("version=\"1\" title", "version=\"2\" title"),
             "session.xml, line 2: <handsight_session> has version=\"2\", expected version=\"1\", the only "
             "one that this program reads.");
-  EXPECT_THAT(refusal(" version=\"1\" title", " title"), HasSubstr("no attribute version"));
-  EXPECT_THAT(refusal("<handsight_calibration version='1'/>"), HasSubstr("expected <handsight_session>"));
-  EXPECT_THAT(refusal("</observations>", ""), HasSubstr("well-formed"));
-  EXPECT_THAT(refusal(small_session.substr(0, 700)), HasSubstr("well-formed"));
-  EXPECT_THAT(refusal(""), HasSubstr("empty"));
-  EXPECT_THAT(refusal(std::string("\x7F"
-                                  "ELF\x02\x01\x01\0\0\0",
-                                  10)),
+  EXPECT_THAT(reader_refusal(" version=\"1\" title", " title"), HasSubstr("no attribute version"));
+  EXPECT_THAT(reader_refusal("<handsight_calibration version='1'/>"), HasSubstr("expected <handsight_session>"));
+  EXPECT_THAT(reader_refusal("</observations>", ""), HasSubstr("well-formed"));
+  EXPECT_THAT(reader_refusal(small_session.substr(0, 700)), HasSubstr("well-formed"));
+  EXPECT_THAT(reader_refusal(""), HasSubstr("empty"));
+  EXPECT_THAT(reader_refusal(std::string("\x7F"
+                                         "ELF\x02\x01\x01\0\0\0",
+                                         10)),
               HasSubstr("session.xml"));
 }
 
 TEST(SessionRefuses, MissingAndDoubleElements) {
-  EXPECT_THAT(refusal("<robot file=\"robot.urdf\" tcp=\"hand\"/>", ""), HasSubstr("has no element <robot>"));
-  EXPECT_THAT(refusal("<markers count=\"3\" sigma_pixel=\"0.2\"/>", ""), HasSubstr("has no element <markers>"));
-  EXPECT_THAT(refusal("<joints>j1 j2</joints>", ""), HasSubstr("has no element <joints>"));
-  EXPECT_THAT(refusal("<joints>j1 j2</joints>", "<joints>j1 j2</joints><joints/>"), HasSubstr("a second time"));
-  EXPECT_THAT(refusal("tcp=\"hand\"", ""), HasSubstr("no attribute tcp"));
-  EXPECT_THAT(refusal("file=\"robot.urdf\"", "file=\"\""), HasSubstr("expected a name"));
-  EXPECT_THAT(refusal("mount=\"base\"", ""), HasSubstr("no attribute mount"));
-  EXPECT_THAT(refusal("<mount_from_left xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\" estimate=\"no\"/>", ""),
+  EXPECT_THAT(reader_refusal("<robot file=\"robot.urdf\" tcp=\"hand\"/>", ""), HasSubstr("has no element <robot>"));
+  EXPECT_THAT(reader_refusal("<markers count=\"3\" sigma_pixel=\"0.2\"/>", ""), HasSubstr("has no element <markers>"));
+  EXPECT_THAT(reader_refusal("<joints>j1 j2</joints>", ""), HasSubstr("has no element <joints>"));
+  EXPECT_THAT(reader_refusal("<joints>j1 j2</joints>", "<joints>j1 j2</joints><joints/>"), HasSubstr("a second time"));
+  EXPECT_THAT(reader_refusal("tcp=\"hand\"", ""), HasSubstr("no attribute tcp"));
+  EXPECT_THAT(reader_refusal("file=\"robot.urdf\"", "file=\"\""), HasSubstr("expected a name"));
+  EXPECT_THAT(reader_refusal("mount=\"base\"", ""), HasSubstr("no attribute mount"));
+  EXPECT_THAT(reader_refusal("<mount_from_left xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\" estimate=\"no\"/>", ""),
               HasSubstr("has no element <mount_from_left>"));
-  EXPECT_THAT(refusal("<position>0.1 -0.2</position>", ""), HasSubstr("has no element <position>"));
+  EXPECT_THAT(reader_refusal("<position>0.1 -0.2</position>", ""), HasSubstr("has no element <position>"));
 }
 
 TEST(SessionRefuses, BothDevicesOrNone) {
-  EXPECT_THAT(refusal("<joints>", "<tracker mount='base'/><joints>"),
+  EXPECT_THAT(reader_refusal("<joints>", "<tracker mount='base'/><joints>"),
               HasSubstr("line 13: <tracker> stands beside the <stereo> of line 5"));
   const std::size_t begin = small_session.find("<stereo"), end = small_session.find("</stereo>") + 9;
-  EXPECT_THAT(refusal(small_session.substr(0, begin) + small_session.substr(end)),
+  EXPECT_THAT(reader_refusal(small_session.substr(0, begin) + small_session.substr(end)),
               HasSubstr("neither <stereo> nor <tracker>"));
 }
 
 TEST(SessionRefuses, Cameras) {
-  EXPECT_EQ(refusal("fx=\"500\"", "fx=\"0\""),
+  EXPECT_EQ(reader_refusal("fx=\"500\"", "fx=\"0\""),
             "session.xml, line 8: <camera> has fx=\"0\", expected a positive number.");
-  EXPECT_THAT(refusal("fy=\"501\"", "fy=\"-1\""), HasSubstr("fy=\"-1\", expected a positive number"));
-  EXPECT_THAT(refusal("fx=\"500\"", "fx=\"nan\""), HasSubstr("fx=\"nan\""));
-  EXPECT_THAT(refusal("width=\"640\"", "width=\"0\""), HasSubstr("width=\"0\", expected an integer from 1"));
-  EXPECT_THAT(refusal("height=\"480\"", "height=\"-480\""), HasSubstr("height=\"-480\""));
-  EXPECT_THAT(refusal("width=\"640\"", "width=\"640.5\""), HasSubstr("width=\"640.5\""));
-  EXPECT_THAT(refusal("cx=\"320\"", ""), HasSubstr("no attribute cx"));
-  EXPECT_THAT(refusal("k1=\"-0.1\"", "k1=\"inf\""), HasSubstr("k1=\"inf\""));
-  EXPECT_THAT(refusal("name=\"right\"", "name=\"left\""),
+  EXPECT_THAT(reader_refusal("fy=\"501\"", "fy=\"-1\""), HasSubstr("fy=\"-1\", expected a positive number"));
+  EXPECT_THAT(reader_refusal("fx=\"500\"", "fx=\"nan\""), HasSubstr("fx=\"nan\""));
+  EXPECT_THAT(reader_refusal("width=\"640\"", "width=\"0\""), HasSubstr("width=\"0\", expected an integer from 1"));
+  EXPECT_THAT(reader_refusal("height=\"480\"", "height=\"-480\""), HasSubstr("height=\"-480\""));
+  EXPECT_THAT(reader_refusal("width=\"640\"", "width=\"640.5\""), HasSubstr("width=\"640.5\""));
+  EXPECT_THAT(reader_refusal("cx=\"320\"", ""), HasSubstr("no attribute cx"));
+  EXPECT_THAT(reader_refusal("k1=\"-0.1\"", "k1=\"inf\""), HasSubstr("k1=\"inf\""));
+  EXPECT_THAT(reader_refusal("name=\"right\"", "name=\"left\""),
               HasSubstr("line 9: <camera> is a second camera with name=\"left\""));
-  EXPECT_THAT(refusal("name=\"right\"", "name=\"middle\""), HasSubstr("expected one of: left, right"));
-  EXPECT_THAT(refusal("name=\"right\"", ""), HasSubstr("no attribute name"));
+  EXPECT_THAT(reader_refusal("name=\"right\"", "name=\"middle\""), HasSubstr("expected one of: left, right"));
+  EXPECT_THAT(reader_refusal("name=\"right\"", ""), HasSubstr("no attribute name"));
   EXPECT_THAT(
-      refusal("<camera name=\"right\" width=\"800\" height=\"600\" fx=\"510\" fy=\"511\" cx=\"400\" cy=\"300\"/>", ""),
+      reader_refusal(
+          "<camera name=\"right\" width=\"800\" height=\"600\" fx=\"510\" fy=\"511\" cx=\"400\" cy=\"300\"/>", ""),
       HasSubstr("has no <camera name=\"right\">"));
-  EXPECT_THAT(refusal("<right_from_left xyz=\"-0.2 0 0\"", "<right_from_left xyz=\"0 0 0\""), HasSubstr("baseline"));
-  EXPECT_THAT(refusal("<right_from_left xyz=\"-0.2 0 0\"", "<right_from_left"), HasSubstr("baseline"));
-  EXPECT_THAT(refusal("xyz=\"1 2 3\"", "xyz=\"1 2\""),
+  EXPECT_THAT(reader_refusal("<right_from_left xyz=\"-0.2 0 0\"", "<right_from_left xyz=\"0 0 0\""),
+              HasSubstr("baseline"));
+  EXPECT_THAT(reader_refusal("<right_from_left xyz=\"-0.2 0 0\"", "<right_from_left"), HasSubstr("baseline"));
+  EXPECT_THAT(reader_refusal("xyz=\"1 2 3\"", "xyz=\"1 2\""),
               HasSubstr("line 6: <mount_from_left> has 2 numbers in xyz, expected 3"));
-  EXPECT_THAT(refusal("estimate=\"no\"", "estimate=\"maybe\""), HasSubstr("expected one of: no, yes"));
-  EXPECT_THAT(refusal("xyz=\"0 0.5 -9.8\"", "xyz=\"0 0.5 down\""), HasSubstr("has \"down\" in xyz"));
+  EXPECT_THAT(reader_refusal("estimate=\"no\"", "estimate=\"maybe\""), HasSubstr("expected one of: no, yes"));
+  EXPECT_THAT(reader_refusal("xyz=\"0 0.5 -9.8\"", "xyz=\"0 0.5 down\""), HasSubstr("has \"down\" in xyz"));
   EXPECT_THAT(tracker_refusal("sigma=\"0.0002\"", "sigma=\"-1\""),
               HasSubstr("sigma=\"-1\", expected a positive number"));
 }
 
 TEST(SessionRefuses, Markers) {
-  EXPECT_THAT(refusal("count=\"3\"", "count=\"0\""), HasSubstr("count=\"0\", expected an integer from 1 to 64"));
-  EXPECT_THAT(refusal("count=\"3\"", "count=\"65\""), HasSubstr("count=\"65\""));
-  EXPECT_THAT(refusal("sigma_pixel=\"0.2\"", "sigma_pixel=\"0\""), HasSubstr("expected a positive number"));
-  EXPECT_EQ(refusal("index=\"2\"", "index=\"3\""),
+  EXPECT_THAT(reader_refusal("count=\"3\"", "count=\"0\""), HasSubstr("count=\"0\", expected an integer from 1 to 64"));
+  EXPECT_THAT(reader_refusal("count=\"3\"", "count=\"65\""), HasSubstr("count=\"65\""));
+  EXPECT_THAT(reader_refusal("sigma_pixel=\"0.2\"", "sigma_pixel=\"0\""), HasSubstr("expected a positive number"));
+  EXPECT_EQ(reader_refusal("index=\"2\"", "index=\"3\""),
             "session.xml, line 20: <marker> has index=\"3\", expected an integer from 0 to 2.");
-  EXPECT_THAT(refusal("index=\"2\"", "index=\"-1\""), HasSubstr("index=\"-1\""));
-  EXPECT_THAT(refusal("index=\"2\"", "index=\"0\""), HasSubstr("line 21: <marker> has index=\"0\" a second time"));
-  EXPECT_THAT(refusal("left=\"10 20\"", ""), HasSubstr("has neither left nor right"));
-  EXPECT_THAT(refusal("left=\"10 20\"", "point=\"1 2 3\""), HasSubstr("has neither left nor right"));
-  EXPECT_THAT(refusal("left=\"10 20\"", "left=\"10\""), HasSubstr("has 1 numbers in left, expected 2"));
-  EXPECT_THAT(refusal("left=\"10 20\"", "left=\"10 nan\""), HasSubstr("\"nan\""));
-  EXPECT_THAT(refusal("by=\"hand\"", "by=\"magic\""), HasSubstr("expected one of: hand, tracker, import"));
+  EXPECT_THAT(reader_refusal("index=\"2\"", "index=\"-1\""), HasSubstr("index=\"-1\""));
+  EXPECT_THAT(reader_refusal("index=\"2\"", "index=\"0\""),
+              HasSubstr("line 21: <marker> has index=\"0\" a second time"));
+  EXPECT_THAT(reader_refusal("left=\"10 20\"", ""), HasSubstr("has neither left nor right"));
+  EXPECT_THAT(reader_refusal("left=\"10 20\"", "point=\"1 2 3\""), HasSubstr("has neither left nor right"));
+  EXPECT_THAT(reader_refusal("left=\"10 20\"", "left=\"10\""), HasSubstr("has 1 numbers in left, expected 2"));
+  EXPECT_THAT(reader_refusal("left=\"10 20\"", "left=\"10 nan\""), HasSubstr("\"nan\""));
+  EXPECT_THAT(reader_refusal("by=\"hand\"", "by=\"magic\""), HasSubstr("expected one of: hand, tracker, import"));
   EXPECT_THAT(tracker_refusal("point=\"1 2 3\"", ""), HasSubstr("has no point"));
   EXPECT_THAT(tracker_refusal("point=\"1 2 3\"", "left=\"1 2\""), HasSubstr("has no point"));
 }
 
 TEST(SessionRefuses, Joints) {
-  EXPECT_THAT(refusal("j1 j2", "j1 j1"), HasSubstr("line 13: <joints> names joint \"j1\" a second time"));
-  EXPECT_THAT(refusal("j1 j2", " "), HasSubstr("names no joint"));
-  EXPECT_EQ(refusal("<position>0.1 -0.2</position>", "<position>0.1 -0.2 1</position>"),
+  EXPECT_THAT(reader_refusal("j1 j2", "j1 j1"), HasSubstr("line 13: <joints> names joint \"j1\" a second time"));
+  EXPECT_THAT(reader_refusal("j1 j2", " "), HasSubstr("names no joint"));
+  EXPECT_EQ(reader_refusal("<position>0.1 -0.2</position>", "<position>0.1 -0.2 1</position>"),
             "session.xml, line 16: <position> has 3 numbers, expected 2, one for each of <joints>.");
-  EXPECT_THAT(refusal("<velocity>1 2<", "<velocity>1<"), HasSubstr("<velocity> has 1 numbers, expected 2"));
-  EXPECT_THAT(refusal("<torque>3 4<", "<torque><"), HasSubstr("<torque> has 0 numbers, expected 2"));
-  EXPECT_THAT(refusal("<torque>3 4<", "<torque>3 inf<"), HasSubstr("<torque> has \"inf\", expected 2 finite numbers"));
-  EXPECT_THAT(refusal("<position>0.1 -0.2<", "<position>0,1 -0,2<"), HasSubstr("has \"0,1\""));
+  EXPECT_THAT(reader_refusal("<velocity>1 2<", "<velocity>1<"), HasSubstr("<velocity> has 1 numbers, expected 2"));
+  EXPECT_THAT(reader_refusal("<torque>3 4<", "<torque><"), HasSubstr("<torque> has 0 numbers, expected 2"));
+  EXPECT_THAT(reader_refusal("<torque>3 4<", "<torque>3 inf<"),
+              HasSubstr("<torque> has \"inf\", expected 2 finite numbers"));
+  EXPECT_THAT(reader_refusal("<position>0.1 -0.2<", "<position>0,1 -0,2<"), HasSubstr("has \"0,1\""));
 }
 
 TEST(SessionRefuses, Observations) {
-  EXPECT_THAT(refusal("id=\"3\"", "id=\"7\""), HasSubstr("line 24: <observation> has id=\"7\" a second time"));
-  EXPECT_THAT(refusal("id=\"3\"", "id=\"-3\""), HasSubstr("id=\"-3\", expected an integer of at least 0"));
-  EXPECT_THAT(refusal("id=\"3\"", "id=\"3.0\""), HasSubstr("id=\"3.0\""));
-  EXPECT_THAT(refusal("id=\"3\"", "id=\"99999999999999999999\""), HasSubstr("expected an integer"));
-  EXPECT_THAT(refusal("id=\"3\"", ""), HasSubstr("no attribute id"));
-  EXPECT_THAT(refusal("time=\"4\"", "time=\"1\""), HasSubstr("line 25: <observation> has time=\"1\" after 1.5"));
-  EXPECT_THAT(refusal("time=\"4\"", "time=\"nan\""), HasSubstr("time=\"nan\""));
-  EXPECT_THAT(refusal("time=\"4\"", ""), HasSubstr("no attribute time"));
-  EXPECT_THAT(refusal("state=\"rejected\"", "state=\"maybe\""),
+  EXPECT_THAT(reader_refusal("id=\"3\"", "id=\"7\""), HasSubstr("line 24: <observation> has id=\"7\" a second time"));
+  EXPECT_THAT(reader_refusal("id=\"3\"", "id=\"-3\""), HasSubstr("id=\"-3\", expected an integer of at least 0"));
+  EXPECT_THAT(reader_refusal("id=\"3\"", "id=\"3.0\""), HasSubstr("id=\"3.0\""));
+  EXPECT_THAT(reader_refusal("id=\"3\"", "id=\"99999999999999999999\""), HasSubstr("expected an integer"));
+  EXPECT_THAT(reader_refusal("id=\"3\"", ""), HasSubstr("no attribute id"));
+  EXPECT_THAT(reader_refusal("time=\"4\"", "time=\"1\""), HasSubstr("line 25: <observation> has time=\"1\" after 1.5"));
+  EXPECT_THAT(reader_refusal("time=\"4\"", "time=\"nan\""), HasSubstr("time=\"nan\""));
+  EXPECT_THAT(reader_refusal("time=\"4\"", ""), HasSubstr("no attribute time"));
+  EXPECT_THAT(reader_refusal("state=\"rejected\"", "state=\"maybe\""),
               HasSubstr("expected one of: accepted, rejected, excluded"));
-  EXPECT_THAT(refusal("state=\"rejected\"", ""), HasSubstr("no attribute state"));
+  EXPECT_THAT(reader_refusal("state=\"rejected\"", ""), HasSubstr("no attribute state"));
   const std::size_t begin = small_session.find("  <observations>"), end = small_session.find("</handsight");
-  EXPECT_THAT(refusal(small_session.substr(0, begin) + small_session.substr(end)), HasSubstr("no observation"));
-  EXPECT_THAT(refusal(small_session.substr(0, begin) + "<observations/>" + small_session.substr(end)),
+  EXPECT_THAT(reader_refusal(small_session.substr(0, begin) + small_session.substr(end)), HasSubstr("no observation"));
+  EXPECT_THAT(reader_refusal(small_session.substr(0, begin) + "<observations/>" + small_session.substr(end)),
               HasSubstr("no observation"));
 }
 
 TEST(SessionRefuses, ImagesOutsideTheFolder) {
   for (const char* path : {"", "/etc/passwd", "../left.png", "images/../../left.png", "images/.."})
-    EXPECT_THAT(refusal("images/7_left.png", path),
+    EXPECT_THAT(reader_refusal("images/7_left.png", path),
                 AllOf(HasSubstr("line 19: <images> has left="), HasSubstr("inside it")))
         << path;
-  EXPECT_EQ(refusal("images/7_left.png", "images/..7.png"), "nothing was refused") << "only a name that has dots";
+  EXPECT_EQ(reader_refusal("images/7_left.png", "images/..7.png"), "nothing was refused")
+      << "only a name that has dots";
 }
 
 TEST(SessionRefuses, EveryFileThatIsCutOff) {
   for (std::size_t size = 0; size + 2 < small_session.size(); ++size)
-    ASSERT_THAT(refusal(small_session.substr(0, size)), HasSubstr("session.xml")) << size;
+    ASSERT_THAT(reader_refusal(small_session.substr(0, size)), HasSubstr("session.xml")) << size;
 }
 
 TEST(SessionRefuses, WithShortSentencesWhateverIsWritten) {
@@ -264,11 +269,11 @@ TEST(SessionRefuses, WithShortSentencesWhateverIsWritten) {
        {"version=\"1\" t", "fx=\"500\"", "count=\"3\"", "by=\"hand\"", "state=\"rejected\"", "id=\"3\""}) {
     const std::string name = std::string(piece).substr(0, std::string(piece).find('='));
     const std::string rest = std::string(piece).substr(std::string(piece).rfind('"') + 1);
-    EXPECT_THAT(refusal(piece, name + "=\"" + absurd + "\"" + rest), HasSubstr("...")) << piece;
+    EXPECT_THAT(reader_refusal(piece, name + "=\"" + absurd + "\"" + rest), HasSubstr("...")) << piece;
   }
-  EXPECT_THAT(refusal("<position>0.1", "<position>" + absurd), HasSubstr("..."));
+  EXPECT_THAT(reader_refusal("<position>0.1", "<position>" + absurd), HasSubstr("..."));
   EXPECT_THAT(find_refusal([&] { parse_session("<a/>", absurd); }), HasSubstr("..."));
-  EXPECT_THAT(refusal("<" + absurd + "/>"), HasSubstr("..."));
+  EXPECT_THAT(reader_refusal("<" + absurd + "/>"), HasSubstr("..."));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ const Target asymmetric = target_from_words({{"kind", "circles"},
                                              {"layout", "asymmetric"}},
                                             "test");
 
-Camera camera() {
+Camera circle_camera() {
   return {.width = 640, .height = 480, .fx = 620, .fy = 622, .cx = 322, .cy = 236, .k1 = -0.18, .k2 = 0.06};
 }
 
@@ -39,7 +39,7 @@ TargetView find_view(const Target& target, double distance, double turn_x, doubl
   const PrintedPattern pattern = pattern_of(target);
   const Vector2 centre = pattern.outline.top_left + 0.5 * pattern.outline.size;
   TargetView view;
-  view.camera = camera();
+  view.camera = circle_camera();
   view.camera_from_target.rotation =
       rotation_from_vector<double>(Vector3(turn_x, turn_y, 0)) * rotation_from_vector<double>(Vector3(0, 0, turn_z));
   view.camera_from_target.translation =
@@ -54,7 +54,7 @@ struct Errors {
 };
 
 Errors errors_of(const Target& target, const TargetView& view) {
-  static const auto rays = fixtures::fine_rays(camera());
+  static const auto rays = fixtures::fine_rays(circle_camera());
   const TargetSighting sighting = detect_target(make_image(target, view, rays), prepare(target));
   Errors e{sighting.points.size(), 0, 0, 0, sighting.reason};
   for (const TargetPixel& p : sighting.points) {

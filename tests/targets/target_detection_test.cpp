@@ -21,7 +21,7 @@ const std::vector<Eigen::Vector2f>& rays() {
 }
 
 /// The middle of the target in the middle of the image, turned about x and y.
-TargetView find_view(const Target& target, double distance, double turn_x, double turn_y) {
+TargetView find_detection_view(const Target& target, double distance, double turn_x, double turn_y) {
   const PrintedPattern pattern = pattern_of(target);
   const Vector2 centre = pattern.outline.top_left + 0.5 * pattern.outline.size;
   TargetView view;
@@ -52,7 +52,7 @@ TEST(TargetDetection, FindsEveryPointOfWholeBoards) {
   for (const Target& target : {chessboard, charuco, grid}) {
     const PreparedTarget prepared = prepare(target);
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.7, 0.2}, {-0.3, 0.6}}) {
-      const TargetView view = find_view(target, 0.42, x, y);
+      const TargetView view = find_detection_view(target, 0.42, x, y);
       expect_found(target, view, detect_target(make_image(target, view, rays()), prepared),
                    target_points(target).size());
     }
@@ -62,7 +62,7 @@ TEST(TargetDetection, FindsEveryPointOfWholeBoards) {
 /// Large images are looked through in small first; the points are those of the large one.
 TEST(TargetDetection, LargeImagesAreFoundAsSmallOnesAre) {
   for (const Target& target : {charuco, grid}) {
-    const TargetView view = find_view(target, 0.42, 0.3, 0.2);
+    const TargetView view = find_detection_view(target, 0.42, 0.3, 0.2);
     const Image small = make_image(target, view, rays());
     Image large(3 * small.width, 3 * small.height);
     const cv::Mat from(small.height, small.width, CV_8U, const_cast<std::uint8_t*>(small.pixels.data()));
@@ -82,7 +82,7 @@ TEST(TargetDetection, LargeImagesAreFoundAsSmallOnesAre) {
 TEST(TargetDetection, OldCharucoIsToldFromTheNewOne) {
   Target old = charuco;
   old.old_layout = true;
-  const TargetView view = find_view(old, 0.42, 0.2, 0.1);
+  const TargetView view = find_detection_view(old, 0.42, 0.2, 0.1);
   const Image image = make_image(old, view, rays());
   expect_found(old, view, detect_target(image, prepare(old)), target_points(old).size());
   const TargetSighting wrong = detect_target(image, prepare(charuco));
@@ -92,7 +92,7 @@ TEST(TargetDetection, OldCharucoIsToldFromTheNewOne) {
 
 TEST(TargetDetection, PartlyOutsideAndCovered) {
   for (const Target& target : {charuco, grid}) {
-    TargetView view = find_view(target, 0.42, 0.3, -0.2);
+    TargetView view = find_detection_view(target, 0.42, 0.3, -0.2);
     view.camera_from_target.translation.x() += 0.08;
     view.covers = {{{-100, 250}, {740, 250}, {740, 700}, {-100, 700}}};
     view.cover_greys = {90};
@@ -104,7 +104,7 @@ TEST(TargetDetection, PartlyOutsideAndCovered) {
 }
 
 TEST(TargetDetection, ChessboardIsWholeOrNothing) {
-  TargetView view = find_view(chessboard, 0.42, 0.3, -0.2);
+  TargetView view = find_detection_view(chessboard, 0.42, 0.3, -0.2);
   view.covers = {{{-100, 330}, {740, 330}, {740, 700}, {-100, 700}}};
   view.cover_greys = {90};
   const TargetSighting sighting = detect_target(make_image(chessboard, view, rays()), prepare(chessboard));
@@ -114,7 +114,7 @@ TEST(TargetDetection, ChessboardIsWholeOrNothing) {
 
 /// 9 x 6 corners have ends of different colours: the first corner is reported upside down too.
 TEST(TargetDetection, ChessboardIsNumberedByItsColours) {
-  TargetView view = find_view(chessboard, 0.42, 0.2, 0.1);
+  TargetView view = find_detection_view(chessboard, 0.42, 0.2, 0.1);
   const Vector3 centre = view.camera_from_target * Vector3(0.1, 0.0625, 0);
   view.camera_from_target.rotation =
       rotation_from_vector<double>(Vector3(0, 0, 2.9)) * view.camera_from_target.rotation;
@@ -125,7 +125,7 @@ TEST(TargetDetection, ChessboardIsNumberedByItsColours) {
 TEST(TargetDetection, SingleTagsOfEitherKind) {
   for (const char* dictionary : {"DICT_5X5_100", "tag36h11", "DICT_APRILTAG_36h11"}) {
     const Target tags{.kind = TargetKind::tags, .tag = 0.05, .dictionary = dictionary, .ids = {3, 7, 9}};
-    const TargetView view = find_view(tags, 0.5, 0, 0);
+    const TargetView view = find_detection_view(tags, 0.5, 0, 0);
     std::vector<Rigid> pieces;
     for (int i = 0; i < 3; ++i)
       pieces.push_back(
@@ -146,7 +146,7 @@ TEST(TargetDetection, SingleTagsOfEitherKind) {
 /// A tag with an id of the set at two places: which is it? Neither.
 TEST(TargetDetection, TheSameTagTwiceIsNone) {
   const Target tags{.kind = TargetKind::tags, .tag = 0.05, .dictionary = "DICT_5X5_100", .ids = {3, 7}};
-  const TargetView view = find_view(tags, 0.5, 0, 0);
+  const TargetView view = find_detection_view(tags, 0.5, 0, 0);
   Image image =
       make_image(tags, view, rays(),
                  {Rigid{Matrix3::Identity(), Vector3(-0.1, 0, 0.5)}, Rigid{Matrix3::Identity(), Vector3(10, 0, 0.5)}});

@@ -17,18 +17,18 @@ namespace {
 
 using fixtures::TargetView;
 
-Camera camera() {
+Camera guess_camera() {
   return {.width = 640, .height = 480, .fx = 620, .fy = 622, .cx = 322, .cy = 236, .k1 = -0.18, .k2 = 0.06};
 }
 
 std::vector<Image> list_images(const Target& target) {
-  static const auto rays = fixtures::fine_rays(camera());
+  static const auto rays = fixtures::fine_rays(guess_camera());
   const PrintedPattern pattern = pattern_of(target);
   const Vector2 centre = pattern.outline.top_left + 0.5 * pattern.outline.size;
   std::vector<Image> images;
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.5, 0.2}, {-0.3, 0.5}}) {
     TargetView view;
-    view.camera = camera();
+    view.camera = guess_camera();
     view.camera_from_target.rotation = rotation_from_vector<double>(Vector3(x, y, 0.2));
     view.camera_from_target.translation =
         Vector3(0, 0, 0.5) - view.camera_from_target.rotation * Vector3(centre.x(), centre.y(), 0);
@@ -113,9 +113,9 @@ TEST(TargetGuess, OfImagesWithoutAnyTag) {
 TEST(TargetDetection, ATagThatIsThereTwiceIsToldApartFromAnUnclearOne) {
   const Target one{.kind = TargetKind::tags, .tag = 0.05, .dictionary = "DICT_5X5_100", .ids = {3}};
   const Target three{.kind = TargetKind::tags, .tag = 0.05, .dictionary = "DICT_5X5_100", .ids = {3, 7, 9}};
-  static const auto rays = fixtures::fine_rays(camera());
+  static const auto rays = fixtures::fine_rays(guess_camera());
   TargetView view;
-  view.camera = camera();
+  view.camera = guess_camera();
   view.camera_from_target.translation = Vector3(-0.1, 0, 0.5);
   const Image left = make_image(one, view, rays);
   view.camera_from_target.translation = Vector3(0.1, 0, 0.5);

@@ -18,12 +18,12 @@ constexpr double outer_margin = 10, drawing_size = 96, size_row = 18, error_row 
 constexpr double field_height = 24, field_width = 116;
 constexpr int most_sizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3;
 
-QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
+QString card_text(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
 
 QFont body() { return text_font(TextRole::body); }
 QFont small() { return text_font(TextRole::small); }
 
-QString measured_label() { return said("Measured"); }
+QString measured_label() { return card_text("Measured"); }
 
 /// The sign, ink and ground of an honest card.
 struct Honest {
@@ -173,14 +173,14 @@ void paint_check(QPainter& painter, const CardCheck& check, const CardLayout& l)
   draw_text(painter, l.unit, Qt::AlignLeft | Qt::AlignVCenter, check.unit);
   const bool is_hint = check.answer.isEmpty();
   painter.setPen(is_hint ? c.ink3 : check.is_inside ? c.good : c.bad);
-  draw_lines(painter, small(), l.answer, is_hint ? said("Try it on the robot and type what it shows.") : check.answer,
-             2);
+  draw_lines(painter, small(), l.answer,
+             is_hint ? card_text("Try it on the robot and type what it shows.") : check.answer, 2);
 }
 
 void paint_more(QPainter& painter, const QRectF& row, std::size_t hidden) {
   painter.setFont(small());
   painter.setPen(colors().ink3);
-  draw_text(painter, row, Qt::AlignLeft | Qt::AlignVCenter, said("and %1 more numbers").arg(hidden));
+  draw_text(painter, row, Qt::AlignLeft | Qt::AlignVCenter, card_text("and %1 more numbers").arg(hidden));
 }
 
 }  // namespace
@@ -188,16 +188,16 @@ void paint_more(QPainter& painter, const QRectF& row, std::size_t hidden) {
 QString indistinguishable_text(const CardState& state) {
   return state.indistinguishable_from.isEmpty()
              ? QString()
-             : said("Cannot be told from %1 on these poses.").arg(state.indistinguishable_from);
+             : card_text("Cannot be told from %1 on these poses.").arg(state.indistinguishable_from);
 }
 
 QString check_text(const CardState& state) {
-  return state.check.isEmpty() ? QString() : said("Check: %1").arg(state.check);
+  return state.check.isEmpty() ? QString() : card_text("Check: %1").arg(state.check);
 }
 
 QString error_left_text(const ErrorLeft& error) {
   QString text = QStringLiteral("%1 → %2").arg(short_text(error.now), with_unit_text(error.left, error.unit));
-  if (error.is_predicted) text += QStringLiteral(" ") + said("predicted");
+  if (error.is_predicted) text += QStringLiteral(" ") + card_text("predicted");
   return text;
 }
 

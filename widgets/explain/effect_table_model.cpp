@@ -12,7 +12,7 @@
 namespace handsight::widgets {
 namespace {
 
-QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::EffectTable", text); }
+QString table_text(const char* text) { return QCoreApplication::translate("handsight::widgets::EffectTable", text); }
 
 QString verdict_of(const EffectRow& row) {
   const QString text = effect_verdict_text(row.verdict);
@@ -89,7 +89,7 @@ QVariant EffectTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && column != EffectColumn::name) {
     if (column == EffectColumn::where && !row.where.isEmpty()) return row.where;  // all of them, where there is no room
     const bool is_unseen = column == EffectColumn::verdict && row.verdict == EffectVerdict::cannot_be_seen;
-    return is_unseen ? said("These poses could not show it, if it were there.") : row.reason;
+    return is_unseen ? table_text("These poses could not show it, if it were there.") : row.reason;
   }
   return {};
 }
@@ -98,7 +98,8 @@ QVariant EffectTableModel::headerData(int section, Qt::Orientation orientation, 
   if (orientation != Qt::Horizontal || section < 0 || section > 3) return {};
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const std::array<QString, 4> names = {said("effect"), said("verdict"), said("where"), said("why")};
+  const std::array<QString, 4> names = {table_text("effect"), table_text("verdict"), table_text("where"),
+                                        table_text("why")};
   return names[static_cast<std::size_t>(section)];
 }
 

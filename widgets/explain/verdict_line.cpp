@@ -62,36 +62,36 @@ QString sign_of(SessionState state) {
   }
 }
 
-QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::VerdictLine", text); }
+QString line_text(const char* text) { return QCoreApplication::translate("handsight::widgets::VerdictLine", text); }
 
 }  // namespace
 
 QString session_state_text(SessionState state) {
   switch (state) {
     case SessionState::waiting:
-      return said("waiting");
+      return line_text("waiting");
     case SessionState::looking:
-      return said("looking …");
+      return line_text("looking …");
     case SessionState::adequate:
-      return said("adequate");
+      return line_text("adequate");
     case SessionState::stand_in:
-      return said("stand-in");
+      return line_text("stand-in");
     case SessionState::unnamed:
-      return said("not all named");
+      return line_text("not all named");
     case SessionState::missing:
-      return said("cause missing");
+      return line_text("cause missing");
     case SessionState::implausible:
-      return said("implausible");
+      return line_text("implausible");
     case SessionState::ambiguous:
-      return said("ambiguous");
+      return line_text("ambiguous");
     case SessionState::unexplained:
-      return said("unexplained");
+      return line_text("unexplained");
     case SessionState::repeatability:
-      return said("looks random");
+      return line_text("looks random");
     case SessionState::too_few:
-      return said("too few");
+      return line_text("too few");
     case SessionState::noise_unknown:
-      return said("noise unknown");
+      return line_text("noise unknown");
   }
   return {};
 }

@@ -15,11 +15,11 @@
 namespace handsight::widgets {
 namespace {
 
-QString said(const char* text) { return QCoreApplication::translate("handsight::widgets::VersionList", text); }
+QString version_text(const char* text) { return QCoreApplication::translate("handsight::widgets::VersionList", text); }
 
 QString change_text(const VersionEntry& version, const QString& unit) {
   if (!version.change) return {};
-  return said("change %1 %2").arg(with_sigma_text(version.change, version.change_sigma), unit);
+  return version_text("change %1 %2").arg(with_sigma_text(version.change, version.change_sigma), unit);
 }
 
 QString second_line(const VersionEntry& version, const QString& unit) {
@@ -52,7 +52,7 @@ QVariant VersionListModel::data(const QModelIndex& index, int role) const {
   const VersionEntry& version = versions_[static_cast<std::size_t>(index.row())];
   if (role == Qt::DisplayRole) return version.name;
   if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole)
-    return said("%1: held out %2, fitted %3. %4")
+    return version_text("%1: held out %2, fitted %3. %4")
         .arg(version.name, with_unit_text(version.held_out, unit_), with_unit_text(version.fitted, unit_),
              second_line(version, unit_));
   return {};
@@ -82,7 +82,7 @@ void VersionListModel::set_compared(int a, int b) {
 
 namespace {
 
-constexpr int most_lines = 3;  // of a version's name, and of what stands below it
+constexpr int most_version_lines = 3;  // of a version's name, and of what stands below it
 
 /// Where the texts of a row stand, from its top left.
 struct VersionRow {
@@ -93,16 +93,16 @@ struct VersionRow {
 
 VersionRow find_row(const VersionEntry& version, const QString& unit, double width) {
   VersionRow row;
-  row.name = version.is_refused ? said("%1: not added").arg(version.name) : version.name;
+  row.name = version.is_refused ? version_text("%1: not added").arg(version.name) : version.name;
   row.error = with_unit_text(version.held_out, unit);
   row.below = second_line(version, unit);
   const QFont body = text_font(TextRole::body), small = number_font(TextRole::small);
   const double left = layout_gap + 2, room = width - left - 64;
   const double wide = QFontMetricsF(number_font(TextRole::body)).horizontalAdvance(row.error) + 2;
   row.name_at = {left, 4, room - wide - layout_gap, 0};
-  row.name_at.setHeight(lines_height(body, row.name, row.name_at.width(), most_lines));
+  row.name_at.setHeight(lines_height(body, row.name, row.name_at.width(), most_version_lines));
   row.error_at = {left + room - wide, 4, wide, QFontMetricsF(body).lineSpacing()};
-  row.below_at = {left, row.name_at.bottom() + 2, room, lines_height(small, row.below, room, most_lines)};
+  row.below_at = {left, row.name_at.bottom() + 2, room, lines_height(small, row.below, room, most_version_lines)};
   row.height = std::max(version_row, static_cast<int>(std::ceil(row.below_at.bottom())) + 5);
   return row;
 }
@@ -134,10 +134,11 @@ void VersionListDelegate::paint(QPainter* painter, const QStyleOptionViewItem& o
   painter->setFont(number_font(TextRole::body));
   painter->setPen(version.is_refused ? c.ink3 : c.ink1);
   draw_text(*painter, texts.error_at.translated(area.topLeft()), Qt::AlignRight | Qt::AlignVCenter, texts.error);
-  draw_lines(*painter, text_font(TextRole::body), texts.name_at.translated(area.topLeft()), texts.name, most_lines);
+  draw_lines(*painter, text_font(TextRole::body), texts.name_at.translated(area.topLeft()), texts.name,
+             most_version_lines);
   painter->setPen(version.is_refused ? c.ink3 : c.ink2);
   draw_lines(*painter, number_font(TextRole::small), texts.below_at.translated(area.topLeft()), texts.below,
-             most_lines);
+             most_version_lines);
   painter->setPen(QPen(c.hairline, 1));
   painter->drawLine(area.bottomLeft(), area.bottomRight());
   if (option.state & QStyle::State_HasFocus) draw_focus(*painter, area);

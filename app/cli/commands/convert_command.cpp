@@ -26,7 +26,7 @@ struct ConvertArguments {
   Output output;
 };
 
-std::string sensor_text(const Session& s) {
+std::string sensor_summary(const Session& s) {
   if (s.pose_sensor) return "poses of the target";
   if (s.is_touch()) return fmt::format("{} fixture{} touched", s.fixtures.size(), s.fixtures.size() == 1 ? "" : "s");
   if (!s.rig) return fmt::format("{} points of a tracker", s.marker_count);
@@ -50,7 +50,7 @@ int run_fix(const ConvertArguments& o) {
 
 std::string summary(const std::string& folder, const Session& s) {
   return fmt::format("{}: {} observations, {} joints, {}", folder, s.observations.size(), s.joints.size(),
-                     sensor_text(s));
+                     sensor_summary(s));
 }
 
 void print_notes(const std::vector<Message>& notes) {

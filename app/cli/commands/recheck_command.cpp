@@ -34,7 +34,7 @@ struct RecheckArguments {
   Output output;
 };
 
-std::atomic<bool> is_stopped = false;
+std::atomic<bool> is_recheck_stopped = false;
 
 Json size_json(const WatchStep& step) {
   Json sizes = Json::array();
@@ -156,7 +156,7 @@ void drive(const RecheckArguments& o, const CalibratedRobot& before, const Sessi
   options.confirm = [&](const std::vector<PlannedMove>& moves) { return is_confirmed(o, moves.size()); };
   options.on_observation = [&](const Session& now, const Observation& one) { rechecking.take(now, one); };
   options.on_note = [](const Message& text) { Output::note(text); };
-  options.is_interrupted = [] { return is_stopped.load(); };
+  options.is_interrupted = [] { return is_recheck_stopped.load(); };
   DriverPatience patience;
   patience.look = patience.move = o.patience;
   patience.hello = std::max(patience.hello, o.patience);  // programs take their time to begin
@@ -178,7 +178,7 @@ void watch(const RecheckArguments& o, Session session, Rechecking& rechecking) {
   std::int64_t next_id = 0;
   for (const Observation& one : session.observations) next_id = std::max(next_id, one.id + 1);
   const auto start = std::chrono::steady_clock::now();
-  while (!is_stopped &&
+  while (!is_recheck_stopped &&
          (o.watch_for <= 0 || std::chrono::steady_clock::now() - start < std::chrono::duration<double>(o.watch_for))) {
     Arrivals::Look look = arrivals.look();
     for (const Message& remark : look.remarks) Output::note(remark);
@@ -207,8 +207,8 @@ int run(const RecheckArguments& o) {
                                      ? calibrated_robot(calibration, session->robot, session->robot_file, o.calibration)
                                      : calibrated_robot(calibration, read_urdf(o.robot), o.robot, o.calibration);
   Rechecking rechecking(o, before);
-  std::signal(SIGINT, [](int) { is_stopped = true; });
-  std::signal(SIGTERM, [](int) { is_stopped = true; });
+  std::signal(SIGINT, [](int) { is_recheck_stopped = true; });
+  std::signal(SIGTERM, [](int) { is_recheck_stopped = true; });
   if (session)
     for (const Observation& one : session->observations) rechecking.take(*session, one, o.driver.empty());
   if (!o.watch.empty()) watch(o, *session, rechecking);

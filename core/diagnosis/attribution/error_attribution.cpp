@@ -10,13 +10,10 @@
 namespace handsight {
 namespace {
 
-constexpr double least_likely = 1e-5;  // of noise alone
-constexpr double beyond = 4;           // times what is typical: an observation's own fault
-
-double rms(double squares, int rows) { return rows > 0 ? std::sqrt(std::max(squares, 0.0) / rows) : 0; }
+constexpr double beyond = 4;  // times what is typical: an observation's own fault
 
 bool exceeds(double squares, int rows, double noise) {
-  return rows > 0 && noise > 0 && chi_squared_tail(squares / (noise * noise), rows) < least_likely;
+  return rows > 0 && noise > 0 && chi_squared_tail(squares / (noise * noise), rows) < least_likely_noise;
 }
 
 double median_of(std::vector<double> values) {

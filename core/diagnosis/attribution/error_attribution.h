@@ -3,6 +3,8 @@
 // right, and the smallest wrong corner that it could have shown.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,12 @@ struct ResidualParts {
 
 /// Of an observation at a model's unknowns; nothing in `robot` where it does not show three markers.
 ResidualParts residual_parts(const Problem& problem, const ProblemObservation& o, const Unknowns& unknowns);
+
+/// Probability of noise alone below which an error counts as seen.
+inline constexpr double least_likely_noise = 1e-5;
+
+/// Root of a sum of squares by the numbers in it; 0 of none.
+inline double rms(double squares, int rows) { return rows > 0 ? std::sqrt(std::max(squares, 0.0) / rows) : 0; }
 
 /// What the observations of a session show at the median (rms of one degree of freedom, px or m): a missing effect
 /// bends the markers' estimate, so that all of them show some.

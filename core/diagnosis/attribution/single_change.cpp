@@ -14,8 +14,6 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-double rms(double squares, int rows) { return rows > 0 ? std::sqrt(std::max(squares, 0.0) / rows) : 0; }
-
 /// The body's own pose without some of the points, and how well the rest then agrees.
 struct Rest {
   double squares_per_degree = never;

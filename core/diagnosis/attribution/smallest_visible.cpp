@@ -13,12 +13,12 @@
 namespace handsight {
 namespace {
 
-constexpr double least_likely = 1e-5;  // of noise alone
 constexpr double power = 0.8;
 
 /// What a test of two degrees (three) of freedom shows with that power.
 double noncentrality_of(int degrees) {
-  const double limit = boost::math::quantile(boost::math::complement(boost::math::chi_squared(degrees), least_likely));
+  const double limit =
+      boost::math::quantile(boost::math::complement(boost::math::chi_squared(degrees), least_likely_noise));
   return boost::math::non_central_chi_squared::find_non_centrality(degrees, limit, 1 - power);
 }
 

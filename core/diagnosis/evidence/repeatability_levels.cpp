@@ -15,8 +15,8 @@ namespace {
 constexpr Repeatability worst_repeatability{30e-3, 10e-3};
 constexpr double clearly_likelier = 5;  // ln: what another assumption must bring
 constexpr int most_rounds = 20;
-constexpr double settled = 1e-2;      // of a variance, from round to round
-constexpr double negligible = 1e-12;  // (1 urad)^2, (1 um)^2
+constexpr double settled_share = 1e-2;  // of a variance, from round to round
+constexpr double negligible = 1e-12;    // (1 urad)^2, (1 um)^2
 
 /// The white noise (in units of its variance), the joints' scatter (rad^2) and the place's (m^2).
 using Variances = Eigen::Vector3d;
@@ -125,7 +125,7 @@ Repeatability likely_repeatability(const LinearModel& model, const Repeatability
     const Variances before = v;
     v = scored(likelihood(all, v), v, !noise.known);
     const bool is_settled =
-        ((v - before).array().abs() <= settled * before.array() || before.array() <= negligible).all();
+        ((v - before).array().abs() <= settled_share * before.array() || before.array() <= negligible).all();
     if (is_settled) break;
   }
   v /= v[0];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/median.h"
 #include "base/text.h"
 #include "chain/chain.h"
 #include "session/pose_points.h"
@@ -18,12 +19,6 @@ constexpr double right_again = 0.35;  // of the turn as it was reported
 
 double angle_between(const Matrix3& a, const Matrix3& b) {
   return vector_from_rotation(Matrix3(a.transpose() * b)).norm();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Of rotations the one to which the others are nearest in the median.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/median.h"
 #include "diagnosis/evidence/body_rows.h"
 #include "diagnosis/evidence/noise_model.h"
 #include "estimation/fit/fit_noise.h"
@@ -52,12 +53,6 @@ std::optional<Parted> parted(const Problem& problem, const ProblemObservation& o
   p.external_error = p.motions.transpose() * p.error;
   p.internal_squares = std::max(p.error.squaredNorm() - p.external_error.squaredNorm(), 0.0);
   return p;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The chi-squared quantile of as many degrees of freedom, each number of degrees worked out once.

@@ -12,9 +12,6 @@ namespace {
 constexpr double limit_margin = 0.01;  // share of a joint's range that is left free at both ends
 constexpr double unlimited = 1e29;
 
-/// Uniform in [0, 1), the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 /// A bell of standard deviation 0.5, never beyond 1.5: bounded steps for walks.
 double bell(std::mt19937_64& random) { return uniform(random) + uniform(random) + uniform(random) - 1.5; }
 

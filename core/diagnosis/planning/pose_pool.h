@@ -8,6 +8,9 @@
 
 namespace handsight {
 
+/// Uniform in [0, 1), the same on every platform.
+inline double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
+
 /// Says of a pose whether it can be taken and measured. What shows the markers well (how far away, how far turned) is
 /// learned from the observations that were taken. Obstacles, collisions and hidden lines of sight are not known.
 class PoseJudge {

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double least_reach = 0.02;  // m: a fixture is as large as this at least
 
-/// Uniform in [0, 1), the same on every platform.
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 /// How a fixture has been touched, in its frame.
 struct Touched {
   std::vector<Vector3> tips;

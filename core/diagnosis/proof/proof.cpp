@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/evidence/observation_rows.h"
@@ -87,13 +88,6 @@ std::vector<std::vector<Number>> by_site(std::vector<Number> list) {
     }
   }
   return groups;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// How far the markers' middle moves against the sensor by one unit of a column: m.

@@ -11,9 +11,9 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly = 3;    // ln of a Bayes factor, odds of 20
-constexpr std::size_t most = 3;  // names that are fitted in full
-constexpr double nearly = 0.9;   // of the present name's linear evidence: full fits may turn it round
+constexpr double clearly_above = 3;  // ln of a Bayes factor, odds of 20
+constexpr std::size_t most = 3;      // names that are fitted in full
+constexpr double nearly = 0.9;       // of the present name's linear evidence: full fits may turn it round
 
 /// Evidence of a full fit with the ways counted in which the effect could have sat elsewhere.
 double evidence_of(const Refit& refit, const RankedEffect& ranked) {
@@ -59,8 +59,8 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     if (!now) {
       ln_before = compute_ln_evidence(without, by);
       now = refit_with(without, o, present, by, ln_before);
-      best_evidence =
-          unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(*now, *own) + clearly;
+      best_evidence = unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves
+                              : evidence_of(*now, *own) + clearly_above;
     }
     const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by, ln_before);
     // Where a fit has not ended its evidence is less than it could be, and may be enough.

@@ -22,8 +22,8 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly = 3;            // ln of a Bayes factor, odds of 20
-constexpr double clearly_better = 0.95;  // times the held-out error
+constexpr double clear_gain = 3;       // ln of a Bayes factor, odds of 20
+constexpr double clearly_less = 0.95;  // times the held-out error
 
 /// One effect alone in the place of a model's names.
 struct SimpleModel {
@@ -126,7 +126,7 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
   const std::vector<EffectTerm> gone(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   if (list_ids(gone).find(',') == std::string::npos) return change;  // one alone stands already
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
-    const double most = (simple.ln_gained > clearly ? as_good_as_reported : clearly_better) * held_out_error(model);
+    const double most = (simple.ln_gained > clear_gain ? as_good_as_reported : clearly_less) * held_out_error(model);
     ++change.models;
     Diagnosis next = diagnosed_from(session, options, simple.options.estimated, simple.options.start, most);
     change.stopped = change.stopped || next.stopped;

@@ -18,9 +18,6 @@
 namespace handsight {
 namespace {
 
-/// Few observations cannot show how observations scatter: below this the scale of the residuals is used instead.
-constexpr std::size_t fewest_for_repeatability = 10;
-
 /// Of the unknowns, how many their priors know: tr(P H^-1). The measurements know the rest, tr(H_data H^-1).
 double known_by_priors(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& inverse) {
   double known = 0;

@@ -6,6 +6,9 @@
 
 namespace handsight {
 
+/// Fewer observations cannot show how observations scatter: the scale of the residuals is used instead.
+inline constexpr std::size_t fewest_for_repeatability = 10;
+
 /// Sets rows, effective unknowns, residuals, chi-squared and the kind of the covariance, and answers with a factor f
 /// (the problem's columns x any) of the covariance f f^T of the problem's columns. `images` is the problem with the
 /// sightings as measured, at the solution; `declared` says whether the noise was. From the noise where the model agrees

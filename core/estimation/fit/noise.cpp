@@ -18,7 +18,7 @@ namespace {
 /// The rows of one observation: by the body's six small motions, and by what observations share (3 a marker, then
 /// the rig's numbers) with the error as the last column, so that one product makes all sums. Kept from one observation
 /// to the next, for their memory.
-struct Rows {
+struct NoiseRows {
   Eigen::Matrix<double, Eigen::Dynamic, 6> by_pose;
   Eigen::MatrixXd shared_and_error;
 };
@@ -28,7 +28,7 @@ constexpr double near_enough = 1e-3;
 
 Eigen::Index rig_numbers(const Problem& problem) { return problem.rig ? rig_number_count(problem.rig->count()) : 0; }
 
-void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, Rows& rows) {
+void set_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u, NoiseRows& rows) {
   const Rig* rig = problem.rig_or_null();
   // The body's own pose is the place to linearise at: with a large effect the chain's is pixels away.
   Rigid sensor_from_tcp = sensor_from_tcp_at(o, u);
@@ -63,7 +63,7 @@ std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknow
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(shared + 1, shared + 1);  // lower triangle
   GatheredRows gathered(sums);
   Eigen::Index free_rows = 0;
-  Rows rows;
+  NoiseRows rows;
   Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 6>> qr;
   qr.setThreshold(1e-9);
   Eigen::RowVectorXd workspace(shared + 1);

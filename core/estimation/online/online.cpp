@@ -5,14 +5,13 @@
 #include <chrono>
 #include <cmath>
 
+#include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/noise.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/start/start.h"
 
 namespace handsight {
 namespace {
-
-constexpr std::size_t fewest_for_repeatability = 10;
 
 int markers_needed(int marker_count) { return std::min(3, marker_count); }
 

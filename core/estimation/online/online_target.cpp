@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/noise.h"
 #include "estimation/problem/target_pose.h"
 #include "estimation/start/shape_start.h"
@@ -14,7 +15,6 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t fewest_for_repeatability = 10;
 constexpr std::size_t fewest_for_mount = 5;  // observations that an unknown mount is first found from
 
 /// The unit of squared residuals that noise alone leaves before anything is known of it.

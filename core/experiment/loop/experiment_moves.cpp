@@ -11,12 +11,8 @@
 namespace handsight {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double slow_share = 0.1;  // of the speed, for the first move
 constexpr int most_in_vain = 10;    // moves in a row that brought nothing
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
 

@@ -10,6 +10,12 @@
 
 namespace handsight {
 
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// The experiment is over; why, as the user reads it.
 struct Ended {
   ExperimentEnd end;

@@ -40,9 +40,10 @@ bool is_readable_mesh(const std::filesystem::path& file) {
   return count > 0 && count <= 200000 && bytes.size() == 84 + 50 * static_cast<std::size_t>(count);
 }
 
-class Writer {
+class MjcfWriter {
  public:
-  Writer(const DescribedRobot& robot, const std::filesystem::path& out_folder) : d_(robot), out_folder_(out_folder) {}
+  MjcfWriter(const DescribedRobot& robot, const std::filesystem::path& out_folder)
+      : d_(robot), out_folder_(out_folder) {}
 
   std::string text(const Vector3& gravity, std::vector<Message>& notes) {
     document_.InsertEndChild(document_.NewComment((" " + d_.comment + " ").c_str()));
@@ -177,7 +178,7 @@ std::string mjcf_file(const DescribedRobot& robot, const Vector3& gravity, const
     if (j.mimics.size() > 1)
       notes.push_back(message("MuJoCo has no equality for {}, which follows {} joints: set it from your program.",
                               j.name, j.mimics.size()));
-  return Writer(robot, out_folder).text(gravity, notes);
+  return MjcfWriter(robot, out_folder).text(gravity, notes);
 }
 
 }  // namespace handsight

@@ -17,7 +17,7 @@ void set_text(XMLElement& parent, const char* tag, const Vector3& v) {
   set_text(parent, tag, format_numbers({v.data(), 3}));
 }
 
-XMLElement& write_pose(XMLElement& parent, const Rigid& pose) {
+XMLElement& write_sdf_pose(XMLElement& parent, const Rigid& pose) {
   const Vector3 rpy = rpy_from_rotation(pose.rotation);
   XMLElement& e = *parent.InsertNewChildElement("pose");
   e.SetText((format_numbers({pose.translation.data(), 3}) + " " + format_numbers({rpy.data(), 3})).c_str());
@@ -34,9 +34,10 @@ std::string joint_name(const Robot& robot, const Joint& joint) {
   return name;
 }
 
-class Writer {
+class SdfWriter {
  public:
-  Writer(const DescribedRobot& robot, const std::filesystem::path& out_folder) : d_(robot), out_folder_(out_folder) {}
+  SdfWriter(const DescribedRobot& robot, const std::filesystem::path& out_folder)
+      : d_(robot), out_folder_(out_folder) {}
 
   std::string text(std::vector<Message>& notes) {
     document_.InsertEndChild(document_.NewDeclaration());
@@ -84,7 +85,7 @@ class Writer {
     XMLElement& e = *model.InsertNewChildElement("frame");
     e.SetAttribute("name", display_name(j.child_link).c_str());
     e.SetAttribute("attached_to", display_name(j.parent_link).c_str());
-    write_pose(e, j.parent_from_joint);
+    write_sdf_pose(e, j.parent_from_joint);
   }
 
   void write_link(XMLElement& model, std::size_t link) {
@@ -92,7 +93,7 @@ class Writer {
     XMLElement& e = *model.InsertNewChildElement("link");
     e.SetAttribute("name", sdf_name(l.name).c_str());
     if (l.parent_joint >= 0)
-      write_pose(e, {}).SetAttribute(
+      write_sdf_pose(e, {}).SetAttribute(
           "relative_to", joint_name(d_.robot, d_.robot.joints[static_cast<std::size_t>(l.parent_joint)]).c_str());
     write_inertia(e, d_.inertias[link]);
     int number = 0;
@@ -104,7 +105,7 @@ class Writer {
   /// SDFormat takes a link without numbers for one of 1 kg: one without mass gets nearly none.
   static void write_inertia(XMLElement& link, const LinkInertia& inertia) {
     XMLElement& e = *link.InsertNewChildElement("inertial");
-    write_pose(e, {Matrix3::Identity(), inertia.center});
+    write_sdf_pose(e, {Matrix3::Identity(), inertia.center});
     set_text(e, "mass", inertia.mass > 0 ? inertia.mass : 1e-6);
     const Matrix3 i = inertia.is_proper() ? inertia.inertia : Matrix3(1e-9 * Matrix3::Identity());
     XMLElement& moments = *e.InsertNewChildElement("inertia");
@@ -116,7 +117,7 @@ class Writer {
   void write_shape(XMLElement& link, const char* tag, int number, const Shape& s) {
     XMLElement& e = *link.InsertNewChildElement(tag);
     e.SetAttribute("name", fmt::format("{}_{}", tag, number).c_str());
-    write_pose(e, s.link_from_shape);
+    write_sdf_pose(e, s.link_from_shape);
     XMLElement& geometry = *e.InsertNewChildElement("geometry");
     if (s.kind == ShapeKind::box) set_text(*geometry.InsertNewChildElement("box"), "size", s.size);
     if (s.kind == ShapeKind::sphere) set_text(*geometry.InsertNewChildElement("sphere"), "radius", s.size.x());
@@ -148,7 +149,7 @@ class Writer {
                            : j.kind == JointKind::prismatic  ? "prismatic"
                            : j.kind == JointKind::continuous ? "continuous"
                                                              : "revolute");
-    write_pose(e, j.parent_from_joint).SetAttribute("relative_to", display_name(j.parent_link).c_str());
+    write_sdf_pose(e, j.parent_from_joint).SetAttribute("relative_to", display_name(j.parent_link).c_str());
     set_text(e, "parent", display_name(j.parent_link));
     set_text(e, "child", display_name(j.child_link));
     if (j.moves()) write_axis(*e.InsertNewChildElement("axis"), j, d_.strengths[joint]);
@@ -180,7 +181,7 @@ std::string sdf_file(const DescribedRobot& robot, const std::filesystem::path& o
       notes.push_back(
           message("SDFormat 1.7 has no joint that follows others: {} moves by itself in the file, command it as well.",
                   j.name));
-  return Writer(robot, out_folder).text(notes);
+  return SdfWriter(robot, out_folder).text(notes);
 }
 
 }  // namespace handsight

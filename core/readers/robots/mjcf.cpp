@@ -147,7 +147,7 @@ class UrdfWriter {
   }
 
   void add_visual(XMLElement& link, const Element& geom) {
-    const mjcf::Shape s = make_shape(geom);
+    const mjcf::MassShape s = make_shape(geom);
     if (s.kind == "mesh") return add_mesh(link, geom, s);
     if (s.kind != "box" && s.kind != "cylinder" && s.kind != "capsule" && s.kind != "sphere") return;
     XMLElement& shape = add_geometry(link, s.place, s.kind == "capsule" ? "cylinder" : s.kind.c_str());
@@ -159,7 +159,7 @@ class UrdfWriter {
     if (s.kind != "sphere") shape.SetAttribute("length", format_number(2 * s.size.y()).c_str());
   }
 
-  void add_mesh(XMLElement& link, const Element& geom, const mjcf::Shape& s) {
+  void add_mesh(XMLElement& link, const Element& geom, const mjcf::MassShape& s) {
     const auto mesh = model_.meshes.find(geom.text("mesh").value_or(""));
     if (mesh != model_.meshes.end()) add_geometry(link, s.place, "mesh").SetAttribute("filename", mesh->second.c_str());
   }

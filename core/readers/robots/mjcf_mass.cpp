@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// m^3; 0 of what has none, or none that is known.
-double volume_of(const Shape& s) {
+double volume_of(const MassShape& s) {
   const double a = s.size.x(), b = s.size.y(), c = s.size.z();
   if (s.kind == "sphere") return 4.0 / 3 * pi * a * a * a;
   if (s.kind == "capsule") return pi * a * a * (2 * b) + 4.0 / 3 * pi * a * a * a;
@@ -23,7 +23,7 @@ double volume_of(const Shape& s) {
 }
 
 /// The ends of a long shape in place of its place and length.
-void set_from_to(const Element& geom, Shape& s) {
+void set_from_to(const Element& geom, MassShape& s) {
   const auto ends = geom.numbers("fromto", 6);
   if (!ends) return;
   const Vector3 from(ends->data()), to(ends->data() + 3);
@@ -39,8 +39,8 @@ void set_from_to(const Element& geom, Shape& s) {
 
 }  // namespace
 
-Shape make_shape(const Element& geom) {
-  Shape s;
+MassShape make_shape(const Element& geom) {
+  MassShape s;
   s.kind = geom.text("type").value_or(geom.text("mesh") ? "mesh" : "sphere");
   s.place = locate(geom);
   if (const auto size = geom.numbers("size", 3, 1)) std::copy(size->begin(), size->end(), s.size.data());
@@ -60,7 +60,7 @@ Mass read_mass(const Element& body, const std::vector<Element>& geoms) {
   if (body.model.from_geoms == false) return all;
   Vector3 moment = Vector3::Zero();
   for (const Element& geom : geoms) {
-    const Shape s = make_shape(geom);
+    const MassShape s = make_shape(geom);
     const double mass = geom.number("mass", volume_of(s) * geom.number("density", 1000));
     if (!bounds::mass.hold(mass)) refuse(geom.node, message("has a mass of {:g} kg.", mass));
     all.kilograms += mass;

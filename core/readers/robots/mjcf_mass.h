@@ -18,11 +18,11 @@ struct Mass {
 Mass read_mass(const Element& body, const std::vector<Element>& geoms);
 
 /// What a geom's shape is: half lengths as MuJoCo has them, its place in the body.
-struct Shape {
+struct MassShape {
   std::string kind;  // "sphere", "capsule", "cylinder", "ellipsoid", "box", "mesh", ...
   Vector3 size = Vector3::Zero();
   Rigid place;
 };
-Shape make_shape(const Element& geom);
+MassShape make_shape(const Element& geom);
 
 }  // namespace handsight::mjcf

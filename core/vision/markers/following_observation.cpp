@@ -12,7 +12,7 @@ namespace handsight {
 namespace {
 
 /// More triples than this are not tried; those nearest to the prediction come first.
-constexpr std::size_t most_triples = 20000;
+constexpr std::size_t most_triples_tried = 20000;
 /// Nor more nodes looked at in all: boards full of corners that look alike have millions of triples, each of which
 /// looks at every node. A few tenths of a second; a hand among distractors needs a hundredth of it.
 constexpr std::size_t most_looks = 5'000'000;
@@ -26,7 +26,7 @@ struct Search {
   std::vector<MarkerNode> nodes;  // nearest to the prediction first
   std::vector<BodyHypothesis> found;
   std::size_t tried = 0, looked = 0;
-  bool gave_up() const { return tried >= most_triples || looked >= most_looks; }
+  bool gave_up() const { return tried >= most_triples_tried || looked >= most_looks; }
 };
 
 int known_count(const KnownMarkers& known) {

@@ -12,20 +12,20 @@
 namespace handsight {
 namespace {
 
-constexpr double noise = 0.2;
+constexpr double corner_noise = 0.2;
 
 /// A fitted session with nothing missing, linearised.
 LinearModel make_model(int observations) {
   SimulationOptions o;
   o.seed = 7;
   o.observations = observations;
-  o.noise = noise;
+  o.noise = corner_noise;
   const SimulatedSession simulated = simulate_session(fixture::stand_session(), o);
   const Fit f = fit(simulated.session, {});
-  return linear_model(with_motions(f.problem), estimate(f), 0, noise);
+  return linear_model(with_motions(f.problem), estimate(f), 0, corner_noise);
 }
 
-/// The errors drawn again: noise and this scatter.
+/// The errors drawn again: corner_noise and this scatter.
 void draw_errors(const Repeatability& repeatability, std::uint64_t seed, LinearModel& model) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;

@@ -8,7 +8,7 @@
 namespace handsight {
 namespace {
 
-Diagnosis with(const Session& session, const std::vector<EffectTerm>& terms) {
+Diagnosis exchanged_from(const Session& session, const std::vector<EffectTerm>& terms) {
   DiagnosisOptions o;
   o.with_held_out = false;
   o.estimated = terms;
@@ -22,7 +22,7 @@ std::optional<Exchange> for_the_first(const Diagnosis& model, bool goes_on = tru
 TEST(BetterName, TakesThePlaceOfOneThatStandsInForIt) {
   // Over its range of angles an eccentric encoder draws nearly the line of a scale.
   const Session session = simulated({{"joint_scale", 1, {3e-3}}}, 3);
-  const Diagnosis wrong = with(session, {{"encoder_eccentricity", 1, {0, 0}}});
+  const Diagnosis wrong = exchanged_from(session, {{"encoder_eccentricity", 1, {0, 0}}});
   const auto exchange = for_the_first(wrong);
   ASSERT_TRUE(exchange);
   EXPECT_EQ(exchange->id, "joint_scale");
@@ -35,12 +35,12 @@ TEST(BetterName, TakesThePlaceOfOneThatStandsInForIt) {
 
 TEST(BetterName, LeavesTheRightOneWhereItIs) {
   const std::vector<EffectTerm> right = {{"encoder_eccentricity", 1, {1.5e-3, -1e-3}}};
-  EXPECT_FALSE(for_the_first(with(simulated(right, 4), {{"encoder_eccentricity", 1, {0, 0}}})));
+  EXPECT_FALSE(for_the_first(exchanged_from(simulated(right, 4), {{"encoder_eccentricity", 1, {0, 0}}})));
 }
 
 TEST(BetterName, SaysNothingOnceItIsStopped) {
   const Session session = simulated({{"joint_scale", 1, {3e-3}}}, 3);
-  EXPECT_FALSE(for_the_first(with(session, {{"encoder_eccentricity", 1, {0, 0}}}), false));
+  EXPECT_FALSE(for_the_first(exchanged_from(session, {{"encoder_eccentricity", 1, {0, 0}}}), false));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace handsight {
 namespace {
 
 /// A mount of the cameras that is off, and a little geometry of one joint.
-const std::vector<EffectTerm> hidden = {{"camera_mount", -1, {-2e-3, -6e-3, -3e-3, -11e-3, -3e-3, -6e-3}},
-                                        {"link_geometry", 2, {9e-4, -6e-4, 3e-3, -2.5e-3}}};
+const std::vector<EffectTerm> hidden_mount = {{"camera_mount", -1, {-2e-3, -6e-3, -3e-3, -11e-3, -3e-3, -6e-3}},
+                                              {"link_geometry", 2, {9e-4, -6e-4, 3e-3, -2.5e-3}}};
 
 /// The geometry of all joints as the first name in the model: that of the first one moves the arm as the mount would.
 Improvement begun(const Session& session) {
@@ -27,7 +27,7 @@ Improvement begun(const Session& session) {
 }
 
 TEST(Pruning, ANameThatExplainsAsMuchMorePlausiblyComesInAndWhatStoodInForItGoes) {
-  const Session session = simulated(hidden, 5);
+  const Session session = simulated(hidden_mount, 5);
   const Improvement m = begun(session);
   const auto mount = std::find_if(m.last.candidates.begin(), m.last.candidates.end(),
                                   [](const DiagnosisCandidate& c) { return c.id == "camera_mount"; });
@@ -44,7 +44,7 @@ TEST(Pruning, ANameThatExplainsAsMuchMorePlausiblyComesInAndWhatStoodInForItGoes
   EXPECT_EQ(geometry, std::vector<int>{2}) << "the other joints have nothing left to say";
   const EffectTerm& found = terms.back();
   ASSERT_EQ(found.id, "camera_mount");
-  for (std::size_t p = 0; p < 6; ++p) EXPECT_NEAR(found.values[p], hidden[0].values[p], 6e-4) << p;
+  for (std::size_t p = 0; p < 6; ++p) EXPECT_NEAR(found.values[p], hidden_mount[0].values[p], 6e-4) << p;
   EXPECT_LE(held_out_error(*change.model), (1 + 1e-4) * held_out_error(m.last));
 }
 

@@ -27,7 +27,7 @@ Session scattering(const Session& like, double repeatability, std::uint64_t seed
   return s;
 }
 
-DiagnosisOptions quick() {
+DiagnosisOptions quick_verdicts() {
   DiagnosisOptions o;
   o.with_held_out = false;
   return o;
@@ -36,10 +36,10 @@ DiagnosisOptions quick() {
 TEST(FieldVerdicts, ABoardsManyRowsDoNotHideARobotsScatter) {
   for (const std::uint64_t seed : {3, 4, 5}) {
     const Session like = fixture::target_session();
-    const Diagnosis wild = diagnose(scattering(like, 1.5e-3, seed), quick());
+    const Diagnosis wild = diagnose(scattering(like, 1.5e-3, seed), quick_verdicts());
     EXPECT_TRUE(repeats_too_badly(wild)) << *wild.beyond_repeatability;
     EXPECT_NE(wild.verdict, Verdict::adequate) << wild.reason;
-    const Diagnosis usual = diagnose(scattering(like, 1e-4, seed), quick());
+    const Diagnosis usual = diagnose(scattering(like, 1e-4, seed), quick_verdicts());
     EXPECT_FALSE(repeats_too_badly(usual)) << *usual.beyond_repeatability;
     EXPECT_EQ(usual.verdict, Verdict::adequate) << usual.reason;
   }
@@ -82,7 +82,7 @@ TEST(FieldVerdicts, ZerosComeBeforeAGeometryThatStandsInForThem) {
     o.seed = seed;
     o.effects = zeros_degrees_off(chain, random);
     add_small_deviations(chain, random, o.effects);
-    const Diagnosis d = diagnose(simulate_session(like, o).session, quick());
+    const Diagnosis d = diagnose(simulate_session(like, o).session, quick_verdicts());
     const DiagnosisCandidate* finding = finding_of(d);
     ASSERT_NE(finding, nullptr);
     EXPECT_EQ(finding->id, "joint_offset") << d.reason;

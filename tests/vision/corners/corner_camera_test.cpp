@@ -16,16 +16,16 @@ using corner_images::Mosaic;
 using corner_images::Picture;
 using corner_images::TrueCorner;
 
-struct Outcome {
+struct CameraOutcome {
   int in_scope = 0, found = 0;
   double squares = 0, normalised = 0;
   double recall() const { return static_cast<double>(found) / in_scope; }
 };
 
 // Only corners that are nearer to a shadow's edge than `most_from_shadow` px.
-Outcome make_outcome(const Conditions& conditions, int pictures, unsigned seed, double most_from_shadow = 1e10) {
+CameraOutcome make_outcome(const Conditions& conditions, int pictures, unsigned seed, double most_from_shadow = 1e10) {
   std::mt19937 random(seed);
-  Outcome outcome;
+  CameraOutcome outcome;
   for (int i = 0; i < pictures; ++i) {
     const Picture picture = corner_images::take(conditions, random);
     const std::vector<Corner> corners = detect_corners(picture.image);
@@ -51,25 +51,25 @@ Outcome make_outcome(const Conditions& conditions, int pictures, unsigned seed, 
 
 // Bounds of the normalised squared error: 2 is right; three times as large a sigma would make 0.2, half of it 8.
 TEST(CornersOfACamera, EvenLight) {
-  const Outcome outcome = make_outcome({}, 4, 1);
+  const CameraOutcome outcome = make_outcome({}, 4, 1);
   EXPECT_GE(outcome.recall(), 0.998);
   EXPECT_GT(outcome.normalised, 1);
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, SteepViews) {
-  const Outcome outcome = make_outcome({.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}}, 8, 2);
+  const CameraOutcome outcome = make_outcome({.cell = {14, 30}, .tilt = {M_PI / 3, 7 * M_PI / 18}}, 8, 2);
   EXPECT_GE(outcome.recall(), 0.97);  // 0.98 in the trial's larger sample, 0.92 when each corner stood by itself
 }
 
 TEST(CornersOfACamera, SmallCells) {
-  const Outcome outcome = make_outcome({.cell = {5, 6}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}}, 4, 8);
+  const CameraOutcome outcome = make_outcome({.cell = {5, 6}, .tilt = {0, 0.7}, .blur = {0.4, 1.1}}, 4, 8);
   EXPECT_GT(outcome.in_scope, 2000);
   EXPECT_GE(outcome.recall(), 0.995);
 }
 
 TEST(CornersOfACamera, InterpolatedColoursOfLittleNoise) {
-  const Outcome outcome =
+  const CameraOutcome outcome =
       make_outcome({.tilt = {0, 0.1}, .blur = {0.3, 0.7}, .noise = {0.2, 0.5}, .mosaic = Mosaic::bilinear}, 8, 9);
   EXPECT_GE(outcome.recall(), 0.999);
   EXPECT_LT(std::sqrt(outcome.squares), 0.02);  // 0.025 px where what has the pattern's period is fitted too
@@ -77,13 +77,13 @@ TEST(CornersOfACamera, InterpolatedColoursOfLittleNoise) {
 }
 
 TEST(CornersOfACamera, CompressionsNoiseIsNotCountedTwice) {
-  const Outcome outcome = make_outcome({.quality = {60, 80}}, 5, 10);
+  const CameraOutcome outcome = make_outcome({.quality = {60, 80}}, 5, 10);
   EXPECT_GT(outcome.normalised, 1.4);  // 1.0 where noise at edges counts as asymmetry too
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
-  const Outcome outcome =
+  const CameraOutcome outcome =
       make_outcome({.width = 480, .height = 360, .cell = {36, 50}, .tilt = {0, 0.5}, .blur = {3.5, 7}}, 4, 3);
   EXPECT_GE(outcome.recall(), 0.97);
   EXPECT_LT(outcome.normalised, 4);
@@ -91,7 +91,7 @@ TEST(CornersOfACamera, BlurThatTheWholeImageCannotFit) {
 
 // A quarter of the resolution brings the border within reach of the window: there a board still predicts its corners.
 TEST(CornersOfACamera, BlurredNearTheBorder) {
-  const Outcome outcome =
+  const CameraOutcome outcome =
       make_outcome({.width = 640, .height = 480, .cell = {34, 42}, .tilt = {0, 0.4}, .blur = {6.5, 8}}, 5, 14);
   EXPECT_GT(outcome.in_scope, 400);
   EXPECT_GE(outcome.recall(), 0.998);
@@ -99,7 +99,7 @@ TEST(CornersOfACamera, BlurredNearTheBorder) {
 }
 
 TEST(CornersOfACamera, LightThatIsAdded) {
-  const Outcome outcome = make_outcome({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
+  const CameraOutcome outcome = make_outcome({.contrast = {40, 120}, .glare = {50, 150}}, 5, 4);
   EXPECT_GE(outcome.recall(), 0.98);
   EXPECT_LT(outcome.normalised, 3);
 }
@@ -107,7 +107,7 @@ TEST(CornersOfACamera, LightThatIsAdded) {
 // A board predicts its corners, those that were found beside the shadow predict its edge, and the edge is blurred
 // with the corner's own: however near it runs nothing is lost, and sigma is right.
 TEST(CornersOfACamera, ShadowsEdgesThroughABoard) {
-  const Outcome outcome = make_outcome({.shade = {0.3, 0.7}}, 12, 12, 4);
+  const CameraOutcome outcome = make_outcome({.shade = {0.3, 0.7}}, 12, 12, 4);
   EXPECT_GT(outcome.in_scope, 80);
   EXPECT_GE(outcome.recall(), 0.98);
   EXPECT_LT(outcome.squares, 0.2 * 0.2);
@@ -139,19 +139,19 @@ TEST(CornersOfACamera, AnObserverWhoKnowsAllTellsWhatCanBeTold) {
 }
 
 TEST(CornersOfACamera, WhiteThatIsCutOff) {
-  const Outcome outcome = make_outcome({.contrast = {80, 200}, .exposure = {1.3, 2.2}}, 6, 5);
+  const CameraOutcome outcome = make_outcome({.contrast = {80, 200}, .exposure = {1.3, 2.2}}, 6, 5);
   EXPECT_GE(outcome.recall(), 0.85);  // 0.88 here
   EXPECT_LT(outcome.normalised, 3);
 }
 
 TEST(CornersOfACamera, BentEdges) {
-  const Outcome outcome = make_outcome({.distortion = {0.3, 0.35}}, 5, 6);
+  const CameraOutcome outcome = make_outcome({.distortion = {0.3, 0.35}}, 5, 6);
   EXPECT_GE(outcome.recall(), 0.99);
   EXPECT_LT(outcome.normalised, 3);  // above 5 were edges taken for straight
 }
 
 TEST(CornersOfACamera, FaintBoardsBeforeStrongTexture) {
-  const Outcome outcome = make_outcome(
+  const CameraOutcome outcome = make_outcome(
       {.width = 1600, .height = 1200, .cell = {40, 50}, .contrast = {45, 55}, .ground = Ground::texture}, 1, 7);
   EXPECT_GE(outcome.recall(), 0.97);
 }
