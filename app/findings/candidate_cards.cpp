@@ -89,8 +89,10 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const
   if (!c.unnamed) card.check_number = card_check(c.check, workbench.document.find_reading(c.id));
   if (pushes_back(c.terms, c.sigmas))
     card.caution = QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
+  else if (c.too_large)
+    card.caution = QObject::tr("Larger than robots are built. Probably another cause.");
   else if (!c.plausible)
-    card.caution = QObject::tr("Its size is more than three times what is plausible. Probably another cause.");
+    card.caution = QObject::tr("More than three times what is usual.");
   return card;
 }
 

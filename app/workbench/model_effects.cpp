@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/degrees.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
@@ -94,11 +95,14 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
       p.can_hold = !p.is_choice;
       p.is_held = !p.is_choice && (p.is_held || shown.is_held);
     }
-    const bool is_beyond = std::any_of(shown.parameters.begin(), shown.parameters.end(), [](const auto& p) {
-      return p.value && p.plausible && std::abs(*p.value) > 3 * *p.plausible;
-    });
-    if (is_beyond) {
-      shown.note = QObject::tr("More than three times what is plausible. Probably another cause.");
+    const auto is_beyond = [&](double times) {
+      return std::any_of(shown.parameters.begin(), shown.parameters.end(), [times](const auto& p) {
+        return p.value && p.plausible && std::abs(*p.value) > times * *p.plausible;
+      });
+    };
+    if (is_beyond(3)) shown.note = QObject::tr("More than three times what is usual.");
+    if (is_beyond(largest_built)) {
+      shown.note = QObject::tr("Larger than robots are built. Probably another cause.");
       shown.note_is_warning = true;
     }
     return shown;

@@ -1775,10 +1775,6 @@
         <translation>Ihre Marker wurden nicht gefunden, auch beim zweiten Blick nicht: %1</translation>
     </message>
     <message>
-        <source>Its size is more than three times what is plausible. Probably another cause.</source>
-        <translation>Mehr als das Dreifache dessen, was glaubhaft ist. Wohl eine andere Ursache.</translation>
-    </message>
-    <message>
         <source>Joint angles</source>
         <translation>Gelenkwinkel</translation>
     </message>
@@ -1979,8 +1975,12 @@
         <translation>Modell</translation>
     </message>
     <message>
-        <source>More than three times what is plausible. Probably another cause.</source>
-        <translation>Mehr als das Dreifache dessen, was glaubhaft ist. Wohl eine andere Ursache.</translation>
+        <source>More than three times what is usual.</source>
+        <translation>Mehr als das Dreifache des Üblichen.</translation>
+    </message>
+    <message>
+        <source>Larger than robots are built. Probably another cause.</source>
+        <translation>Größer, als Roboter gebaut sind. Wohl eine andere Ursache.</translation>
     </message>
     <message>
         <source>Most likely missing: %1.</source>
@@ -8852,8 +8852,8 @@
         <translation> Nichts in den Residuen spricht dafür.</translation>
     </message>
     <message>
-        <source> Its size is more than three times what is plausible.</source>
-        <translation> Seine Größe ist mehr als das Dreifache des Plausiblen.</translation>
+        <source> Its size is more than three times what is usual.</source>
+        <translation> Seine Größe ist mehr als das Dreifache des Üblichen.</translation>
     </message>
     <message>
         <source>a wave of %1 periods over the session</source>

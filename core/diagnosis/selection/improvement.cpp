@@ -18,14 +18,13 @@
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/sampled.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/report/fit_report.h"
 
 namespace handsight {
 namespace {
-
-constexpr double stand_in = 30;  // prior sigmas: beyond the widest that a prior has (evidence.h)
 
 /// "mass -6 kg" and the like: numbers that no robot has.
 std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
@@ -34,7 +33,7 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= stand_in * prior_sigma(parameter, chain)) continue;
+      if (parameter.is_choice || std::abs(term.values[p]) <= largest_built * prior_sigma(parameter, chain)) continue;
       const std::string place = place_name(effect, term.place, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  unit_at(effect, p, term.place, chain.robot)));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnosis/evidence/lack_of_fit.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "estimation/fit/noise.h"
 
 namespace handsight {
@@ -48,6 +49,10 @@ bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
   return true;
 }
 
+bool are_too_large(const std::vector<EffectTerm>& terms, const Chain& chain) {
+  return std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return is_too_large(t, chain); });
+}
+
 double p_of(double squares, int parameters) {
   if (!(squares > 0) || parameters <= 0) return 1;
   return chi_squared_tail(squares, parameters);
@@ -81,6 +86,7 @@ DiagnosisCandidate make_candidate(const RankedEffect& r, const Diagnosis& d, con
   c.repeatability = r.repeatability;
   c.visibility = r.visibility;
   c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
+  c.too_large = are_too_large(c.terms, d.model.fit.problem.source->chain);
   c.predicted_held_out = predicted_held_out(d.model.fit, noise_model.noise, r.gained_squares, r.parameters);
   if (fails_by_much(d)) c.explained = std::clamp((r.gained_squares - r.parameters) / *d.excess, 0.0, 1.0);
   return c;
@@ -117,6 +123,7 @@ void take_refit(const Refit& r, double ln_ways, const Diagnosis& d, const NoiseM
                         (noise_model.noise * noise_model.noise);
   c.predicted_held_out = predicted_held_out(before, noise_model.noise, gained, r.fit.unknowns - before.unknowns);
   c.plausible = is_plausible(c.terms, d.model.fit.problem.source->chain);
+  c.too_large = are_too_large(c.terms, d.model.fit.problem.source->chain);
   c.ln_bayes_factor = r.ln_bayes_factor - ln_ways;
   if (const auto left = lack_of_fit(r.fit); left && fails_by_much(d))
     c.explained = std::clamp(1 - left->excess() / *d.excess, 0.0, 1.0);

@@ -41,7 +41,8 @@ struct DiagnosisCandidate {
   double p_value = 1;
   Repeatability repeatability;  // at which the evidence is largest
   bool refitted = false;
-  bool plausible = true;  // every number within three of its prior sigmas
+  bool plausible = true;   // every number within three of its prior sigmas
+  bool too_large = false;  // a number is larger than robots are built (stand_in.h)
   double visibility = 0;
   std::optional<double> predicted_held_out;  // px, or m with a tracker
   std::optional<ErrorSummary> held_out;      // after the full fit

@@ -116,7 +116,7 @@ Message explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& 
   }
   text += message(" Odds against nothing missing: {}; {}.", odds(c.ln_bayes_factor), numbers_text(c, session));
   text += speaks_for(c, d);
-  if (!c.plausible) text += " Its size is more than three times what is plausible.";
+  if (!c.plausible) text += " Its size is more than three times what is usual.";
   if (!c.indistinguishable_from.empty())
     text += message(" On these poses it cannot be told from {}.", listed(c.indistinguishable_from));
   text += message(" Check: {}", looked_up(effect.check));

@@ -51,7 +51,7 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
   return false;
 }
 
-bool is_believable(const DiagnosisCandidate& c) { return c.plausible && !pushes_back(c.terms, c.sigmas); }
+bool is_believable(const DiagnosisCandidate& c) { return !c.too_large && !pushes_back(c.terms, c.sigmas); }
 
 bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
   return best.unnamed || (!best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best));

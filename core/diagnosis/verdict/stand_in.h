@@ -16,8 +16,9 @@ struct StandIn {
   bool pushes_back = false;
 };
 
-/// Plausible sizes: what is larger stands in for something else.
-inline constexpr double largest_built = 3;
+/// Usual sizes: what is larger stands in for something else. Beyond the widest that a prior has (evidence.h): zeros set
+/// by eye and links printed at home are many times what is usual, and true.
+inline constexpr double largest_built = 30;
 
 /// Is a number of the term that a fit moves larger than robots are built (largest_built)?
 bool is_too_large(const EffectTerm& term, const Chain& chain);

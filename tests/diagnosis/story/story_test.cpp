@@ -8,6 +8,7 @@
 #include "diagnosis/simulated_stand.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "diagnosis/verdict/finding.h"
+#include "diagnosis/verdict/stand_in.h"
 
 namespace handsight {
 namespace {
@@ -58,6 +59,7 @@ Fit* StoryOf::fit_ = nullptr;
 TEST_F(StoryOf, WhatIsOfferedFirstLeadsAndIsNamedInTheWords) {
   DiagnosisCandidate large = named("link_geometry", 90);
   large.plausible = false;
+  large.too_large = true;
   const Diagnosis d = diagnosed(Verdict::missing_effect, 8,
                                 {large, named("backlash", 60), named("joint_scale", 50), named("payload", 3)});
   const Story s = find_story(d);
@@ -79,6 +81,7 @@ TEST_F(StoryOf, TheFirstOfMoreThanFourIsStillTheOneThatLeads) {
   for (const char* id : {"link_geometry", "joint_offset", "base_tilt", "camera_mount"}) {
     many.push_back(named(id, 90));
     many.back().plausible = false;
+    many.back().too_large = true;
   }
   many.push_back(named("body_slip", 60));
   const Story s = find_story(diagnosed(Verdict::missing_effect, 8, many));
@@ -137,8 +140,10 @@ TEST_F(StoryOf, WhatStandsInIsSaidWhereverItIsInTheModel) {
   EXPECT_NE(story_text(s, d).find("stands in for another cause"), std::string::npos) << story_text(s, d);
   d.model.fit.effects[0].term.values = {8.6e-5};
   EXPECT_TRUE(find_story(d).stands_in.empty());
-  d.model.fit.effects[0].term.values = {8.6e-4};
-  EXPECT_EQ(find_story(d).stands_in.size(), 1u) << "more than three times what is plausible";
+  d.model.fit.effects[0].term.values = {0.9 * largest_built * find_effect("joint_elasticity")->parameters[0].sigma};
+  EXPECT_TRUE(find_story(d).stands_in.empty()) << "as large as the widest prior has it";
+  d.model.fit.effects[0].term.values = {1.1 * largest_built * find_effect("joint_elasticity")->parameters[0].sigma};
+  EXPECT_EQ(find_story(d).stands_in.size(), 1u) << "larger than robots are built";
   d.model.fit.effects[0].sigmas = {0};
   EXPECT_TRUE(find_story(d).stands_in.empty()) << "what the user holds is the user's";
 }
@@ -172,6 +177,21 @@ TEST_F(StoryOf, ACauseOfTheCamerasIsToBlameWhateverTheResidualsSay) {
       {.fit = d.model.fit, .report = d.report, .attribution = {0, 0.04, 0.96, ErrorCause::robot}, .diagnosis = &d});
   EXPECT_EQ(s.attribution.cause, ErrorCause::cameras);
   EXPECT_NEAR(s.attribution.cameras, 0.9, 1e-9);
+}
+
+/// Zeros that were set by eye are far larger than usual, and true.
+TEST(StoryOfLargeZeros, DoesNotDisownThem) {
+  const Session s = simulated({{"joint_offset", 2, {0.073}}, {"joint_offset", 3, {-0.054}}}, 6);
+  const Diagnosis d = diagnose(s, {});
+  const Story found = find_story(d);
+  ASSERT_TRUE(found.lead());
+  EXPECT_EQ(found.lead()->id, "joint_offset");
+  EXPECT_TRUE(found.lead()->believable);
+  EXPECT_NE(found.state, StoryState::implausible);
+  EXPECT_EQ(story_text(found, d).find("stands in"), std::string::npos) << story_text(found, d);
+  FitOptions o;
+  o.estimated = {term_of(*find_effect("joint_offset"), 2), term_of(*find_effect("joint_offset"), 3)};
+  EXPECT_TRUE(stand_ins(fit(s, o)).empty());
 }
 
 TEST(StorySize, HasTwoDigits) {
