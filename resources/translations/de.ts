@@ -13055,6 +13055,10 @@
         <source>%1: %2 of %3 rows hold zeros alone, as programs write where nothing was found; they are left out.</source>
         <translation>%1: %2 von %3 Zeilen enthalten nur Nullen, wie Programme sie schreiben, wo nichts gefunden wurde; sie sind ausgelassen.</translation>
     </message>
+    <message>
+        <source>The touches contradict that %1 is %2 mm from %3: by them it is %4 mm, and without known distances %5 mm are left of them in place of %6 mm. Measure it again and put it right in &lt;apart&gt;.</source>
+        <translation>Die Antastungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
+    </message>
 </context>
 <context>
     <name>system</name>

@@ -85,9 +85,10 @@ def pose(key, truth, away=4e-4, turn=0.05):
     return judge
 
 
-def told(*words):
+def told(*words, by=None):
     def judge(made):
-        said = made.stdout + made.stderr
+        done = run(by, "session") if by else made
+        said = done.stdout + done.stderr
         return all(re.search(w, said) for w in words), said.strip().split("\n")[-1]
     return judge
 
@@ -345,6 +346,10 @@ def apart_in_millimetres():
     return sockets("--apart", "socket_1 socket_2 by=200 sigma=0.01"), told("by=0.2")
 
 
+def apart_typed_wrongly():
+    return sockets("--apart", "socket_1 socket_2 by=0.21 sigma=1e-5"), told("210.000 mm", r"200\.0\d\d mm", by="check")
+
+
 def one_fixture_in_capitals():
     return sockets(names=("socket_a", "Socket_A")), told("socket_a", "Socket_A", "one way")
 
@@ -419,7 +424,8 @@ def hand_to_hand():
 CASES = [german, unicode_text, words_for_nothing, zeros_for_nothing, dates, matlab_remarks, numpy_prints, python_prints, lists_in_cells,
          json_a_line, topic_echo_of_poses, tf2_echo, j1_to_j6, position_0_to_5, capitals, plotjuggler, states_between, other_names,
          all_in_one_table, controllers_own_pose, all_in_json, topic_echo_of_joints, tracker_with_names_of_points, tracker_in_inches,
-         touched_surfaces_in_degrees, touched_in_german, names_with_blanks, apart_in_millimetres, one_fixture_in_capitals, missing_angles,
+         touched_surfaces_in_degrees, touched_in_german, names_with_blanks, apart_in_millimetres,
+         apart_typed_wrongly, one_fixture_in_capitals, missing_angles,
          dial_in_hundredths, bar_by_deviations, bar_by_deviations_from_nothing, bar_in_inches, touches_without_joints, hand_to_hand]
 
 
