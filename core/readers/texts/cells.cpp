@@ -6,6 +6,7 @@
 #include <cctype>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 
@@ -52,7 +53,8 @@ std::optional<double> zone_seconds(std::string_view text) {
   if (digits.size() == 2) digits += "00";
   const auto number = parse_integer(digits);
   if (digits.size() != 4 || !number || *number < 0) return std::nullopt;
-  const double seconds = 3600.0 * static_cast<double>(*number / 100) + 60.0 * static_cast<double>(*number % 100);
+  const std::int64_t hours = *number / 100, minutes = *number % 100;
+  const double seconds = static_cast<double>(3600 * hours + 60 * minutes);
   return text[0] == '-' ? -seconds : seconds;
 }
 
