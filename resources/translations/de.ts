@@ -9760,8 +9760,8 @@
         <translation>%1 lässt sich nicht vergleichen: die Anpassung findet keine Antwort; rufe `handsight-cli fit` damit auf, schließe die Beobachtungen aus, die dort auffallen, und vergleiche noch einmal.</translation>
     </message>
     <message>
-        <source>%1: sessions of touches are not compared; fit them together instead.</source>
-        <translation>%1: Sitzungen mit Berührungen werden nicht verglichen; passe sie stattdessen zusammen an.</translation>
+        <source>%1: a session of touches is compared with one other at a time; name two.</source>
+        <translation>%1: eine Sitzung mit Berührungen wird jeweils mit einer anderen verglichen; nenne zwei.</translation>
     </message>
     <message>
         <source>A comparison takes two sessions at least; name another one.</source>
@@ -12989,7 +12989,7 @@
     </message>
     <message>
         <source>%1 is a table of joint readings, and another file is one too; name one of them. (Tables of touches, one for each fixture: say what each is, --fixture "plane %2".)</source>
-        <translation>%1 ist eine Tabelle von Gelenkwerten, und eine andere Datei ist auch eine; nenne eine davon. (Tabellen von Antastungen, eine je Vorrichtung: sage, was jede ist, --fixture "plane %2".)</translation>
+        <translation>%1 ist eine Tabelle von Gelenkwerten, und eine andere Datei ist auch eine; nenne eine davon. (Tabellen von Berührungen, eine je Vorrichtung: sage, was jede ist, --fixture "plane %2".)</translation>
     </message>
     <message>
         <source>%1: %2 is no NAME=VALUE such as sigma=2e-5; a fixture's name is one word ("socket 1" of a table is socket_1 here).</source>
@@ -13025,7 +13025,7 @@
     </message>
     <message>
         <source>%1: tells where the controller believes the hand to be, and not how its joints stood; a touch needs a column for each joint: %2.</source>
-        <translation>%1: sagt, wo die Steuerung die Hand glaubt, und nicht, wie die Gelenke standen; eine Antastung braucht eine Spalte für jedes Gelenk: %2.</translation>
+        <translation>%1: sagt, wo die Steuerung die Hand glaubt, und nicht, wie die Gelenke standen; eine Berührung braucht eine Spalte für jedes Gelenk: %2.</translation>
     </message>
     <message>
         <source>%1: what tf2_echo printed is not whole at its pose %2; expected three numbers and four.</source>
@@ -13057,7 +13057,7 @@
     </message>
     <message>
         <source>The touches contradict that %1 is %2 mm from %3: by them it is %4 mm, and without known distances %5 mm are left of them in place of %6 mm. Measure it again and put it right in &lt;apart&gt;.</source>
-        <translation>Die Antastungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
+        <translation>Die Berührungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
     </message>
 </context>
 <context>
