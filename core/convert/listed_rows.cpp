@@ -19,6 +19,8 @@ namespace handsight {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr int deepest = 8;                  // maps within maps
+constexpr std::size_t most_in_a_row = 512;  // numbers of one measurement
 constexpr std::size_t most_in_a_list = 64;  // longer ones are covariances, images, logs
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> list) {
@@ -101,7 +103,7 @@ bool add_joint_state(const YAML::Node& map, Row& row) {
 
 void add_node(const YAML::Node& node, const std::string& path, const std::vector<std::string>& joints, Row& row,
               int depth) {
-  if (depth > 8) return;
+  if (depth > deepest || row.numbers.size() + row.words.size() > most_in_a_row) return;
   const std::string name = path.substr(path.rfind('.') + 1);
   if (node.IsMap()) {
     if (const auto time = stamp_seconds(node)) {
