@@ -41,7 +41,7 @@ void require_comparable(const std::vector<JoinedMember>& members) {
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (members[i].session.is_touch())
       throw InputError(
-          message("{}: sessions of touches are not compared; fit them together instead.", members[i].title));
+          message("{}: a session of touches is compared with one other at a time; name two.", members[i].title));
     if (i > 0) require_same_robot(members.front().session, members[i].session);
     for (std::size_t j = 0; j < i; ++j) {
       if (!members[i].rig.empty() && members[i].rig == members[j].rig) require_same_rig(members[j], members[i]);

@@ -6,14 +6,15 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/files.h"
 #include "base/text.h"
-#include "convert/recorder_columns.h"
+#include "convert/listed_rows.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
 #include "readers/mocap_csv.h"
 #include "readers/pose_matrices.h"
 #include "readers/stereo_calibration.h"
+#include "readers/texts/cells.h"
+#include "readers/texts/plain_text.h"
 #include "robot/robot.h"
 
 namespace handsight {
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 /// What is read when all files are known.
 struct Waiting {
   std::vector<fs::path> storages;
+  std::vector<Table> beside_joints;                        // what else tables of joints have
   std::map<fs::path, std::vector<fs::path>> single_poses;  // by their folder
 };
 
@@ -33,31 +35,87 @@ void add_poses(std::vector<ReadPoses> read, const std::string& file, Brought& b)
 }
 
 void require_new(bool is_new, const std::string& file, FileKind kind) {
+  if (!is_new && kind == FileKind::joints)
+    throw InputError(message(
+        "{} is a table of joint readings, and another file is one too; name one of them. (Tables of touches, one "
+        "for each fixture: say what each is, --fixture \"plane {}\".)",
+        file, shortened(std::filesystem::path(file).stem().string(), 40)));
   if (!is_new)
     throw InputError(message("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
+}
+
+/// In YAML or JSON, as ROS, MoveIt and people write them; what is told otherwise is a table.
+bool is_list_of_poses(const std::string& text, const std::string& file) {
+  if (!looks_like_yaml(text) && !first_line(text).starts_with("{")) return false;
+  try {
+    return is_pose_list(parse_yaml(text, file));
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 void bring_poses(const fs::path& path, const std::string& file, const Robot* robot, const PoseTableOptions& o,
                  Brought& b) {
   if (fs::is_directory(path)) return add_poses(read_pose_files(pose_files_in(path), file, b.notes), file, b);
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   if (is_storage_text(text)) {
     add_poses(poses_of_storage(text, file, b.notes), file, b);
-  } else if (looks_like_yaml(text) || first_line(text).starts_with("{")) {
+  } else if (is_list_of_poses(text, file)) {
     add_poses(read_pose_list(parse_yaml(text, file), file, b.notes), file, b);
   } else {
-    const Table table = *parse_recorded_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
+    const Table table = *parse_measured_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
     add_poses(read_pose_table(table, robot != nullptr, o, b.notes), file, b);
   }
 }
 
+Table without_columns(Table t, const std::vector<std::size_t>& columns) {
+  for (auto c = columns.rbegin(); c != columns.rend(); ++c) {
+    const auto at = static_cast<std::ptrdiff_t>(*c);
+    t.columns.erase(t.columns.begin() + at);
+    for (auto& row : t.rows) row.erase(row.begin() + at);
+  }
+  return t;
+}
+
+/// Is it what the robot itself says of its hand? That measures nothing.
+bool is_of_robot(const std::string& role) {
+  const std::string name = lower_case(role);
+  const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+  return has("flange") || has("tcp") || has("actual") || has("effector") || has("gripper") || has("robot") ||
+         has("tool0") || has("base_");
+}
+
+/// Where nothing else was measured: poses or points in the table of joint readings itself.
+void bring_what_stands_beside(const std::vector<Table>& tables, const PoseTableOptions& o, Brought& b) {
+  const bool is_measured = !b.poses.empty() || b.points || !b.image_folders.empty() || b.samples || !b.bag.empty();
+  if (is_measured || tables.size() != 1 || !tables.front().has_header) return;
+  const Table& table = tables.front();
+  if (is_pose_table(table, true)) {
+    std::vector<Message> notes;
+    std::vector<ReadPoses> read = read_pose_table(table, true, o, notes);
+    std::erase_if(read, [](const ReadPoses& one) { return is_of_robot(one.role); });
+    if (read.empty()) return;
+    b.notes.insert(b.notes.end(), notes.begin(), notes.end());
+    add_poses(std::move(read), table.file, b);
+  } else if (is_point_table(table)) {
+    b.points = read_point_table(table, b.notes);
+  } else {
+    return;
+  }
+  b.notes.push_back(
+      message("{}: the places in it are taken for what a sensor measured of the hand; where they are the controller's "
+              "own they measure nothing.",
+              table.file));
+}
+
 void bring_table(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, bool degrees,
-                 Brought& b) {
-  Table table = *parse_recorded_table(read_file(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
+                 Waiting& waiting, Brought& b) {
+  Table table = *parse_measured_table(read_text(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
     require_new(!b.joints, file, kind);
+    waiting.beside_joints.push_back(without_columns(table, list_joint_columns(table, *robot)));
     if (!b.servos.empty()) set_radians(table, b.servos, std::exchange(degrees, false), b.notes);
     b.joints = read_joint_table(std::move(table), *robot, degrees, b.notes);
   } else {
@@ -67,7 +125,7 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
 }
 
 void bring_mocap(const fs::path& path, const std::string& file, const PoseTableOptions& o, Brought& b) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   MocapTables all = is_motive_csv(text) ? read_motive_csv(text, file) : read_vicon_csv(text, file);
   b.notes.insert(b.notes.end(), all.notes.begin(), all.notes.end());
   for (const MocapBody& body : all.bodies) {
@@ -85,7 +143,7 @@ RosCamera camera_of_yaml(const YAML::Node& yaml, const std::string& file) {
 }
 
 void bring_cameras(const fs::path& path, const std::string& file, FileKind kind, Brought& b) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   if (kind == FileKind::ost) {
     for (RosCamera& camera : read_ost(text, file)) b.cameras.push_back(std::move(camera));
   } else if (kind == FileKind::camodocal) {
@@ -117,7 +175,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       return;
     case FileKind::camchain:
       require_new(!b.rig, file, kind);
-      b.rig = read_camchain(parse_yaml(read_file(path), file), file, b.notes);
+      b.rig = read_camchain(parse_yaml(read_text(path), file), file, b.notes);
       return;
     case FileKind::camera_info:
     case FileKind::ost:
@@ -126,12 +184,12 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       return bring_cameras(path, file, kind, b);
     case FileKind::target:
       require_new(!b.target, file, kind);
-      b.target = read_kalibr_target(parse_yaml(read_file(path), file), file);
+      b.target = read_kalibr_target(parse_yaml(read_text(path), file), file);
       b.notes.push_back(message("{}: {}.", file, describe_target(*b.target)));
       return;
     case FileKind::samples:
       require_new(!b.samples, file, kind);
-      b.samples = read_hand_eye_samples(parse_yaml(read_file(path), file), file, b.notes);
+      b.samples = read_hand_eye_samples(parse_yaml(read_text(path), file), file, b.notes);
       return;
     case FileKind::poses:
       return bring_poses(path, file, robot, o, b);
@@ -144,7 +202,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       return;
     case FileKind::joints:
     case FileKind::points:
-      return bring_table(path, file, kind, robot, o.degrees, b);
+      return bring_table(path, file, kind, robot, o.degrees, waiting, b);
   }
 }
 
@@ -158,7 +216,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
   for (const fs::path& path : files) {
     kinds.push_back(file_kind(path, robot));
     const std::string name = shown_path(path.filename());
-    if (kinds.back() == FileKind::servos) b.servos = read_lerobot_calibration(parse_yaml(read_file(path), name), name);
+    if (kinds.back() == FileKind::servos) b.servos = read_lerobot_calibration(parse_yaml(read_text(path), name), name);
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     const fs::path& path = files[i];
@@ -171,6 +229,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     b.took.push_back(message("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));
     add_poses(read_pose_files(poses, shown_path(folder.filename()), b.notes), shown_path(folder.filename()), b);
   }
+  bring_what_stands_beside(waiting.beside_joints, {angles, degrees}, b);
   if (!angles.empty() &&
       std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_reported; }))
     throw InputError(message("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,

@@ -140,7 +140,7 @@ Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Convers
   Rig rig = rig_of_brought(b);
   require_target(rig, o);
   std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
-  pair_images(flange, images, rig.count(), c.notes);
+  pair_images(flange, images, rig.count(), o.pairing.lag, c.notes);
   fit_to_first_images(rig, images, c.notes);
   SessionParts parts;
   set_flange(parts, flange.series, !o.eye_on_base, c.notes);

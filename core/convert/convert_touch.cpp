@@ -10,6 +10,8 @@
 #include "convert/convert_inputs.h"
 #include "convert/touch_table.h"
 #include "readers/bags/bag.h"
+#include "readers/texts/cells.h"
+#include "readers/texts/plain_text.h"
 #include "robot/urdf.h"
 #include "session/session_xml.h"
 #include "session/touch_xml.h"
@@ -29,7 +31,10 @@ std::vector<std::string> list_words(const std::string& text) {
 void set_attribute(tinyxml2::XMLElement& element, const std::string& word, const std::string& option) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(message("{}: {} is no NAME=VALUE such as sigma=2e-5.", option, in_quotes(shortened(word))));
+    throw InputError(
+        message("{}: {} is no NAME=VALUE such as sigma=2e-5; a fixture's name is one word (\"socket 1\" of "
+                "a table is socket_1 here).",
+                option, in_quotes(shortened(word))));
   std::string value = word.substr(equals + 1);
   if (word.substr(0, equals) != "mount") std::replace(value.begin(), value.end(), ',', ' ');
   element.SetAttribute(word.substr(0, equals).c_str(), value.c_str());
@@ -58,6 +63,10 @@ class Fixtures {
 
   void require(const std::string& id, const std::string& file) {
     if (std::find(ids_.begin(), ids_.end(), id) != ids_.end()) return;
+    for (const std::string& known : ids_)
+      if (lower_case(known) == lower_case(id))
+        throw InputError(message("{}: the fixtures {} and {} differ in capitals alone; write it one way.", file,
+                                 in_quotes(shortened(known, 60)), in_quotes(shortened(id, 60))));
     const char* const kind = kind_by_name(id);
     if (!kind)
       throw InputError(message(
@@ -86,6 +95,7 @@ class Fixtures {
       apart.SetAttribute("of", words[0].c_str());
       apart.SetAttribute("from", words[1].c_str());
       for (std::size_t w = 2; w < words.size(); ++w) set_attribute(apart, words[w], "--apart");
+      require_metres(apart.DoubleAttribute("by"), text);
     }
     // Written out and read again, so that the sentences of its reader are those of a session's.
     tinyxml2::XMLPrinter printer;
@@ -121,6 +131,13 @@ class Fixtures {
         set_attribute(element, words[w], "--fixture");
   }
 
+  static void require_metres(double by, const std::string& text) {
+    constexpr double farthest = 20;  // m: farther than any robot reaches from one fixture to another
+    if (by > farthest)
+      throw InputError(message("--apart {}: distances are in metres; {:g} mm is by={:g}.", in_quotes(shortened(text)),
+                               by, 1e-3 * by));
+  }
+
   static double value_from(const std::string& word) {
     const auto value = parse_number(word.substr(word.find('=') + 1));
     if (!value) throw InputError(message("--fixture: {} is no number of metres.", in_quotes(shortened(word))));
@@ -141,7 +158,7 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
   for (const fs::path& file : files) {
     std::optional<Table> table;
     if (fs::is_regular_file(file))
-      table = parse_touch_table(read_file(file), shown_path(file.filename()), &robot, o.columns);
+      table = parse_touch_table(read_text(file), shown_path(file.filename()), &robot, o.columns);
     if (!table)
       throw InputError(message(
           "{}: is no table of touches; a session of touches is made of tables (CSV) of joint angles, fixture and "
@@ -159,18 +176,30 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
   return tables;
 }
 
-void add_row(const TouchRow& row, const std::vector<std::string>& joints, const Fixtures& fixtures,
-             const std::string& file, Session& s) {
+/// Of a reading that is told by what it is off from the fixture's value.
+double whole_reading(const TouchRow& row, const Fixture& fixture, const Fixtures& fixtures, const std::string& file) {
+  const std::optional<double> from = fixtures.value_of(row.fixture);
+  if (!from && fixture.kind == FixtureKind::length)
+    throw InputError(message(
+        "{}: the readings of {} are deviations, and nothing says from which length; say --fixture \"length {} ... "
+        "value=METRES\".",
+        file, in_quotes(row.fixture), shortened(row.fixture, 60)));
+  return from.value_or(0) + *row.value;
+}
+
+void add_row(const TouchRow& row, const TouchTable& table, const Fixtures& fixtures, const std::string& file,
+             Session& s) {
   const auto found =
       std::find_if(s.fixtures.begin(), s.fixtures.end(), [&](const Fixture& f) { return f.id == row.fixture; });
-  const std::optional<double> value = row.value ? row.value : fixtures.value_of(row.fixture);
+  std::optional<double> value = row.value ? row.value : fixtures.value_of(row.fixture);
+  if (table.are_deviations && row.value) value = whole_reading(row, *found, fixtures, file);
   const bool reads = found->kind == FixtureKind::gauge || found->kind == FixtureKind::length;
   if (reads && !value)
     throw InputError(
         message("{}: a touch of {} has no reading, and it reads one; fill the column value, or say "
                 "--fixture \"... value=METRES\" where it is the same for all.",
                 file, in_quotes(row.fixture)));
-  if (joints != s.joints)
+  if (table.joints != s.joints)
     throw InputError(message("{}: has other joints, or in another order, than the table before.", file));
   Observation& o = s.observations.emplace_back();
   o.id = static_cast<std::int64_t>(s.observations.size()) - 1;
@@ -217,6 +246,12 @@ Session written(Session s, const FieldUrdf& robot, const ConvertOptions& o) {
   return read_session(s.file);
 }
 
+/// Words in a table, each of which sounds like a fixture.
+bool are_known_fixtures(const std::vector<std::string>& words) {
+  return !words.empty() &&
+         std::all_of(words.begin(), words.end(), [](const std::string& w) { return kind_by_name(w); });
+}
+
 }  // namespace
 
 bool are_touches(const std::vector<fs::path>& files, const Robot* robot, const ConvertOptions& o) {
@@ -226,8 +261,8 @@ bool are_touches(const std::vector<fs::path>& files, const Robot* robot, const C
     const std::string extension = file.extension().string();
     if (extension != ".csv" && extension != ".txt" && extension != ".tsv") return false;
     try {
-      const auto table = parse_touch_table(read_file(file), shown_path(file.filename()), robot, o.columns);
-      return table && names_fixtures(*table);
+      const auto table = parse_touch_table(read_text(file), shown_path(file.filename()), robot, o.columns);
+      return table && (names_fixtures(*table) || are_known_fixtures(list_fixtures(*table)));
     } catch (const InputError&) {
       return false;  // what it is, and what is wrong in it, is said where it is read
     }
@@ -264,7 +299,7 @@ Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector
   fixtures.read_into(s);
   s.joints = tables.front().joints;
   for (std::size_t t = 0; t < tables.size(); ++t)
-    for (const TouchRow& row : tables[t].rows) add_row(row, tables[t].joints, fixtures, names[t], s);
+    for (const TouchRow& row : tables[t].rows) add_row(row, tables[t], fixtures, names[t], s);
   c.session = written(std::move(s), *robot, o);
   note_fixtures(c.session, c.notes);
   return c;

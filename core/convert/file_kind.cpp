@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/foreign_files.h"
-#include "convert/recorder_columns.h"
+#include "convert/listed_rows.h"
 #include "readers/bags/bag.h"
 #include "readers/camera_files.h"
 #include "readers/kalibr_target.h"
@@ -22,24 +22,6 @@
 #include "session/new_session.h"
 
 namespace handsight {
-
-std::string_view first_line(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
-    if (!line.empty() && line.front() != '#' && line != "---") return line;
-  }
-  return {};
-}
-
-bool looks_like_yaml(std::string_view text) {
-  const std::string_view line = first_line(text);
-  return line.starts_with("- ") || line.starts_with("[") || line.ends_with(":") ||
-         (line.find(": ") != std::string_view::npos && line.find_first_of(",;\t") == std::string_view::npos) ||
-         (line.find(": ") != std::string_view::npos && line.find('[') != std::string_view::npos);
-}
 
 bool is_storage_text(const std::string& text) {
   return first_line(text).starts_with("%YAML") || text.find("!!opencv-matrix") != std::string::npos ||
@@ -62,16 +44,46 @@ FileKind storage_kind(const fs::path& path, const std::string& text) {
   return has_poses ? FileKind::poses : FileKind::storage;
 }
 
+FileKind table_kind(const fs::path& path, const Table& table, const Robot* robot);
+
+/// A list of maps with joint readings (and, it may be, poses), or with poses that are told otherwise; nothing: no such
+/// list.
+std::optional<FileKind> listed_kind(const fs::path& path, const std::string& text, const Robot* robot) {
+  const auto table = parse_listed_rows(text, shown_path(path.filename()), list_names(robot));
+  return table ? std::optional(table_kind(path, *table, robot)) : std::nullopt;
+}
+
+/// A list of maps with the readings of joints, and whatever else.
+bool holds_joints(const std::string& text, const Robot* robot) {
+  if (!robot) return false;
+  try {
+    const auto table = parse_listed_rows(text, "", list_names(robot));
+    return table && joint_columns(*table, *robot) >= 2;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool is_yaml_of_poses(const std::string& text) {
+  try {
+    return is_pose_list(parse_yaml(text, ""));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// JSON: a camera of RealSense, servos of LeRobot, a list of poses, or a storage of OpenCV.
-FileKind json_kind(const std::string& text) {
+FileKind json_kind(const fs::path& path, const std::string& text, const Robot* robot) {
+  if (holds_joints(text, robot)) return FileKind::joints;
   try {
     const YAML::Node yaml = parse_yaml(text, "");
     if (is_realsense(yaml)) return FileKind::realsense;
     if (is_lerobot_calibration(yaml)) return FileKind::servos;
-    return is_pose_list(yaml) ? FileKind::poses : FileKind::storage;
+    if (is_pose_list(yaml)) return FileKind::poses;
   } catch (const InputError&) {
-    return FileKind::storage;
+    return listed_kind(path, text, robot).value_or(FileKind::storage);
   }
+  return listed_kind(path, text, robot).value_or(FileKind::storage);
 }
 
 bool has_number(const fs::path& path) {
@@ -94,14 +106,35 @@ FileKind xml_kind(const fs::path& path, const std::string& text) {
   refuse_kind(path, "is XML of a kind that is not known");
 }
 
-FileKind yaml_kind(const fs::path& path, const std::string& text) {
+FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* robot) {
+  if (holds_joints(text, robot)) return FileKind::joints;
+  if (const auto table = parse_printed_rows(text, ""); table && !is_yaml_of_poses(text))
+    return table_kind(path, *table, robot);
   const YAML::Node yaml = parse_yaml(text, shown_path(path.filename()));
   if (is_camchain(yaml)) return FileKind::camchain;
   if (is_camera_info(yaml) || is_echoed_camera_info(yaml)) return FileKind::camera_info;
   if (is_kalibr_target(yaml)) return FileKind::target;
   if (is_hand_eye_samples(yaml)) return FileKind::samples;
   if (is_pose_list(yaml)) return FileKind::poses;
+  if (const auto kind = listed_kind(path, text, robot)) return *kind;
   refuse_kind(path, "is YAML of a kind that is not known");
+}
+
+[[noreturn]] void refuse_columns(const fs::path& path, const Table& table, const Robot* robot) {
+  if (!table.has_header)
+    refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header");
+  std::vector<std::string> names;
+  for (const TableColumn& column : table.columns) names.push_back(column.name);
+  const std::string columns = shortened(fmt::format("{}", fmt::join(names, " ")), 150);
+  if (!robot)
+    throw InputError(
+        message("{}: its columns ({}) are no places (x y z) with or without a turn; joint readings need the robot they "
+                "are of: name its URDF with --robot.",
+                shown_path(path), columns));
+  throw InputError(
+      message("{}: its columns ({}) are neither joints of the robot ({}) nor places (x y z); name them so in the first "
+              "line.",
+              shown_path(path), columns, shortened(fmt::format("{}", fmt::join(joint_names(*robot), " ")), 200)));
 }
 
 FileKind table_kind(const fs::path& path, const Table& table, const Robot* robot) {
@@ -115,7 +148,7 @@ FileKind table_kind(const fs::path& path, const Table& table, const Robot* robot
     if (table.width() == moving || table.width() == moving + 1) return FileKind::joints;
   }
   if (is_point_table(table)) return FileKind::points;
-  refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header");
+  refuse_columns(path, table, robot);
 }
 
 std::string first_bytes_of(const fs::path& path) {
@@ -156,8 +189,9 @@ FileKind file_kind(const fs::path& path, const Robot* robot) {
   }
   if (is_bag(path)) return FileKind::bag;
   refuse_foreign_file(path, first_bytes_of(path));
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   const std::string_view begin = first_line(text);
+  if (begin.empty()) refuse_kind(path, "is empty");
   if (begin.starts_with("<")) return xml_kind(path, text);
   if (is_motive_csv(text) || is_vicon_csv(text)) return FileKind::mocap;
   if (is_ost(text)) return FileKind::ost;
@@ -165,11 +199,16 @@ FileKind file_kind(const fs::path& path, const Robot* robot) {
   if (is_realsense_listing(text)) return FileKind::realsense;
   if (has_number(path) && single_pose(text)) return FileKind::pose;
   if (is_storage_text(text)) return storage_kind(path, text);
-  if (begin.starts_with("{")) return json_kind(text);
+  if (begin.starts_with("{")) return json_kind(path, text, robot);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
-  if (looks_like_yaml(text)) return yaml_kind(path, text);
-  if (const auto table = parse_recorded_table(text, shown_path(path.filename()), list_names(robot)))
+  if (looks_like_yaml(text)) return yaml_kind(path, text, robot);
+  if (const auto table = parse_measured_table(text, shown_path(path.filename()), list_names(robot)))
     return table_kind(path, *table, robot);
+  if (text.find_first_of("\r\n", static_cast<std::size_t>(begin.data() + begin.size() - text.data())) ==
+          std::string::npos ||
+      first_line(std::string_view(text).substr(static_cast<std::size_t>(begin.data() + begin.size() - text.data())))
+          .empty())
+    refuse_kind(path, "has one line, and nothing below it");
   refuse_kind(path, "is a text of a kind that is not known");
 }
 

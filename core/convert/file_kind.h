@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
+#include "readers/texts/plain_text.h"
 #include "robot/robot.h"
 
 namespace handsight {
@@ -42,12 +42,6 @@ const char* kind_text(FileKind kind);
 
 /// Is there an image in the folder?
 bool has_images(const std::filesystem::path& folder);
-
-/// The first line of a text that is no remark.
-std::string_view first_line(std::string_view text);
-
-/// Does it begin as YAML does, "name: value" or "- value"?
-bool looks_like_yaml(std::string_view text);
 
 /// Has it the marks of OpenCV's FileStorage?
 bool is_storage_text(const std::string& text);

@@ -171,7 +171,17 @@ Pairs pair_by_image_names(const std::vector<std::string>& names, const std::vect
   return pairs;
 }
 
-Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras,
+/// s since 1970 of images that are called by it, in ns, us or ms; empty: they are not.
+std::vector<double> list_times(const std::vector<InstantImages>& images) {
+  const double first = static_cast<double>(images.front().number);
+  const double unit = first > 1e17 ? 1e-9 : first > 1e14 ? 1e-6 : first > 1e11 ? 1e-3 : 0;
+  std::vector<double> times;
+  for (const InstantImages& instant : images)
+    if (unit > 0) times.push_back(unit * static_cast<double>(instant.number));
+  return times;
+}
+
+Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>& images, int cameras, double lag,
                       std::vector<Message>& notes) {
   const auto reported = [&](const char* sentence, Pairs pairs) {
     say_pairs(sentence, pairs, flange.poses.size(), images.size(), notes);
@@ -186,6 +196,9 @@ Pairs pairs_of_images(const PoseSeries& flange, const std::vector<InstantImages>
     return reported("Poses of the flange and the images are paired by the images' names", std::move(pairs));
   }
   const bool same_count = images.size() == row_count(flange);
+  if (const std::vector<double> times = list_times(images); !flange.times.empty() && !times.empty())
+    if (Pairs pairs = pair_by_time(flange.times, times, lag); !pairs.first.empty())
+      return reported("Poses of the flange and the images are paired by their times", std::move(pairs));
   if (!flange.numbers.empty()) {
     Pairs pairs = pair_by(flange.numbers, list_numbers(images));
     if (pairs.first.size() == flange.numbers.size() || (!pairs.first.empty() && !same_count))
@@ -227,8 +240,9 @@ void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& o,
   target = take_rows(target, own);
 }
 
-void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<Message>& notes) {
-  const Pairs pairs = pairs_of_images(flange.series, images, cameras, notes);
+void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, double lag,
+                 std::vector<Message>& notes) {
+  const Pairs pairs = pairs_of_images(flange.series, images, cameras, lag, notes);
   flange = take_rows(flange, pairs.first);
   images = some_of(images, pairs.second);
 }

@@ -18,6 +18,7 @@ NamedPoses take_rows(const NamedPoses& poses, const std::vector<std::size_t>& ro
 void pair_poses(NamedPoses& flange, NamedPoses& target, const ConvertOptions& options, std::vector<Message>& notes);
 
 /// The same for images and the poses of the flange.
-void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, std::vector<Message>& notes);
+void pair_images(NamedPoses& flange, std::vector<InstantImages>& images, int cameras, double lag,
+                 std::vector<Message>& notes);
 
 }  // namespace handsight

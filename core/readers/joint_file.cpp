@@ -2,12 +2,15 @@
 // Joint readings from tables.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "readers/pose_files.h"
+#include "readers/texts/cells.h"
 #include "robot/robot.h"
 
 namespace handsight {
@@ -24,18 +27,95 @@ std::string bare(std::string name) {
   return name;
 }
 
+/// The joint of that name that moves by itself, in capitals or not; -1: there is none, or more than one.
+int find_mover(const Robot& robot, const std::string& name) {
+  const auto moves = [&](int j) {
+    return robot.joints[static_cast<std::size_t>(j)].moves() && !robot.joints[static_cast<std::size_t>(j)].is_mimic();
+  };
+  if (const int j = find_joint(robot, name); j >= 0 && moves(j)) return j;
+  int found = -1;
+  for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j) {
+    if (!moves(j) || lower_case(robot.joints[static_cast<std::size_t>(j)].name) != lower_case(name)) continue;
+    if (found >= 0) return -1;
+    found = j;
+  }
+  return found;
+}
+
+/// "joint_1" of "/joint_states/joint_1", as PlotJuggler names columns.
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
 /// The robot's joint that a column is of: an exact name counts first.
 int joint_of(const TableColumn& column, const Robot& robot) {
-  for (const std::string& name : {column.name, bare(column.name)}) {
-    const int j = find_joint(robot, name);
-    if (j >= 0 && robot.joints[static_cast<std::size_t>(j)].moves() &&
-        !robot.joints[static_cast<std::size_t>(j)].is_mimic())
-      return j;
-  }
+  for (const std::string& name : {column.name, bare(column.name), last_part(bare(column.name))})
+    if (const int j = find_mover(robot, name); j >= 0) return j;
   // A unit that is part of the name: "wrist_deg" may be a joint's own.
   if (column.unit.empty()) return -1;
   const int whole = find_joint(robot, column.name + "_" + column.unit);
   return whole >= 0 && robot.joints[static_cast<std::size_t>(whole)].moves() ? whole : -1;
+}
+
+/// A column's name in two: "j" and 1 of "J1", "joint" and 0 of "joint[0]", "position" and 3 of "position_3".
+std::optional<std::pair<std::string, int>> numbered_name(const std::string& column) {
+  std::string name = lower_case(last_part(column));
+  if (bare(name).find_first_of("0123456789") != 0) name = bare(name);  // "j1_pos", but "position_0" as it is
+  while (!name.empty() && (name.back() == ']' || name.back() == ')')) name.pop_back();
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  if (digits == 0 || digits == name.size() || name.size() - digits > 2) return std::nullopt;
+  const int number = static_cast<int>(parse_integer(name.substr(digits)).value_or(-1));
+  name.resize(digits);
+  while (!name.empty() && std::string("_.[( -").find(name.back()) != std::string::npos) name.pop_back();
+  for (const char* known : {"j",
+                            "joint",
+                            "q",
+                            "a",
+                            "axis",
+                            "achse",
+                            "theta",
+                            "th",
+                            "position",
+                            "pos",
+                            "angle",
+                            "joint_position",
+                            "joint_positions",
+                            "actual_q",
+                            "target_q",
+                            "jt",
+                            "joint_angle",
+                            "joint_angles",
+                            "motor",
+                            "positions"})
+    if (name == known) return std::pair(name, number);
+  return std::nullopt;
+}
+
+bool has_column(const Table& t, const std::string& name) {
+  return std::any_of(t.columns.begin(), t.columns.end(),
+                     [&](const TableColumn& c) { return lower_case(c.name) == name; });
+}
+
+/// The robot's joint of each column, -1: of none. Where no column has a joint's name, as many numbered ones as the
+/// robot has joints that move ("J1" ... "J6", "q0" ... "q5") are those in its order; `are_numbered` then.
+std::vector<int> joints_of_columns(const Table& t, const Robot& robot, bool& are_numbered) {
+  std::vector<int> joints;
+  for (const TableColumn& column : t.columns) joints.push_back(joint_of(column, robot));
+  are_numbered = false;
+  if (!t.has_header || std::any_of(joints.begin(), joints.end(), [](int j) { return j >= 0; })) return joints;
+  const std::vector<std::string> names = joint_names(robot);
+  std::map<std::string, std::map<int, std::size_t>> series;  // column by number
+  for (std::size_t c = 0; c < t.width(); ++c)
+    if (const auto name = numbered_name(t.columns[c].name)) series[name->first][name->second] = c;
+  for (const auto& [prefix, columns] : series) {
+    const int first = columns.begin()->first;
+    const bool is_whole = columns.size() == names.size() && (first == 0 || first == 1) &&
+                          columns.rbegin()->first == first + static_cast<int>(names.size()) - 1;
+    const bool may_be_quaternion = prefix == "q" && names.size() <= 4 && has_column(t, "x");
+    if (!is_whole || may_be_quaternion || are_numbered) continue;
+    for (const auto& [number, column] : columns)
+      joints[column] = find_joint(robot, names[static_cast<std::size_t>(number - first)]);
+    are_numbered = true;
+  }
+  return joints;
 }
 
 struct Placed {
@@ -61,8 +141,10 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
     return all;
   }
   int ignored = 0;
+  bool are_numbered = false;
+  const std::vector<int> joints = joints_of_columns(t, robot, are_numbered);
   for (std::size_t c = 0; c < t.width(); ++c) {
-    const int joint = joint_of(t.columns[c], robot);
+    const int joint = joints[c];
     if (joint < 0) {
       ++ignored;
       continue;
@@ -74,6 +156,10 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
                        in_quotes(robot.joints[static_cast<std::size_t>(joint)].name)));
     all.push_back({c, joint, degrees || t.columns[c].unit == "deg"});
   }
+  if (are_numbered)
+    notes.push_back(message("{}: its numbered columns ({} ...) are taken for the robot's joints in their order: {}.",
+                            t.file, shortened(t.columns[all.front().column].name),
+                            shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
   if (all.empty())
     throw InputError(message("{}: no column has the name of a joint of the robot, which has: {}.", t.file,
                              shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
@@ -145,9 +231,16 @@ void refuse_degrees(const JointSeries& s, const std::vector<Placed>& columns, co
 }  // namespace
 
 int joint_columns(const Table& table, const Robot& robot) {
-  int count = 0;
-  for (const TableColumn& c : table.columns) count += joint_of(c, robot) >= 0;
-  return count;
+  return static_cast<int>(list_joint_columns(table, robot).size());
+}
+
+std::vector<std::size_t> list_joint_columns(const Table& table, const Robot& robot) {
+  bool are_numbered = false;
+  const std::vector<int> joints = joints_of_columns(table, robot, are_numbered);
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < joints.size(); ++c)
+    if (joints[c] >= 0) columns.push_back(c);
+  return columns;
 }
 
 JointSeries read_joint_table(Table table, const Robot& robot, bool degrees, std::vector<Message>& notes) {

@@ -53,7 +53,7 @@ std::vector<Triple> triples_of(const Table& t) {
 
 std::optional<Vector3> point_at(const std::vector<double>& row, const Triple& t, double unit) {
   const Vector3 point(row[t.column[0]], row[t.column[1]], row[t.column[2]]);
-  if (!point.allFinite()) return std::nullopt;
+  if (!point.allFinite() || point.isZero(0)) return std::nullopt;  // zeros: what devices write that see nothing
   return Vector3(point * unit);
 }
 
@@ -112,9 +112,9 @@ PointSeries read_point_table(Table table, std::vector<Message>& notes) {
   for (const auto& row : table.rows)
     for (const Triple& t : triples)
       if (const auto p = point_at(row, t, 1)) largest = std::max(largest, p->cwiseAbs().maxCoeff());
-  const bool says_mm = table.columns[triples[0].column[0]].unit == "mm";
-  const double unit = says_mm || largest > longest_m ? 1e-3 : 1;
-  if (!says_mm && unit != 1)
+  const auto reported = unit_of_lengths(table, triples[0].column[0]);
+  const double unit = reported ? *reported : largest > longest_m ? 1e-3 : 1;
+  if (!reported && unit != 1)
     notes.push_back(
         message("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", table.file, largest));
   const auto marker = find_column(table, {"marker", "index", "point", "id", "marker_id"});

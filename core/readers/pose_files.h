@@ -29,7 +29,11 @@ HandEyeSamples read_hand_eye_samples(const YAML::Node& yaml, const std::string& 
 bool is_point_table(const Table& table);
 PointSeries read_point_table(Table table, std::vector<Message>& notes);
 
-/// How many of the columns name a joint of the robot that moves by itself ("a1", "a1_position", "position_a1").
+/// The columns that name a joint of the robot that moves by itself ("a1", "a1_position", "position_a1", "A1"); where
+/// none does as many numbered ones as the robot has such joints ("J1" ... "J6", "q0" ... "q5").
+std::vector<std::size_t> list_joint_columns(const Table& table, const Robot& robot);
+
+/// How many these are.
 int joint_columns(const Table& table, const Robot& robot);
 
 /// Joint readings. Without a header the columns are the robot's moving joints in their order, with a column of time

@@ -21,6 +21,16 @@ bool is_missing(const std::vector<double>& row, const PoseColumns& p) {
   return std::any_of(p.xyz.begin(), p.xyz.end(), is_empty) || std::any_of(p.turn.begin(), p.turn.end(), is_empty);
 }
 
+/// Zeros, or no motion at all: what programs write where a detector has found nothing.
+bool is_placeholder(const std::vector<double>& row, const PoseColumns& p) {
+  const auto is_zero = [&](std::size_t c) { return row[c] == 0; };
+  if (!std::all_of(p.xyz.begin(), p.xyz.end(), is_zero)) return false;
+  const auto ones = std::count_if(p.turn.begin(), p.turn.end(), [&](std::size_t c) { return row[c] == 1; });
+  const auto zeros = std::count_if(p.turn.begin(), p.turn.end(), is_zero);
+  const auto others = std::ssize(p.turn) - ones - zeros;
+  return others == 0 && ones <= (p.turn.size() == 4 ? 1 : p.turn.size() == 9 ? 3 : 0);
+}
+
 /// By what rows are called, without those that are left out.
 struct Keys {
   std::vector<double> times, numbers;
@@ -44,7 +54,7 @@ std::vector<double> list_numbers(const Table& t) {
 
 std::vector<std::string> list_names(const Table& t) {
   for (const TableColumn& column : t.columns)
-    if (!column.words.empty()) return column.words;
+    if (!column.words.empty() && tells_images(column)) return column.words;
   return {};
 }
 
@@ -91,11 +101,9 @@ double largest_place(const Table& t, const PoseColumns& p) {
 }
 
 double unit_of_places(const Table& t, const PoseColumns& p, const std::string& what, std::vector<Message>& notes) {
-  const std::string& unit = t.columns[p.xyz[0]].unit;
-  if (unit == "mm") return 1e-3;
-  if (unit == "cm") return 1e-2;
+  if (const auto unit = unit_of_lengths(t, p.xyz[0])) return *unit;
   const double largest = largest_place(t, p);
-  if (unit == "m" || largest <= longest_m) return 1;
+  if (largest <= longest_m) return 1;
   notes.push_back(message("{}: lengths of {:.0f} are taken for millimetres; a session holds metres.", what, largest));
   return 1e-3;
 }
@@ -156,9 +164,14 @@ ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, c
   PoseSeries& s = read.series;
   s.row_count = t.rows.size();
   const double unit = unit_of_places(t, p, what, notes);
+  std::size_t placeholders = 0;
   for (std::size_t r = 0; r < t.rows.size(); ++r) {
     const auto& row = t.rows[r];
     if (is_missing(row, p)) continue;
+    if (is_placeholder(row, p)) {
+      ++placeholders;
+      continue;
+    }
     s.poses.push_back({Matrix3::Identity(), unit * Vector3(row[p.xyz[0]], row[p.xyz[1]], row[p.xyz[2]])});
     auto& numbers = read.turns.numbers.emplace_back();
     for (const std::size_t c : p.turn) numbers.push_back(row[c]);
@@ -167,9 +180,14 @@ ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, c
     keep(keys.names, r, s.names);
     keep(keys.places, r, s.places);
   }
-  if (s.poses.size() < t.rows.size() && !s.poses.empty())
+  if (const std::size_t missing = t.rows.size() - s.poses.size() - placeholders; missing > 0 && !s.poses.empty())
     notes.push_back(message("{}: {} of {} rows hold no whole pose (nan or empty); there nothing was measured.", what,
-                            t.rows.size() - s.poses.size(), t.rows.size()));
+                            missing, t.rows.size()));
+  if (placeholders > 0)
+    notes.push_back(
+        message("{}: {} of {} rows hold zeros alone, as programs write where nothing was found; they are "
+                "left out.",
+                what, placeholders, t.rows.size()));
   say_readings(t, p, o, what, read, notes);
   refuse_impossible(read, what);
   read_turns(read.turns, read.turns.readings.front(), s);

@@ -94,7 +94,7 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
 }  // namespace
 
 bool is_realsense(const YAML::Node& yaml) {
-  return yaml.IsMap() && yaml["ppx"] && yaml["ppy"] && yaml["fx"] && yaml["fy"];
+  return yaml.IsMap() && yaml["fx"] && yaml["fy"] && ((yaml["ppx"] && yaml["ppy"]) || (yaml["cx"] && yaml["cy"]));
 }
 
 bool is_realsense_listing(const std::string& text) {
@@ -106,12 +106,15 @@ RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::v
   const std::pair<const char*, double*> numbers[] = {{"width", &i.width}, {"height", &i.height}, {"fx", &i.fx},
                                                      {"fy", &i.fy},       {"ppx", &i.ppx},       {"ppy", &i.ppy}};
   for (const auto& [name, number] : numbers) {
-    const auto reported = yaml_number(yaml, name);
+    const std::string other = std::string(name) == "ppx" ? "cx" : std::string(name) == "ppy" ? "cy" : name;
+    const auto reported = yaml[name] ? yaml_number(yaml, name) : yaml_number(yaml, other.c_str());
     if (!reported) throw InputError(message("{}: has no number {}; expected width height ppx ppy fx fy.", file, name));
     *number = *reported;
   }
   i.model = yaml_word(yaml, "model");
-  i.coefficients = yaml_numbers(yaml["coeffs"]).value_or(std::vector<double>());
+  for (const char* name : {"coeffs", "dist_coeffs", "distortion", "distortion_coefficients", "dist", "D"})
+    if (yaml[name] && i.coefficients.empty()) i.coefficients = yaml_numbers(yaml[name]).value_or(std::vector<double>());
+  if (!yaml["ppx"] && i.model.empty()) i.model = "brown_conrady";  // the coefficients of OpenCV, as people write them
   return look_up_camera(i, file, notes);
 }
 

@@ -2,8 +2,6 @@
 #include "readers/table.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,95 +10,42 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "readers/texts/cells.h"
 
 namespace handsight {
 namespace {
 
-using TableCells = std::vector<std::string>;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+std::string trimmed_cell(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-std::string plain_cell(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front())
-    text = text.substr(1, text.size() - 2);
-  return std::string(text);
-}
-
-TableCells split(std::string_view line, char separator) {
-  TableCells cells;
-  if (separator == ' ') {
-    for (const std::string_view word : split_words(line)) cells.push_back(plain_cell(word));
-    return cells;
-  }
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(plain_cell(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return cells;
-}
-
-char separator_of(std::string_view line) {
-  for (const char c : {';', '\t', ','})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ' ';
-}
-
-/// "deg" for all that people write for degrees, and so on.
-std::string plain_unit(const std::string& unit) {
-  if (unit == "degrees" || unit == "degree" || unit == "°") return "deg";
-  if (unit == "radians" || unit == "radian") return "rad";
-  if (unit == "millimetres" || unit == "millimeters" || unit == "millimeter") return "mm";
-  if (unit == "metres" || unit == "meters" || unit == "meter") return "m";
-  return unit;
-}
-
-/// "shoulder [deg]" and "q1_deg" to name and unit.
+/// "shoulder [deg]", "q1_deg" and "dial mm" to name and unit.
 TableColumn column_of(const std::string& cell) {
   TableColumn column{cell, ""};
   const std::size_t open = cell.find_last_of("[(");
-  if (open != std::string::npos && open > 0 && (cell.back() == ']' || cell.back() == ')')) {
-    column.unit = plain_unit(lower(plain_cell(std::string_view(cell).substr(open + 1, cell.size() - open - 2))));
-    column.name = plain_cell(std::string_view(cell).substr(0, open));
+  const bool is_number = open != std::string::npos && open + 2 < cell.size() &&
+                         cell.find_first_not_of("0123456789", open + 1) == cell.size() - 1;  // "position[0]"
+  if (open != std::string::npos && open > 0 && !is_number && (cell.back() == ']' || cell.back() == ')')) {
+    column.unit = plain_unit(lower_case(trimmed_cell(cell.substr(open + 1, cell.size() - open - 2))));
+    column.name = trimmed_cell(cell.substr(0, open));
     return column;
   }
-  for (const char* unit : {"deg", "degrees", "rad", "mm", "m", "ms", "us", "ns"}) {
-    const std::string end = std::string("_") + unit;
-    if (cell.size() > end.size() && lower(cell.substr(cell.size() - end.size())) == end) {
-      column.unit = plain_unit(unit);
-      column.name = cell.substr(0, cell.size() - end.size());
+  for (const char between : {'_', ' '})
+    for (const char* unit : {"deg", "degrees", "rad", "mm", "m", "ms", "us", "ns", "um", "inch"}) {
+      const std::string end = between + std::string(unit);
+      if (cell.size() > end.size() && lower_case(cell.substr(cell.size() - end.size())) == end) {
+        column.unit = plain_unit(unit);
+        column.name = cell.substr(0, cell.size() - end.size());
+      }
     }
-  }
   return column;
 }
 
-constexpr std::array image_endings{".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp"};
 constexpr double empty_cell = std::numeric_limits<double>::quiet_NaN();
 
-std::optional<double> number_of(const std::string& cell, bool decimal_commas) {
-  const std::string small = lower(cell);
-  if (cell.empty() || small == "nan" || small == "null" || small == "none" || small == "n/a") return empty_cell;
-  if (!decimal_commas) return parse_number(cell);
-  std::string text = cell;
-  if (const auto comma = text.find(','); comma != std::string::npos) text[comma] = '.';
-  return parse_number(text);
-}
-
-/// What a cell of a row is: a number, a word where the column is one of names, or nothing that could stand there.
-bool is_image_name(const std::string& cell) {
-  const std::string small = lower(cell);
-  return std::any_of(image_endings.begin(), image_endings.end(),
-                     [&](const char* ending) { return small.ends_with(ending); });
-}
-
 bool names_images(const std::string& column) {
-  const std::string small = lower(column);
+  const std::string small = lower_case(column);
   for (const char* name : {"image", "images", "file", "files", "filename", "file_name", "image_name", "image_file",
                            "imagename", "img", "picture", "photo", "name", "path", "image_path"})
     if (small == name) return true;
@@ -109,24 +54,24 @@ bool names_images(const std::string& column) {
 
 /// Are the cells of the column words though none is the name of an image?
 bool names_things(const std::string& column) {
-  const std::string small = lower(column);
+  const std::string small = lower_case(column);
   const bool is_recorded = small.starts_with("field.name") || small.ends_with("frame_id");  // of `rostopic echo -p`
   return small == "fixture" || small == "touched" || is_recorded || names_images(column);
 }
 
-bool is_header(const TableCells& cells, bool decimal_commas) {
+bool is_header(const TextCells& cells, bool decimal_commas) {
   return std::none_of(cells.begin(), cells.end(), [&](const std::string& c) {
-    const auto n = number_of(c, decimal_commas);
-    return (n && std::isfinite(*n)) || is_image_name(c);
+    const auto n = cell_number(c, decimal_commas);
+    return (n && std::isfinite(*n)) || is_image_file_name(c);
   });
 }
 
 /// Numbers that are names too: all different, each one of `names` (a time beside them).
-bool are_names(const TableCells& cells, const std::vector<std::string>& names) {
-  TableCells seen;
+bool are_names(const TextCells& cells, const std::vector<std::string>& names) {
+  TextCells seen;
   for (const std::string& c : cells) {
     const bool is_name = std::find(names.begin(), names.end(), c) != names.end();
-    if ((!is_name && lower(c) != "time") || std::find(seen.begin(), seen.end(), c) != seen.end()) return false;
+    if ((!is_name && lower_case(c) != "time") || std::find(seen.begin(), seen.end(), c) != seen.end()) return false;
     seen.push_back(c);
   }
   return cells.size() >= 2;
@@ -147,12 +92,77 @@ std::vector<Line> lines_of(std::string_view text, std::string_view& last_comment
     text.remove_prefix(std::min(end + 1, text.size()));
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
     if (line.starts_with("p[") && line.ends_with("]")) line = line.substr(2, line.size() - 3);  // as UR's scripts
-    const std::size_t hash = line.find('#');
+    if (line.starts_with("% ") && lines.empty()) last_comment = line.substr(1);
+    if (line.starts_with("% ")) line = {};  // MATLAB's remarks; "%time" is a column of `rostopic echo -p`
+    std::size_t hash = line.find('#');
+    while (hash != std::string_view::npos && line.substr(hash).starts_with("#N"))  // "#N/A", "#NUM!"
+      hash = line.find('#', hash + 1);
     if (hash == 0 && lines.empty()) last_comment = line.substr(1);
     if (hash != std::string_view::npos) line = line.substr(0, hash);
     if (!split_words(line).empty()) lines.push_back({line, number});
   }
   return lines;
+}
+
+/// Names and units of the columns, from the first line or from a remark before it. Is the first line the header?
+bool name_columns(const TextCells& first, std::string_view comment, bool decimal_commas,
+                  const std::vector<std::string>& names, Table& table) {
+  const bool is_line = is_header(first, decimal_commas) || are_names(first, names);
+  TextCells named = is_line ? first : split_cells(comment, cell_separator(comment));
+  table.has_header = is_line || (named.size() == first.size() && is_header(named, false));
+  if (table.has_header)
+    for (const std::string& name : named) table.columns.push_back(column_of(name));
+  else
+    table.columns.resize(first.size());
+  return is_line;
+}
+
+/// The columns in which no row has a number and some row has a word: remarks, states, names of what was touched.
+std::vector<bool> columns_of_words(const std::vector<TextCells>& rows, std::size_t width, bool decimal_commas) {
+  std::vector<bool> has_word(width, false), has_number(width, false);
+  for (const TextCells& cells : rows)
+    for (std::size_t c = 0; c < width; ++c) {
+      const auto number = cell_number(cells[c], decimal_commas);
+      has_word[c] = has_word[c] || !number;
+      has_number[c] = has_number[c] || (number && std::isfinite(*number));
+    }
+  for (std::size_t c = 0; c < width; ++c) has_word[c] = has_word[c] && !has_number[c];
+  return has_word;
+}
+
+/// One row of a table into it.
+void add_row(const TextCells& cells, int line, bool decimal_commas, const std::vector<bool>& are_words, Table& table) {
+  std::vector<double>& row = table.rows.emplace_back();
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto number = cell_number(cells[c], decimal_commas);
+    TableColumn& column = table.columns[c];
+    if (names_things(column.name) || is_image_file_name(cells[c]) || are_words[c]) {
+      column.words.resize(table.rows.size());
+      column.words.back() = cells[c];
+      row.push_back(number.value_or(empty_cell));
+      continue;
+    }
+    if (!number)
+      refuse(table.file, line,
+             message("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]), c + 1,
+                     column.name.empty() ? std::string() : " (" + shortened(column.name) + ")"));
+    if (std::isfinite(*number) && !bounds::any.hold(*number))
+      refuse(table.file, line,
+             message("{} stands in column {}, expected a number of at most {:g}.", in_quotes(cells[c]), c + 1,
+                     bounds::any.highest));
+    row.push_back(*number);
+  }
+  table.lines.push_back(line);
+}
+
+/// Names of points before numbers without a header ("P1 1.2 3.4 5.6") say nothing that is needed.
+void drop_words_without_header(Table& table) {
+  for (std::size_t c = table.width(); !table.has_header && c-- > 0;) {
+    const std::vector<std::string>& words = table.columns[c].words;
+    if (words.empty() || std::any_of(words.begin(), words.end(), is_image_file_name)) continue;
+    table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(c));
+    for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(c));
+  }
 }
 
 }  // namespace
@@ -162,69 +172,54 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
   std::string_view comment;
   const std::vector<Line> lines = lines_of(text, comment);
   if (lines.empty()) return std::nullopt;
-  const char separator = separator_of(lines.back().text);
+  const char separator = cell_separator(lines.back().text);
   const bool decimal_commas = separator == ';' && lines.back().text.find(',') != std::string_view::npos &&
                               lines.back().text.find('.') == std::string_view::npos;
   Table table;
   table.file = file;
-  TableCells first = split(lines.front().text, separator);
+  TextCells first = split_cells(lines.front().text, separator);
   if (first.size() > 1 && first.back().empty()) first.pop_back();  // many programs end each line with a separator
   if (first.size() < 2) return std::nullopt;
-  const bool header_is_a_line = is_header(first, decimal_commas) || are_names(first, names);
-  table.has_header = header_is_a_line;
-  if (!table.has_header) {
-    const TableCells named = split(comment, separator_of(comment));
-    if (named.size() == first.size() && is_header(named, false)) {
-      for (const std::string& name : named) table.columns.push_back(column_of(name));
-      table.has_header = true;
-    } else {
-      table.columns.resize(first.size());
-    }
-  } else {
-    for (const std::string& name : first) table.columns.push_back(column_of(name));
-  }
+  const bool header_is_a_line = name_columns(first, comment, decimal_commas, names, table);
   if (header_is_a_line && lines.size() > 1) {  // a table has numbers below its names; other texts have not
-    const TableCells second = split(lines[1].text, separator);
-    if (second.size() < 2 || is_header(second, decimal_commas)) return std::nullopt;
+    const TextCells second = split_cells(lines[1].text, separator);
+    const bool is_missing = std::all_of(second.begin(), second.end(), [&](const std::string& cell) {
+      return cell_number(cell, decimal_commas).has_value();
+    });
+    if (second.size() < 2 || (is_header(second, decimal_commas) && !is_missing)) return std::nullopt;
   }
-  for (std::size_t i = header_is_a_line ? 1 : 0; i < lines.size(); ++i) {
-    TableCells cells = split(lines[i].text, separator);
+  const std::size_t begin = header_is_a_line ? 1 : 0;
+  std::vector<TextCells> rows;
+  for (std::size_t i = begin; i < lines.size(); ++i) {
+    TextCells& cells = rows.emplace_back(split_cells(lines[i].text, separator));
     if (cells.size() == table.width() + 1 && cells.back().empty()) cells.pop_back();
     if (cells.size() != table.width())
       refuse(file, lines[i].number, message("the line has {} columns, expected {}.", cells.size(), table.width()));
-    std::vector<double>& row = table.rows.emplace_back();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const auto number = number_of(cells[c], decimal_commas);
-      TableColumn& column = table.columns[c];
-      if (names_things(column.name) || is_image_name(cells[c])) {
-        column.words.resize(table.rows.size());
-        column.words.back() = cells[c];
-        row.push_back(number.value_or(empty_cell));
-        continue;
-      }
-      if (!number)
-        refuse(file, lines[i].number,
-               message("{} stands in column {}{}, expected a finite number such as 0.5.", in_quotes(cells[c]), c + 1,
-                       table.columns[c].name.empty() ? std::string() : " (" + shortened(table.columns[c].name) + ")"));
-      if (std::isfinite(*number) && !bounds::any.hold(*number))
-        refuse(file, lines[i].number,
-               message("{} stands in column {}, expected a number of at most {:g}.", in_quotes(cells[c]), c + 1,
-                       bounds::any.highest));
-      row.push_back(*number);
-    }
-    table.lines.push_back(lines[i].number);
   }
+  const std::vector<bool> are_words = columns_of_words(rows, table.width(), decimal_commas);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    add_row(rows[r], lines[begin + r].number, decimal_commas, are_words, table);
   if (table.rows.empty()) return std::nullopt;
   for (TableColumn& column : table.columns)
     if (!column.words.empty()) column.words.resize(table.rows.size());
+  drop_words_without_header(table);
+  if (table.width() < 2) return std::nullopt;
   if (decimal_commas) table.notes.push_back(message("{}: commas are read as decimal points.", file));
   return table;
+}
+
+bool tells_images(const TableColumn& column) {
+  return names_images(column.name) || std::any_of(column.words.begin(), column.words.end(), is_image_file_name);
+}
+
+std::optional<double> unit_of_lengths(const Table& table, std::size_t column) {
+  return metres_of_unit(table.columns[column].unit);
 }
 
 std::optional<std::size_t> find_column(const Table& table, const std::string& name) {
   std::optional<std::size_t> found;
   for (std::size_t c = 0; c < table.width(); ++c) {
-    if (lower(table.columns[c].name) != lower(name)) continue;
+    if (lower_case(table.columns[c].name) != lower_case(name)) continue;
     if (found) refuse(table.file, 1, message("the header names {} twice, expected each column once.", in_quotes(name)));
     found = c;
   }
@@ -238,8 +233,8 @@ std::optional<std::size_t> find_column(const Table& table, std::initializer_list
 }
 
 std::vector<double> list_times(const Table& table, std::vector<Message>& notes) {
-  const auto column =
-      find_column(table, {"time", "timestamp", "t", "stamp", "seconds", "sec", "time_s", "header.stamp"});
+  const auto column = find_column(table, {"time", "timestamp", "t", "stamp", "seconds", "sec", "time_s", "header.stamp",
+                                          "__time", "datetime", "date_time", "date", "zeit", "uhrzeit", "zeitstempel"});
   if (!column) return {};
   require_full(table, {*column});
   std::vector<double> times;

@@ -12,9 +12,10 @@
 namespace handsight {
 
 struct TableColumn {
-  std::string name;                     // as written, without its unit; empty where there is no header
-  std::string unit;                     // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
-  std::vector<std::string> words = {};  // one a row, of a column of names (of images, fixtures); empty: of numbers
+  std::string name;  // as written, without its unit; empty where there is no header
+  std::string unit;  // of "shoulder [deg]", "x(mm)", "q1_deg"; lower case; empty where none is named
+  std::vector<std::string> words =
+      {};  // one a row, of a column of words (of images, fixtures, states); empty: of numbers
 };
 
 struct Table {
@@ -39,6 +40,12 @@ std::optional<std::size_t> find_column(const Table& table, const std::string& na
 
 /// The first of these that is there.
 std::optional<std::size_t> find_column(const Table& table, std::initializer_list<const char*> names);
+
+/// Has the column names of images: by what it is called, or by what stands in it?
+bool tells_images(const TableColumn& column);
+
+/// m of one of the column's unit; nothing where it names none of a length.
+std::optional<double> unit_of_lengths(const Table& table, std::size_t column);
 
 /// The column's times in s, by its unit or size (ms, us, ns), begin at their own zero where they are epochs; empty
 /// where the table has none. A sentence in `notes` where the unit was guessed.

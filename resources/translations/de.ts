@@ -9760,8 +9760,8 @@
         <translation>%1 lässt sich nicht vergleichen: die Anpassung findet keine Antwort; rufe `handsight-cli fit` damit auf, schließe die Beobachtungen aus, die dort auffallen, und vergleiche noch einmal.</translation>
     </message>
     <message>
-        <source>%1: sessions of touches are not compared; fit them together instead.</source>
-        <translation>%1: Sitzungen mit Berührungen werden nicht verglichen; passe sie stattdessen zusammen an.</translation>
+        <source>%1: a session of touches is compared with one other at a time; name two.</source>
+        <translation>%1: eine Sitzung mit Berührungen wird jeweils mit einer anderen verglichen; nenne zwei.</translation>
     </message>
     <message>
         <source>A comparison takes two sessions at least; name another one.</source>
@@ -11298,10 +11298,6 @@
     <message>
         <source> (what has x y z without a whole turn is a table of points)</source>
         <translation> (was x y z ohne eine ganze Drehung hat, ist eine Tabelle von Punkten)</translation>
-    </message>
-    <message>
-        <source>%1: %2 is no NAME=VALUE such as sigma=2e-5.</source>
-        <translation>%1: %2 ist kein NAME=WERT wie sigma=2e-5.</translation>
     </message>
     <message>
         <source>--apart %1: write two fixtures, by=METRES and sigma=METRES.</source>
@@ -12990,6 +12986,78 @@
     <message>
         <source>the tip does not come to %1</source>
         <translation>die Spitze kommt nicht zu %1</translation>
+    </message>
+    <message>
+        <source>%1 is a table of joint readings, and another file is one too; name one of them. (Tables of touches, one for each fixture: say what each is, --fixture "plane %2".)</source>
+        <translation>%1 ist eine Tabelle von Gelenkwerten, und eine andere Datei ist auch eine; nenne eine davon. (Tabellen von Berührungen, eine je Vorrichtung: sage, was jede ist, --fixture "plane %2".)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no NAME=VALUE such as sigma=2e-5; a fixture's name is one word ("socket 1" of a table is socket_1 here).</source>
+        <translation>%1: %2 ist kein NAME=WERT wie sigma=2e-5; der Name einer Vorrichtung ist ein Wort ("socket 1" einer Tabelle ist hier socket_1).</translation>
+    </message>
+    <message>
+        <source>%1: the fixtures %2 and %3 differ in capitals alone; write it one way.</source>
+        <translation>%1: die Vorrichtungen %2 und %3 unterscheiden sich nur durch Großbuchstaben; schreibe sie einheitlich.</translation>
+    </message>
+    <message>
+        <source>--apart %1: distances are in metres; %2 mm is by=%3.</source>
+        <translation>--apart %1: Abstände stehen in Metern; %2 mm sind by=%3.</translation>
+    </message>
+    <message>
+        <source>%1: the readings of %2 are deviations, and nothing says from which length; say --fixture "length %3 ... value=METRES".</source>
+        <translation>%1: die Werte von %2 sind Abweichungen, und nichts sagt, von welcher Länge; sage --fixture "length %3 ... value=METER".</translation>
+    </message>
+    <message>
+        <source>%1: its columns (%2) are no places (x y z) with or without a turn; joint readings need the robot they are of: name its URDF with --robot.</source>
+        <translation>%1: ihre Spalten (%2) sind keine Orte (x y z) mit oder ohne Drehung; Gelenkwerte brauchen den Roboter, von dem sie sind: nenne sein URDF mit --robot.</translation>
+    </message>
+    <message>
+        <source>%1: its columns (%2) are neither joints of the robot (%3) nor places (x y z); name them so in the first line.</source>
+        <translation>%1: ihre Spalten (%2) sind weder Gelenke des Roboters (%3) noch Orte (x y z); nenne sie so in der ersten Zeile.</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>has one line, and nothing below it</source>
+        <translation>hat eine Zeile und nichts darunter</translation>
+    </message>
+    <message>
+        <source>%1: tells where the controller believes the hand to be, and not how its joints stood; a touch needs a column for each joint: %2.</source>
+        <translation>%1: sagt, wo die Steuerung die Hand glaubt, und nicht, wie die Gelenke standen; eine Berührung braucht eine Spalte für jedes Gelenk: %2.</translation>
+    </message>
+    <message>
+        <source>%1: what tf2_echo printed is not whole at its pose %2; expected three numbers and four.</source>
+        <translation>%1: was tf2_echo ausgab, ist bei Pose %2 nicht vollständig; erwartet sind drei Zahlen und vier.</translation>
+    </message>
+    <message>
+        <source>%1: the places in it are taken for what a sensor measured of the hand; where they are the controller's own they measure nothing.</source>
+        <translation>%1: die Orte darin gelten als das, was ein Sensor von der Hand gemessen hat; sind es die der Steuerung selbst, so messen sie nichts.</translation>
+    </message>
+    <message>
+        <source>Poses of the flange and the images are paired by their times</source>
+        <translation>Posen des Flansches und Bilder sind nach ihren Zeiten gepaart</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows have no number for some joint; they are left out.</source>
+        <translation>%1: %2 von %3 Zeilen haben für ein Gelenk keine Zahl; sie sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing is made of its columns %2.</source>
+        <translation>%1: aus ihren Spalten %2 wird nichts gemacht.</translation>
+    </message>
+    <message>
+        <source>%1: its numbered columns (%2 ...) are taken for the robot's joints in their order: %3.</source>
+        <translation>%1: ihre nummerierten Spalten (%2 ...) gelten als die Gelenke des Roboters in deren Reihenfolge: %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows hold zeros alone, as programs write where nothing was found; they are left out.</source>
+        <translation>%1: %2 von %3 Zeilen enthalten nur Nullen, wie Programme sie schreiben, wo nichts gefunden wurde; sie sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The touches contradict that %1 is %2 mm from %3: by them it is %4 mm, and without known distances %5 mm are left of them in place of %6 mm. Measure it again and put it right in &lt;apart&gt;.</source>
+        <translation>Die Berührungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
     </message>
 </context>
 <context>

@@ -78,5 +78,36 @@ TEST_F(TouchCommands, ARepeatedSimulationIsTheSame) {
   EXPECT_EQ(read_text(folder.path / "touches" / "session.xml"), read_text(folder.path / "again" / "session.xml"));
 }
 
+TEST_F(TouchCommands, ThreeAreComparedEachWithTheOneBefore) {
+  const auto made = run({"simulate", "--like", (samples / "rigs" / "six_axis_touch").string(), "--out", at("later"),
+                         "--seed", "3", "--observations", "50", "--effect", "joint_offset:axis_2.offset=0.004"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  std::filesystem::copy(at("touches"), at("again"), std::filesystem::copy_options::recursive);
+  const CliResult r = run({"compare", at("touches"), at("again"), at("later"), "--json", "-"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  const Json steps = r.json()["steps"];
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0]["verdict"], "unchanged");
+  ASSERT_FALSE(steps[1]["changes"].empty());
+  EXPECT_EQ(steps[1]["changes"][0]["id"], "joint_offset");
+  EXPECT_EQ(run({"compare", at("touches"), at("again"), at("tracker")}).exit_code, 2);
+}
+
+TEST_F(TouchCommands, ADistanceThatTheTouchesContradictIsNamed) {
+  EXPECT_TRUE(run({"fit", at("touches"), "--effects", "joint_offset:axis_2", "--json", "-"})
+                  .json()["doubtful_distance"]
+                  .is_null());
+  const std::filesystem::path file = folder.path / "touches" / "session.xml";
+  std::string text = read_text(file);
+  const std::size_t by = text.find("by=\"", text.find("<apart")) + 4;
+  text.replace(by, text.find('"', by) - by, "0.25");
+  write_text(file, text);
+  const CliResult r = run({"fit", at("touches"), "--effects", "joint_offset:axis_2", "--json", "-"});
+  const Json doubt = r.json()["doubtful_distance"];
+  ASSERT_TRUE(doubt.is_object()) << r.output;
+  EXPECT_EQ(doubt["by"], 0.25);
+  EXPECT_NE(run({"check", at("touches")}).output.find("The touches contradict"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace handsight

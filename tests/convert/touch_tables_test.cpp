@@ -100,7 +100,7 @@ TEST_F(TouchTables, ReadingsHaveUnitsOrAreRefused) {
   EXPECT_NEAR(converted({with("value [mm]", "3.25")}).session.observations[0].sightings[0].point->z(), 3.25e-3, 1e-15);
   EXPECT_NEAR(converted({with("reading [um]", "120")}).session.observations[0].sightings[0].point->z(), 1.2e-4, 1e-15);
   EXPECT_THAT(refusal({with("value", "3.25")}), HasSubstr("have no unit"));
-  EXPECT_THAT(refusal({with("value [inch]", "3.25")}), HasSubstr("none of mm, um and m"));
+  EXPECT_THAT(refusal({with("value [yd]", "3.25")}), HasSubstr("none of mm, um and m"));
   EXPECT_THAT(refusal({with("value [mm]", "")}), HasSubstr("has no reading"));
   options_.fixtures = {"length bar to=0.2,0.1,0.2 value=0.3"};
   EXPECT_EQ(converted({write("b.csv", "a1,a2,a3,a4,a5,a6\n0,0.1,0.2,0,0.3,0\n0,0.2,0.2,0,0.3,0\n")})

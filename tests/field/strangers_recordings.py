@@ -35,7 +35,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 from field_scene import (ANGLES, CAMERA, CAMERAS, COUNT, FLANGES, FOCAL, HEIGHT, JOINTS, K, SEEN, TAG, TARGETS, WIDTH, chessboard,
                          joint_table, motion, photographed, quaternion, quaternions, table, urdf, write)
 
-CLI = sys.argv[1]
+CLI = os.path.abspath(sys.argv[1])
 
 
 def makers(header, sequence=None, unit=1000.0):

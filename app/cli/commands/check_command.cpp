@@ -65,6 +65,8 @@ int run(const CheckArguments& o) {
   for (const Message& line : check.contents) o.output.line(line);
   const auto size = check.problems.empty() ? find_target_size(session) : std::nullopt;
   if (size) check.warnings.push_back(size->text + " " + size->fix);
+  const auto distance = check.problems.empty() ? find_doubtful_distance(session) : std::nullopt;
+  if (distance) check.warnings.push_back(distance->text);
   for (const Message& line : check.warnings) o.output.line("warning: " + line);
   for (const Message& line : check.problems) o.output.line("PROBLEM: " + line);
   o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
@@ -72,10 +74,11 @@ int run(const CheckArguments& o) {
                                          : fmt::format("{} problem{}: these would not work.", check.problems.size(),
                                                        check.problems.size() == 1 ? "" : "s"));
   const std::vector<Blunder> blunders =
-      check.problems.empty() && !settles_it(size) ? list_blunders(session) : std::vector<Blunder>();
+      check.problems.empty() && !settles_it(size) && !distance ? list_blunders(session) : std::vector<Blunder>();
   print_blunders(o.output, o.session, blunders);
   Json json = check_json(session, check);
   json["target_size"] = target_size_json(size);
+  json["doubtful_distance"] = doubtful_distance_json(distance, session);
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
   if (o.result) *o.result = json;

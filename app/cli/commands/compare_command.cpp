@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "command.h"
 #include "compare/comparison.h"
 #include "compare/several_comparison.h"
@@ -65,9 +66,33 @@ std::vector<JoinedMember> list_members(const std::vector<std::string>& sources) 
   return opened_members(all, open);
 }
 
+/// Sessions of touches, each with the one before.
+int compare_in_turn(const std::vector<JoinedMember>& members, const CompareArguments& o) {
+  Json steps = Json::array();
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    const JoinedMember &before = members[i - 1], &after = members[i];
+    std::vector<EffectTerm> held, estimated;
+    add_effects(o.effects, before.session, held, estimated);
+    if (!held.empty()) throw InputError("--effects of compare are estimated; name them without values.");
+    const Comparison c = compare(before.session, after.session, estimated);
+    if (i > 1) o.output.line();
+    o.output.line(fmt::format("{} -> {}", printable(before.title), printable(after.title)));
+    print_comparison(o.output, c);
+    Json step = comparison_json(c);
+    step["before"] = before.title;
+    step["after"] = after.title;
+    steps.push_back(std::move(step));
+  }
+  o.output.json({{"steps", steps}});
+  return done;
+}
+
 int compare_several(const CompareArguments& o) {
   if (!o.robot.empty()) throw InputError("--robot is for two calibrations; sessions have their own robot.");
-  const SeveralComparison c = compare(list_members(o.sources), o.effects);
+  const std::vector<JoinedMember> members = list_members(o.sources);
+  const auto is_touch = [](const JoinedMember& m) { return m.session.is_touch(); };
+  if (members.size() > 1 && std::all_of(members.begin(), members.end(), is_touch)) return compare_in_turn(members, o);
+  const SeveralComparison c = compare(members, o.effects);
   print_comparison(o.output, c);
   o.output.json(comparison_json(c));
   return done;
@@ -93,7 +118,8 @@ Command add_compare(const CommandLine& program) {
   command
       .option("SESSION", options->sources,
               "Two sessions, the older first (or a calibration and a later session of a few poses, or two "
-              "calibrations); three sessions and more in order of time; or one collection")
+              "calibrations); three sessions and more in order of time (of touches: each with the one before); or one "
+              "collection")
       .required();
   command.option("--robot", options->robot, "URDF; needed with two calibrations");
   command.option("--effects", options->effects, "Effects in the model of both sessions, estimated");

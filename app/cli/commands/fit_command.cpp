@@ -61,11 +61,14 @@ int run(const FitArguments& o) {
     o.output.line(lone_text(lone, session.is_tracker(), false) + " --without-wrong-points fits without.");
   const auto size = is_plain ? other_target_size(clean.session, result, options) : std::nullopt;
   print_target_size(o.output, size);
+  const auto distance = is_plain ? doubtful_distance(clean.session, result, options) : std::nullopt;
+  if (distance) o.output.line(distance->text);
   const std::vector<Blunder> blunders =
-      settles_it(size) ? std::vector<Blunder>() : list_blunders(clean.session, result);
+      settles_it(size) || distance ? std::vector<Blunder>() : list_blunders(clean.session, result);
   print_blunders(o.output, o.sessions.front(), blunders);
   Json json = fit_json(session, result, reported, options);
   json["target_size"] = target_size_json(size);
+  json["doubtful_distance"] = doubtful_distance_json(distance, clean.session);
   json["blunders"] = blunders_json(blunders);
   json["lone_observations"] = lone_json(lone);
   json["flipped_targets"] = flipped_json(flipped);

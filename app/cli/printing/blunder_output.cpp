@@ -152,4 +152,22 @@ Json blunders_json(const std::vector<Blunder>& blunders) {
   return list;
 }
 
+std::optional<DistanceDoubt> find_doubtful_distance(const Session& session) {
+  try {
+    return session.is_touch() ? doubtful_distance(session, fit(session, {}), {}) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Json doubtful_distance_json(const std::optional<DistanceDoubt>& doubt, const Session& session) {
+  if (!doubt) return nullptr;
+  const KnownDistance& named = session.distances[static_cast<std::size_t>(doubt->distance)];
+  return {{"of", session.fixtures[static_cast<std::size_t>(named.of)].id},
+          {"from", session.fixtures[static_cast<std::size_t>(named.from)].id},
+          {"by", named.by},
+          {"measured", doubt->measured},
+          {"text", doubt->text}};
+}
+
 }  // namespace handsight::cli

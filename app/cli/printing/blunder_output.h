@@ -4,6 +4,7 @@
 
 #include "blunders/blunders_in_files.h"
 #include "blunders/find_blunders.h"
+#include "blunders/fixture_distance.h"
 #include "blunders/target_size.h"
 #include "command.h"
 
@@ -19,6 +20,12 @@ std::vector<Blunder> list_blunders(const Session& session);
 
 /// other_target_size by such a plain fit; nothing where nothing can be fitted.
 std::optional<TargetSize> find_target_size(const Session& session);
+
+/// doubtful_distance by a plain fit; nothing where nothing can be fitted.
+std::optional<DistanceDoubt> find_doubtful_distance(const Session& session);
+
+/// {of, from, by, measured, text}; null where no distance is doubtful.
+Json doubtful_distance_json(const std::optional<DistanceDoubt>& doubt, const Session& session);
 
 /// A target of another size than described (target_size.h), which is reported in place of blunders where it leaves
 /// little.

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measurements as programs print them, a message or a list each, as a table. Internal to convert.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "readers/table.h"
+
+namespace handsight {
+
+/// Maps of YAML or JSON: `ros2 topic echo` of joint states and of poses, JSON a line, lists of maps (also within a map
+/// of their own). A row each; lists of joint angles have the robot's `joints` as names. Nothing where the text is none
+/// of these. InputError where it is no YAML.
+std::optional<Table> parse_listed_rows(const std::string& text, const std::string& file,
+                                       const std::vector<std::string>& joints);
+
+/// What tf2_echo prints, lists in brackets a line, arrays as NumPy prints them. Nothing where the text is none of
+/// these.
+std::optional<Table> parse_printed_rows(const std::string& text, const std::string& file);
+
+/// The table that a text is, in whatever form: one of these, or of text with separators (parse_recorded_table).
+std::optional<Table> parse_measured_table(const std::string& text, const std::string& file,
+                                          const std::vector<std::string>& joints);
+
+}  // namespace handsight
