@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <map>
+#include <numeric>
 
 #include "compare/change_watch.h"
 #include "estimation/report/fit_report.h"
@@ -42,7 +43,7 @@ struct Case {
   std::string hidden;
 };
 
-Case drawn_case(int number, std::uint64_t seed) {
+Case drawn_case(int number, std::uint64_t seed, double size) {
   const int robot = number % 3;
   std::mt19937_64 random(seed);
   Case c{trials::robot_session(robot, seed), {}, "none"};
@@ -61,7 +62,7 @@ Case drawn_case(int number, std::uint64_t seed) {
     EffectTerm term = term_of(effect, places[random() % places.size()]);
     std::normal_distribution<double> normal;
     for (std::size_t p = 0; p < term.values.size(); ++p)
-      term.values[p] = (normal(random) < 0 ? -1 : 1) * effect.parameters[p].sigma;
+      term.values[p] = (normal(random) < 0 ? -size : size) * effect.parameters[p].sigma;
     if (cause == "joint_elasticity") term.values[0] = std::abs(term.values[0]);
     c.truth.effects = {term};
   }
@@ -87,8 +88,9 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
   return found && (c.hidden == "none" ? found->id.empty() : found->id == c.hidden);
 }
 
-/// Poses drawn at random, seen and free, until the cause is settled; how many.
-int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
+double shown_by(const Case& c);
+
+std::vector<Observation> random_poses(const Case& c) {
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
   for (const Observation& o : make_start(c).observations) poses.push_back(o);
@@ -106,16 +108,59 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
     poses[k].velocity.resize(0);
   }
   poses.resize(std::min<std::size_t>(poses.size(), most_poses + 2));
-  const Session all = simulate_at(c.like, c.truth, poses).session;
+  return poses;
+}
+
+void print_sequence(const Case& c, const Session& all, const char* name) {
+  fmt::print("  {:<7}", name);
+  for (std::size_t count = 3; count <= std::min<std::size_t>(all.observations.size(), 24); ++count) {
+    Session some = all;
+    some.observations.resize(count);
+    const Knowledge known = assess_knowledge(some, {}, true, {});
+    if (!known.settled || !known.diagnosis) {
+      fmt::print(" {}:?", count);
+      continue;
+    }
+    const auto& d = *known.diagnosis;
+    const auto* s = &*known.settled;
+    fmt::print(" {}:{}{}{:.2g}({}{:.0f}/{:.0f})", count,
+               s->id.empty()       ? "-"
+               : s->id == c.hidden ? "OK"
+                                   : s->id,
+               d.verdict == Verdict::adequate ? "~" : " ", s->odds,
+               d.candidates.empty() ? "" : d.candidates[0].id.substr(0, 8),
+               d.candidates.empty() ? 0 : d.candidates[0].ln_bayes_factor, d.threshold);
+    std::fflush(stdout);
+    if (!s->id.empty() && s->odds > 1e6) break;
+  }
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+void try_sequences(int count, std::uint64_t first, int from) {
+  for (int i = from; i < count; ++i) {
+    const Case c = drawn_case(i, first + static_cast<std::uint64_t>(i), 1);
+    fmt::print("{} robot {} {} chi2 {:.3g}\n", first + i, i % 3, c.hidden, shown_by(c));
+    print_sequence(c, simulate_at(c.like, c.truth, random_poses(c)).session, "random");
+    SimulatedRobot robot(c.like, {.truth = c.truth});
+    ExperimentOptions o = quiet("odds=1000000|count=22");
+    const ExperimentResult loop = run_experiment(make_start(c), robot, o);
+    print_sequence(c, loop.session, "loop");
+  }
+}
+
+/// Random poses one after another until the cause is settled, by the loop's own rules; how many.
+int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
+  const Session all = simulate_at(c.like, c.truth, random_poses(c)).session;
   int adequate_in_a_row = 0;
-  for (std::size_t count = 10; count <= all.observations.size(); count += batch) {
+  for (std::size_t count = least_to_diagnose; count <= all.observations.size();
+       count += count < least_for_none ? 1 : batch) {
     Session some = all;
     some.observations.resize(count);
     const Knowledge known = assess_knowledge(some, {}, true, {});
     if (!known.settled) continue;
-    // By the loop's own rules.
     const bool is_none = known.settled->id.empty() && known.diagnosis->verdict == Verdict::adequate;
-    if (is_none && known.used >= 20 && known.settled->odds >= 1) ++adequate_in_a_row;
+    if (is_none && known.used >= least_for_none && known.settled->odds >= 1) ++adequate_in_a_row;
     if (!is_none) adequate_in_a_row = 0;
     if (is_none ? adequate_in_a_row >= 2 : !known.settled->id.empty() && known.settled->odds >= odds) {
       settled = known.settled;
@@ -139,12 +184,13 @@ double shown_by(const Case& c) {
   return rows * std::pow(fit(session).residual_rms / trials::sigma, 2);
 }
 
-void try_robots(int count, std::uint64_t first, int from) {
+void try_robots(int count, std::uint64_t first, int from, double size) {
   std::vector<double> of_causes, of_none, hands, choices;  // poses by the loop over random ones; the rest
   std::map<std::string, std::array<int, 3>> named;         // all, right by the loop, right by random poses
   for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
-    const Case c = drawn_case(i, seed);
+    const Case c = drawn_case(i, seed, size);
+    if (std::getenv("H_QUICK") && (c.truth.effects.empty() || shown_by(c) < 60)) continue;
     const auto start = Clock::now();
     SimulatedRobot robot(c.like, {.truth = c.truth});
     const ExperimentResult loop =
@@ -161,7 +207,7 @@ void try_robots(int count, std::uint64_t first, int from) {
     choices.push_back(loop.longest_choice);
     double hand = NAN;
     // The hand beside as many poses that are chosen with the truth as the model.
-    if (!c.truth.effects.empty()) {
+    if (!c.truth.effects.empty() && !std::getenv("H_QUICK")) {
       ExperimentOptions with_truth = quiet(fmt::format("count={}", loop.observations));
       with_truth.model.estimated = c.truth.effects;
       SimulatedRobot again(c.like, {.truth = c.truth});
@@ -310,7 +356,21 @@ void try_months(int count, std::uint64_t first) {
              hours, alarms, std::exp(largest));
 }
 
+/// In how many sigmas of the best estimate a change of one number shows, were it known what has changed and when.
+double known_sigmas(const WatchStep& step, const EffectTerm& truth, const std::string& where) {
+  for (const WatchedChange& c : step.each)
+    if (c.what == truth.id && c.where == where) return std::abs(truth.values[0]) / c.sigma[0];
+  return NAN;
+}
+
+/// The chance that a test of that one change, at a false alarm in 1000, sees it: no test sees more.
+double power_of_best_test(double sigmas) {
+  constexpr double at_one_in_1000 = 3.0902;
+  return 0.5 * std::erfc((at_one_in_1000 - sigmas) / std::sqrt(2.0));
+}
+
 void try_changes(int count, std::uint64_t first) {
+  std::map<std::string, std::vector<double>> best_power;
   std::map<std::string, std::array<int, 4>> tallies;  // all, seen, named, or said not to be distinguished
   for (int i = 0; i < count; ++i) {
     const Watched w = watched(first + 500 + static_cast<std::uint64_t>(i));
@@ -342,8 +402,15 @@ void try_changes(int count, std::uint64_t first) {
       for (const Observation& o : before.observations) watch.add(before, o);
       std::optional<WatchStep> last;
       for (const Observation& o : after.observations) last = watch.add(after, o);
-      fmt::print("{} {}: ln e-value {:.1f}, {}\n", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
+      fmt::print("{} {}: ln e-value {:.1f}, {}", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
                  last->text);
+      if (term.values.size() == 1) {
+        const double sigmas = known_sigmas(*last, term, place_name(term_effect(term), term.place, chain.robot));
+        best_power[kind].push_back(power_of_best_test(sigmas));
+        fmt::print(" [{:.1f} sigmas; the best test sees {:.3f}]", sigmas, best_power[kind].back());
+      }
+      fmt::print("\n");
+      std::fflush(stdout);
       auto& tally = tallies[kind];
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
@@ -359,6 +426,9 @@ void try_changes(int count, std::uint64_t first) {
     fmt::print(
         "{:<28} {} changes after ten checks: seen within five poses {}, named right {}, or as not told apart {}\n",
         kind, tally[0], tally[1], tally[2], tally[3]);
+  for (const auto& [kind, powers] : best_power)
+    fmt::print("{:<28} a test that knows the joint and the moment sees {:.1f} of {}\n", kind,
+               std::accumulate(powers.begin(), powers.end(), 0.0), powers.size());
 }
 
 int run(int argc, char** argv) {
@@ -366,7 +436,9 @@ int run(int argc, char** argv) {
   const int count = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "robots")
-    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0);
+    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1);
+  else if (what == "sequences")
+    try_sequences(count, seed, argc > 4 ? std::atoi(argv[4]) : 0);
   else if (what == "ways")
     try_ways(count, seed);
   else if (what == "months")

@@ -25,9 +25,10 @@ std::vector<PlannedMove> Experiment::next_moves() {
   ChoiceOptions choice;
   choice.count = options_.batch;
   if (options_.until.count) choice.count = std::min(choice.count, *options_.until.count - result_.observations);
-  // No more than the first diagnosis needs.
-  if (const std::size_t used = result_.known.used; used < least_to_diagnose)
-    choice.count = std::min(choice.count, static_cast<int>(least_to_diagnose - used));
+  // While little is measured each pose may settle what is missing.
+  choice.for_cause = options_.until.odds && !result_.settled && !options_.between;
+  if (const std::size_t used = result_.known.used; choice.for_cause && used < least_for_none)
+    choice.count = std::min(choice.count, used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1);
   choice.with_repeat = batches_ % 2 == 1;
   choice.seed = options_.seed + 1000 * static_cast<std::uint64_t>(batches_ + session_.observations.size());
   ++batches_;

@@ -14,7 +14,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int most_batches_without = 3;  // choices in a row that found no pose
 constexpr int poses_for_limit = 150;
-constexpr std::size_t least_for_none = 20;  // observations before it is said that nothing is missing
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 

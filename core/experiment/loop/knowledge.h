@@ -31,7 +31,8 @@ struct SettledCause {
   double odds = 1;
 };
 
-inline constexpr std::size_t least_to_diagnose = 10;  // used observations
+inline constexpr std::size_t least_to_diagnose = 5;  // used observations
+inline constexpr std::size_t least_for_none = 20;    // ... before it is said that nothing is missing
 
 struct Knowledge {
   std::size_t used = 0;                       // observations
