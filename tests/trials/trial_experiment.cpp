@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_experiment robots COUNT SEED [FROM]: simulated robots from a rough start, one hidden cause or none; how many
-// poses the
-//   loop needs for odds of 20, and how many random ones do that can be reached and seen; how well the hand is known
-//   beside poses chosen with the truth known.
+// trial_experiment robots COUNT SEED [FROM [SIZE]]: simulated robots from a rough start, one hidden cause of SIZE (1)
+//   prior sigmas or none; how many poses the loop needs for odds of 20, and how many random ones do that can be reached
+//   and seen; how well the hand is known beside poses chosen with the truth known.
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
 // trial_experiment months COUNT SEED: rechecks once an hour for a month without a change.
 // trial_experiment changes COUNT SEED: changes after ten checks, seen within the five poses of the next.
@@ -27,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int most_poses = 60, batch = 5;
 constexpr double odds = 20;
+constexpr int fewest_new = static_cast<int>(least_to_diagnose) - 2;  // poses after the start, at the first diagnosis
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -88,8 +88,7 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
   return found && (c.hidden == "none" ? found->id.empty() : found->id == c.hidden);
 }
 
-double shown_by(const Case& c);
-
+/// The start's poses, then those drawn at random that are seen and touch nothing.
 std::vector<Observation> random_poses(const Case& c) {
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
@@ -109,44 +108,6 @@ std::vector<Observation> random_poses(const Case& c) {
   }
   poses.resize(std::min<std::size_t>(poses.size(), most_poses + 2));
   return poses;
-}
-
-void print_sequence(const Case& c, const Session& all, const char* name) {
-  fmt::print("  {:<7}", name);
-  for (std::size_t count = 3; count <= std::min<std::size_t>(all.observations.size(), 24); ++count) {
-    Session some = all;
-    some.observations.resize(count);
-    const Knowledge known = assess_knowledge(some, {}, true, {});
-    if (!known.settled || !known.diagnosis) {
-      fmt::print(" {}:?", count);
-      continue;
-    }
-    const auto& d = *known.diagnosis;
-    const auto* s = &*known.settled;
-    fmt::print(" {}:{}{}{:.2g}({}{:.0f}/{:.0f})", count,
-               s->id.empty()       ? "-"
-               : s->id == c.hidden ? "OK"
-                                   : s->id,
-               d.verdict == Verdict::adequate ? "~" : " ", s->odds,
-               d.candidates.empty() ? "" : d.candidates[0].id.substr(0, 8),
-               d.candidates.empty() ? 0 : d.candidates[0].ln_bayes_factor, d.threshold);
-    std::fflush(stdout);
-    if (!s->id.empty() && s->odds > 1e6) break;
-  }
-  fmt::print("\n");
-  std::fflush(stdout);
-}
-
-void try_sequences(int count, std::uint64_t first, int from) {
-  for (int i = from; i < count; ++i) {
-    const Case c = drawn_case(i, first + static_cast<std::uint64_t>(i), 1);
-    fmt::print("{} robot {} {} chi2 {:.3g}\n", first + i, i % 3, c.hidden, shown_by(c));
-    print_sequence(c, simulate_at(c.like, c.truth, random_poses(c)).session, "random");
-    SimulatedRobot robot(c.like, {.truth = c.truth});
-    ExperimentOptions o = quiet("odds=1000000|count=22");
-    const ExperimentResult loop = run_experiment(make_start(c), robot, o);
-    print_sequence(c, loop.session, "loop");
-  }
 }
 
 /// Random poses one after another until the cause is settled, by the loop's own rules; how many.
@@ -185,12 +146,12 @@ double shown_by(const Case& c) {
 }
 
 void try_robots(int count, std::uint64_t first, int from, double size) {
-  std::vector<double> of_causes, of_none, hands, choices;  // poses by the loop over random ones; the rest
-  std::map<std::string, std::array<int, 3>> named;         // all, right by the loop, right by random poses
+  std::vector<double> of_causes, where_poses_count, of_none, hands,
+      choices;                                      // poses by the loop over random ones; the rest
+  std::map<std::string, std::array<int, 3>> named;  // all, right by the loop, right by random poses
   for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
     const Case c = drawn_case(i, seed, size);
-    if (std::getenv("H_QUICK") && (c.truth.effects.empty() || shown_by(c) < 60)) continue;
     const auto start = Clock::now();
     SimulatedRobot robot(c.like, {.truth = c.truth});
     const ExperimentResult loop =
@@ -204,10 +165,11 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
     tally[2] += is_right(by_random, c) ? 1 : 0;
     const double ratio = static_cast<double>(loop.observations) / random_count;
     if (loop.settled || by_random) (c.truth.effects.empty() ? of_none : of_causes).push_back(ratio);
+    if (by_random && !c.truth.effects.empty() && random_count > fewest_new) where_poses_count.push_back(ratio);
     choices.push_back(loop.longest_choice);
     double hand = NAN;
     // The hand beside as many poses that are chosen with the truth as the model.
-    if (!c.truth.effects.empty() && !std::getenv("H_QUICK")) {
+    if (!c.truth.effects.empty()) {
       ExperimentOptions with_truth = quiet(fmt::format("count={}", loop.observations));
       with_truth.model.estimated = c.truth.effects;
       SimulatedRobot again(c.like, {.truth = c.truth});
@@ -244,12 +206,13 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
   for (const auto& [cause, tally] : named)
     fmt::print("{:<22} {} robots, right by the loop {}, by random poses {}\n", cause, tally[0], tally[1], tally[2]);
   fmt::print(
-      "poses of the loop by random ones: causes median {:.2f} of {}, no effect {:.2f} of {}; hand by poses of the "
+      "poses of the loop by random ones: causes median {:.2f} of {} ({:.2f} of the {} that random ones did not show at "
+      "the first diagnosis), no effect {:.2f} of {}; hand by poses of the "
       "known "
       "truth: median {:.3f}, at most {:.3f}; choice: median {:.2f} s, at most {:.2f} s a pose; {} MB\n",
-      median(of_causes), of_causes.size(), median(of_none), of_none.size(), median(hands),
-      hands.empty() ? NAN : *std::max_element(hands.begin(), hands.end()), median(choices),
-      *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
+      median(of_causes), of_causes.size(), median(where_poses_count), where_poses_count.size(), median(of_none),
+      of_none.size(), median(hands), hands.empty() ? NAN : *std::max_element(hands.begin(), hands.end()),
+      median(choices), *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
 }
 
 void try_ways(int count, std::uint64_t seed) {
@@ -437,8 +400,6 @@ int run(int argc, char** argv) {
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "robots")
     try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1);
-  else if (what == "sequences")
-    try_sequences(count, seed, argc > 4 ? std::atoi(argv[4]) : 0);
   else if (what == "ways")
     try_ways(count, seed);
   else if (what == "months")

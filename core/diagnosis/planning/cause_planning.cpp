@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/outliers/snooping.h"
@@ -14,9 +13,11 @@
 namespace handsight {
 namespace {
 
-const double evidence_in_question = std::getenv("H_TAU") ? std::atof(std::getenv("H_TAU")) : 3;
-const double worth_of_numbers = std::getenv("H_NUM") ? std::atof(std::getenv("H_NUM")) : 0.2;
-constexpr double least_probability = 1e-4;
+/// Nats of distance that count as settled: odds of 20.
+constexpr double evidence_in_question = 3;
+/// The nats about the model's own numbers beside those about names: enough to decide where names do not.
+constexpr double worth_of_numbers = 0.2;
+constexpr double least_probability = 1e-4;  // of a suspect that is still asked about
 
 /// What a hypothesis predicts of a pose's measurement, beside what the model does without it: its mean, and its
 /// covariance by what is not known of its numbers; in units of the measurement's own uncertainty.

@@ -26,7 +26,7 @@ std::vector<PlannedMove> Experiment::next_moves() {
   choice.count = options_.batch;
   if (options_.until.count) choice.count = std::min(choice.count, *options_.until.count - result_.observations);
   // While little is measured each pose may settle what is missing.
-  choice.for_cause = options_.until.odds && !result_.settled && !options_.between;
+  choice.for_cause = options_.until.odds && !result_.settled && !options_.between && !session_.is_touch();
   if (const std::size_t used = result_.known.used; choice.for_cause && used < least_for_none)
     choice.count = std::min(choice.count, used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1);
   choice.with_repeat = batches_ % 2 == 1;
