@@ -61,6 +61,8 @@ QString reason_in_words(PoseReason reason) {
       return QObject::tr("to settle the estimate");
     case PoseReason::precision:
       return QObject::tr("for the precision of the hand");
+    case PoseReason::cause:
+      return QObject::tr("to find what is missing");
     case PoseReason::between:
       return QObject::tr("to tell two causes apart");
     case PoseReason::region:

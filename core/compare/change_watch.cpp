@@ -6,6 +6,8 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <numbers>
+#include <set>
 
 #include "compare/calibrated_sides.h"
 #include "compare/change_candidates.h"
@@ -112,7 +114,34 @@ struct WatchedPose {
 
 struct Recent {
   std::size_t pose = 0, number = 0;
+  double ln_weight = 0;  // of a change that comes just before it
   PoseSums sums;
+};
+
+/// Shares of 1 that fall as slowly as shares can: about 1 / (k ln(k)^2). Over all k they are 1 together.
+double slow_share(std::size_t k) {
+  const auto x = static_cast<double>(k) + std::numbers::e;
+  return 1 / std::log(x) - 1 / std::log(x + 1);
+}
+
+/// Robots are hit and knocked between two rounds rather than within one: half of what a round weighs is its begin's. A
+/// round ends where one of its poses is taken again.
+class Rounds {
+ public:
+  /// ln of the weight of a change just before the next observation, which is of this pose. All weights together are no
+  /// more than 1, however the poses come.
+  double next_ln_weight(std::size_t pose) {
+    if (!taken_.insert(pose).second) {
+      taken_ = {pose};
+      ++round_;
+    }
+    const std::size_t place = taken_.size() - 1;
+    return std::log(slow_share(round_) * 0.5 * (place == 0 ? 1 : slow_share(place - 1)));
+  }
+
+ private:
+  std::set<std::size_t> taken_;  // poses of this round
+  std::size_t round_ = 0;
 };
 
 }  // namespace
@@ -123,6 +152,8 @@ struct ChangeWatch::Parts {
   std::vector<WatchedPose> poses;
   std::deque<Recent> recent;
   std::size_t count = 0;
+  Rounds rounds;
+  double ln_first_weight = 0;  // of a change before the very first observation
   bool has_changed = false;
   // Of the problem, the same for all observations.
   Eigen::Index base = 0;
@@ -144,7 +175,7 @@ struct ChangeWatch::Parts {
 
   PoseSums sums_of(const Session& session, const Observation& observation, Matrix6& repeatability);
   std::size_t locate(const Eigen::VectorXd& position, const Matrix6& repeatability);
-  Start start_at(std::size_t number, const Normal& normal) const;
+  Start start_at(double ln_weight, const Normal& normal) const;
   std::vector<Start> starts() const;
   std::map<std::string, double> by_group(const std::vector<double>& evidence) const;
   double mixture(const std::vector<double>& evidence) const;
@@ -226,14 +257,12 @@ double ChangeWatch::Parts::mixture(const std::vector<double>& evidence) const {
   return ln_mean_exp(of_groups) + std::log(static_cast<double>(of_groups.size()) / weights);
 }
 
-ChangeWatch::Parts::Start ChangeWatch::Parts::start_at(std::size_t number, const Normal& n) const {
+ChangeWatch::Parts::Start ChangeWatch::Parts::start_at(double ln_weight, const Normal& n) const {
   const Eigen::Index changes = n.gradient.size() - base;
   const Eigen::LLT<Eigen::MatrixXd> llt(n.information.topLeftCorner(base, base) + known);
   const Eigen::MatrixXd cross = llt.solve(n.information.topRightCorner(base, changes));
   Start start;
-  // 1 / ((k + 1) (k + 2)) over all k is 1 together.
-  const auto k = static_cast<double>(number);
-  start.ln_weight = -std::log((k + 1) * (k + 2));
+  start.ln_weight = ln_weight;
   start.information =
       n.information.bottomRightCorner(changes, changes) - n.information.bottomLeftCorner(changes, base) * cross;
   start.gradient = n.gradient.tail(changes) - cross.transpose() * n.gradient.head(base);
@@ -270,9 +299,9 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
     sums[r.pose].add(r.sums);
     normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].repeatability);
     total.add(normals[r.pose], 1);
-    all.push_back(start_at(r.number, total));
+    all.push_back(start_at(r.ln_weight, total));
   }
-  if (recent.front().number > 0) all.push_back(start_at(0, from_first));
+  if (recent.front().number > 0) all.push_back(start_at(ln_first_weight, from_first));
   return all;
 }
 
@@ -339,6 +368,8 @@ std::optional<WatchStep> ChangeWatch::add(const Session& session, const Observat
   one.sums = p.sums_of(session, observation, repeatability);
   one.pose = p.locate(observation.position, repeatability);
   one.number = p.count++;
+  one.ln_weight = p.rounds.next_ln_weight(one.pose);
+  if (one.number == 0) p.ln_first_weight = one.ln_weight;
   p.poses[one.pose].unchanged.add(one.sums.unchanged(p.base));
   p.poses[one.pose].changed.add(one.sums);
   p.recent.push_back(std::move(one));

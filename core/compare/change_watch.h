@@ -37,12 +37,13 @@ struct WatchOptions {
 
 /// A sequential test by an e-process: the ratio of the likelihoods of all that was measured, with a change (one of
 /// those that compare knows, of any prior sigma, from any observation on) and without one, mean over the changes and
-/// the times at which they may have come, these weighted by 1 / (k (k + 1)). Where nothing has changed its expectation
-/// is never above 1, so that it ever reaches 1000 with a chance of 1e-3 at most (Ville 1939; Shafer, Shen, Vereshchagin
-/// and Vovk 2011). What the calibration is unsure of is unknown on both sides. What it leaves from pose to pose is a
-/// motion of its own for each pose, and half of the noise (more where the calibration has left more) an offset of each
-/// of its coordinates, both the same whenever that pose is taken again (within 5e-3 rad, m): errors of shape and lenses
-/// are no change, however often they are measured.
+/// the times at which they may have come, of which the beginnings of rounds (until a pose is taken again) have half of
+/// the weight, and rounds by about 1 / (k ln(k)^2). Where nothing has changed its expectation is never above 1, so that
+/// it ever reaches 1000 with a chance of 1e-3 at most (Ville 1939; Shafer, Shen, Vereshchagin and Vovk 2011). What the
+/// calibration is unsure of is unknown on both sides. What it leaves from pose to pose is a motion of its own for each
+/// pose, and half of the noise (more where the calibration has left more) an offset of each of its coordinates, both
+/// the same whenever that pose is taken again (within 5e-3 rad, m): errors of shape and lenses are no change, however
+/// often they are measured.
 class ChangeWatch {
  public:
   explicit ChangeWatch(CalibratedRobot before, WatchOptions options = {});

@@ -6315,6 +6315,10 @@
         <source>Session after</source>
         <translation>Sitzung nachher</translation>
     </message>
+    <message>
+        <source>to find what is missing</source>
+        <translation>um zu finden, was fehlt</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>

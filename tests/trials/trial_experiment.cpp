@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// trial_experiment robots COUNT SEED [FROM]: simulated robots from a rough start, one hidden cause or none; how many
-// poses the
-//   loop needs for odds of 20, and how many random ones do that can be reached and seen; how well the hand is known
-//   beside poses chosen with the truth known.
+// trial_experiment robots COUNT SEED [FROM [SIZE]]: simulated robots from a rough start, one hidden cause of SIZE (1)
+//   prior sigmas or none; how many poses the loop needs for odds of 20, and how many random ones do that can be reached
+//   and seen; how well the hand is known beside poses chosen with the truth known.
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
 // trial_experiment months COUNT SEED: rechecks once an hour for a month without a change.
 // trial_experiment changes COUNT SEED: changes after ten checks, seen within the five poses of the next.
@@ -11,6 +10,7 @@
 
 #include <chrono>
 #include <map>
+#include <numeric>
 
 #include "compare/change_watch.h"
 #include "estimation/report/fit_report.h"
@@ -26,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int most_poses = 60, batch = 5;
 constexpr double odds = 20;
+constexpr int fewest_new = static_cast<int>(least_to_diagnose) - 2;  // poses after the start, at the first diagnosis
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -42,7 +43,7 @@ struct Case {
   std::string hidden;
 };
 
-Case drawn_case(int number, std::uint64_t seed) {
+Case drawn_case(int number, std::uint64_t seed, double size) {
   const int robot = number % 3;
   std::mt19937_64 random(seed);
   Case c{trials::robot_session(robot, seed), {}, "none"};
@@ -61,7 +62,7 @@ Case drawn_case(int number, std::uint64_t seed) {
     EffectTerm term = term_of(effect, places[random() % places.size()]);
     std::normal_distribution<double> normal;
     for (std::size_t p = 0; p < term.values.size(); ++p)
-      term.values[p] = (normal(random) < 0 ? -1 : 1) * effect.parameters[p].sigma;
+      term.values[p] = (normal(random) < 0 ? -size : size) * effect.parameters[p].sigma;
     if (cause == "joint_elasticity") term.values[0] = std::abs(term.values[0]);
     c.truth.effects = {term};
   }
@@ -87,8 +88,8 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
   return found && (c.hidden == "none" ? found->id.empty() : found->id == c.hidden);
 }
 
-/// Poses drawn at random, seen and free, until the cause is settled; how many.
-int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
+/// The start's poses, then those drawn at random that are seen and touch nothing.
+std::vector<Observation> random_poses(const Case& c) {
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
   for (const Observation& o : make_start(c).observations) poses.push_back(o);
@@ -106,16 +107,21 @@ int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
     poses[k].velocity.resize(0);
   }
   poses.resize(std::min<std::size_t>(poses.size(), most_poses + 2));
-  const Session all = simulate_at(c.like, c.truth, poses).session;
+  return poses;
+}
+
+/// Random poses one after another until the cause is settled, by the loop's own rules; how many.
+int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
+  const Session all = simulate_at(c.like, c.truth, random_poses(c)).session;
   int adequate_in_a_row = 0;
-  for (std::size_t count = 10; count <= all.observations.size(); count += batch) {
+  for (std::size_t count = least_to_diagnose; count <= all.observations.size();
+       count += count < least_for_none ? 1 : batch) {
     Session some = all;
     some.observations.resize(count);
     const Knowledge known = assess_knowledge(some, {}, true, {});
     if (!known.settled) continue;
-    // By the loop's own rules.
     const bool is_none = known.settled->id.empty() && known.diagnosis->verdict == Verdict::adequate;
-    if (is_none && known.used >= 20 && known.settled->odds >= 1) ++adequate_in_a_row;
+    if (is_none && known.used >= least_for_none && known.settled->odds >= 1) ++adequate_in_a_row;
     if (!is_none) adequate_in_a_row = 0;
     if (is_none ? adequate_in_a_row >= 2 : !known.settled->id.empty() && known.settled->odds >= odds) {
       settled = known.settled;
@@ -139,12 +145,13 @@ double shown_by(const Case& c) {
   return rows * std::pow(fit(session).residual_rms / trials::sigma, 2);
 }
 
-void try_robots(int count, std::uint64_t first, int from) {
-  std::vector<double> of_causes, of_none, hands, choices;  // poses by the loop over random ones; the rest
-  std::map<std::string, std::array<int, 3>> named;         // all, right by the loop, right by random poses
+void try_robots(int count, std::uint64_t first, int from, double size) {
+  std::vector<double> of_causes, where_poses_count, of_none, hands,
+      choices;                                      // poses by the loop over random ones; the rest
+  std::map<std::string, std::array<int, 3>> named;  // all, right by the loop, right by random poses
   for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
-    const Case c = drawn_case(i, seed);
+    const Case c = drawn_case(i, seed, size);
     const auto start = Clock::now();
     SimulatedRobot robot(c.like, {.truth = c.truth});
     const ExperimentResult loop =
@@ -158,6 +165,7 @@ void try_robots(int count, std::uint64_t first, int from) {
     tally[2] += is_right(by_random, c) ? 1 : 0;
     const double ratio = static_cast<double>(loop.observations) / random_count;
     if (loop.settled || by_random) (c.truth.effects.empty() ? of_none : of_causes).push_back(ratio);
+    if (by_random && !c.truth.effects.empty() && random_count > fewest_new) where_poses_count.push_back(ratio);
     choices.push_back(loop.longest_choice);
     double hand = NAN;
     // The hand beside as many poses that are chosen with the truth as the model.
@@ -198,12 +206,13 @@ void try_robots(int count, std::uint64_t first, int from) {
   for (const auto& [cause, tally] : named)
     fmt::print("{:<22} {} robots, right by the loop {}, by random poses {}\n", cause, tally[0], tally[1], tally[2]);
   fmt::print(
-      "poses of the loop by random ones: causes median {:.2f} of {}, no effect {:.2f} of {}; hand by poses of the "
+      "poses of the loop by random ones: causes median {:.2f} of {} ({:.2f} of the {} that random ones did not show at "
+      "the first diagnosis), no effect {:.2f} of {}; hand by poses of the "
       "known "
       "truth: median {:.3f}, at most {:.3f}; choice: median {:.2f} s, at most {:.2f} s a pose; {} MB\n",
-      median(of_causes), of_causes.size(), median(of_none), of_none.size(), median(hands),
-      hands.empty() ? NAN : *std::max_element(hands.begin(), hands.end()), median(choices),
-      *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
+      median(of_causes), of_causes.size(), median(where_poses_count), where_poses_count.size(), median(of_none),
+      of_none.size(), median(hands), hands.empty() ? NAN : *std::max_element(hands.begin(), hands.end()),
+      median(choices), *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
 }
 
 void try_ways(int count, std::uint64_t seed) {
@@ -310,7 +319,21 @@ void try_months(int count, std::uint64_t first) {
              hours, alarms, std::exp(largest));
 }
 
+/// In how many sigmas of the best estimate a change of one number shows, were it known what has changed and when.
+double known_sigmas(const WatchStep& step, const EffectTerm& truth, const std::string& where) {
+  for (const WatchedChange& c : step.each)
+    if (c.what == truth.id && c.where == where) return std::abs(truth.values[0]) / c.sigma[0];
+  return NAN;
+}
+
+/// The chance that a test of that one change, at a false alarm in 1000, sees it: no test sees more.
+double power_of_best_test(double sigmas) {
+  constexpr double at_one_in_1000 = 3.0902;
+  return 0.5 * std::erfc((at_one_in_1000 - sigmas) / std::sqrt(2.0));
+}
+
 void try_changes(int count, std::uint64_t first) {
+  std::map<std::string, std::vector<double>> best_power;
   std::map<std::string, std::array<int, 4>> tallies;  // all, seen, named, or said not to be distinguished
   for (int i = 0; i < count; ++i) {
     const Watched w = watched(first + 500 + static_cast<std::uint64_t>(i));
@@ -342,8 +365,15 @@ void try_changes(int count, std::uint64_t first) {
       for (const Observation& o : before.observations) watch.add(before, o);
       std::optional<WatchStep> last;
       for (const Observation& o : after.observations) last = watch.add(after, o);
-      fmt::print("{} {}: ln e-value {:.1f}, {}\n", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
+      fmt::print("{} {}: ln e-value {:.1f}, {}", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
                  last->text);
+      if (term.values.size() == 1) {
+        const double sigmas = known_sigmas(*last, term, place_name(term_effect(term), term.place, chain.robot));
+        best_power[kind].push_back(power_of_best_test(sigmas));
+        fmt::print(" [{:.1f} sigmas; the best test sees {:.3f}]", sigmas, best_power[kind].back());
+      }
+      fmt::print("\n");
+      std::fflush(stdout);
       auto& tally = tallies[kind];
       ++tally[0];
       tally[1] += last->changed ? 1 : 0;
@@ -359,6 +389,9 @@ void try_changes(int count, std::uint64_t first) {
     fmt::print(
         "{:<28} {} changes after ten checks: seen within five poses {}, named right {}, or as not told apart {}\n",
         kind, tally[0], tally[1], tally[2], tally[3]);
+  for (const auto& [kind, powers] : best_power)
+    fmt::print("{:<28} a test that knows the joint and the moment sees {:.1f} of {}\n", kind,
+               std::accumulate(powers.begin(), powers.end(), 0.0), powers.size());
 }
 
 int run(int argc, char** argv) {
@@ -366,7 +399,7 @@ int run(int argc, char** argv) {
   const int count = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "robots")
-    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0);
+    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1);
   else if (what == "ways")
     try_ways(count, seed);
   else if (what == "months")

@@ -47,10 +47,11 @@ ExpectedPoses::ExpectedPoses(const Fit& fit, double noise) : fit_(fit), noise_(n
   llt_.compute(information_);
 }
 
-void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before,
-                            const PoseJudge& judge) {
-  Look all;
-  const Problem& problem = fit_.problem;
+namespace {
+
+/// Each marker that was seen, by every camera.
+std::vector<Sighting> list_sightings(const Problem& problem) {
+  std::vector<Sighting> sightings;
   for (int m = 0; m < problem.marker_count; ++m) {
     if (!problem.marker_is_seen[static_cast<std::size_t>(m)]) continue;
     Sighting s{.marker = m};
@@ -59,8 +60,17 @@ void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eig
     } else {
       s.point = Vector3::Zero();
     }
-    all.sightings.push_back(s);
+    sightings.push_back(s);
   }
+  return sightings;
+}
+
+}  // namespace
+
+void ExpectedPoses::look_at(const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before,
+                            const PoseJudge& judge) {
+  Look all;
+  all.sightings = list_sightings(fit_.problem);
   linearise(poses, std::vector<Look>(poses.size(), all), before, judge);
 }
 
@@ -124,6 +134,30 @@ std::vector<Sighting> shown(const Problem& problem, const ProblemObservation& o,
 }
 
 }  // namespace
+
+Problem expected_problem(const Problem& like, const Unknowns& unknowns, const Rigid& tcp_from_body,
+                         const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before) {
+  auto source = std::make_shared<ProblemSource>();
+  source->chain = like.source->chain;
+  source->own_effects = like.source->own_effects;
+  const ObservationState from = states_at(source->chain, before);
+  Problem problem = like;
+  problem.observations.clear();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ObservationState c = states_at(source->chain, poses[i]);
+    c.approach = (c.sensor - from.sensor).cwiseSign();
+    source->states.push_back(std::move(c));
+    ProblemObservation& o = problem.observations.emplace_back();
+    o.index = static_cast<int>(i);
+    o.mount = source->chain.mount;
+    o.sightings = list_sightings(like);
+  }
+  problem.source = source;
+  place_observations(problem);
+  for (ProblemObservation& o : problem.observations)
+    o.sightings = shown(problem, o, unknowns, sensor_from_tcp_at(o, unknowns), tcp_from_body);
+  return problem;
+}
 
 ExpectedRows ExpectedPoses::rows_at(const Problem& problem, const ProblemObservation& o, const PoseJudge& judge) const {
   const Unknowns& u = estimate(fit_);

@@ -59,4 +59,9 @@ class ExpectedPoses {
   std::vector<ExpectedRows> rows_;
 };
 
+/// `like` with these poses in place of its observations: each approached from `before`, at rest, all markers that were
+/// seen looked at and found where nothing is. Not of touches.
+Problem expected_problem(const Problem& like, const Unknowns& unknowns, const Rigid& tcp_from_body,
+                         const std::vector<Eigen::VectorXd>& poses, const Eigen::VectorXd& before);
+
 }  // namespace handsight

@@ -25,7 +25,6 @@
 namespace handsight {
 namespace {
 
-constexpr std::size_t fewest_observations = 10;
 constexpr double same_term = 0.98;  // overlap of two effects' signals on these poses
 constexpr double significant_pattern = 1e-3;
 constexpr std::size_t most_patterns = 40;
@@ -83,7 +82,7 @@ class Work {
  private:
   bool has_too_few() const {
     const Fit& f = d_.model.fit;
-    return f.problem.observations.size() < fewest_observations || f.rows - f.unknowns < 2 * f.unknowns;
+    return f.problem.observations.size() < options_.fewest || f.rows - f.unknowns < 2 * f.unknowns;
   }
 
   Diagnosis find_what_is_missing() {

@@ -13,6 +13,7 @@ namespace handsight {
 struct DiagnosisOptions {
   std::vector<EffectTerm> effects;    // in the model, held
   std::vector<EffectTerm> estimated;  // in the model, estimated; start values
+  std::size_t fewest = 10;            // used observations; with fewer the verdict is too_few_observations
   int refitted = 3;                   // how many of the best are fitted in full
   bool with_held_out = true;          // their held-out errors too
   bool with_regions = true;           // FitReport::held_out_region

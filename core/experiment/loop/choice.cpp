@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/planning/cause_planning.h"
 #include "estimation/report/hand_end.h"
 
 namespace handsight {
 namespace {
 
 constexpr std::size_t least_to_plan = 6;  // used observations
-constexpr int usual_pool = 600, spread_pool = 200;
+constexpr int usual_pool = 600, spread_pool = 200, cause_pool = 150;
 constexpr double near_in_vain = 0.15;  // rad (m) of the joint that differs most
 constexpr double most_turned = 60 * M_PI / 180;
 constexpr double least_lead = 0.2;  // of the eigenvalues: less is no plane
@@ -125,25 +126,48 @@ void add_spread(const Session& session, const Knowledge& known, const Reach& rea
       chosen.push_back({*position, PoseReason::spread});
 }
 
-void add_planned(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
-                 const ChoiceOptions& options, int count, bool between, std::vector<ChosenPose>& chosen) {
-  PlanOptions plan_options;
-  plan_options.count = count;
-  plan_options.effects = model.held;
-  plan_options.estimated = model.estimated;
-  if (between)
-    plan_options.between = known.competing;
-  else
-    plan_options.estimated.insert(plan_options.estimated.end(), known.likely.begin(), known.likely.end());
-  plan_options.pool = usual_pool;
-  plan_options.seed = options.seed + (between ? 1000003 : 0);
-  plan_options.may_take = [&](const Eigen::VectorXd& q) {
+/// May it be taken, and is it none of those that are chosen already?
+std::function<bool(const Eigen::VectorXd&)> takes(const Knowledge& known, const Reach& reach,
+                                                  const std::vector<ChosenPose>& chosen) {
+  return [&](const Eigen::VectorXd& q) {
     for (const ChosenPose& c : chosen)
       if ((c.position - q).cwiseAbs().maxCoeff() < near_in_vain) return false;
     return can_be_taken(reach, q) && is_well_seen(reach, *known.fit, q);
   };
+}
+
+PlanOptions plan_options(const ExperimentModel& model, const ChoiceOptions& options, int count) {
+  PlanOptions o;
+  o.count = count;
+  o.effects = model.held;
+  o.estimated = model.estimated;
+  o.seed = options.seed;
+  return o;
+}
+
+void add_for_causes(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
+                    const ChoiceOptions& options, int count, std::vector<ChosenPose>& chosen) {
+  PlanOptions o = plan_options(model, options, count);
+  o.pool = cause_pool;
+  o.may_take = takes(known, reach, chosen);
   try {
-    const Plan planned = plan(session, plan_options);
+    for (const Eigen::VectorXd& position : plan_for_causes(session, o)) chosen.push_back({position, PoseReason::cause});
+  } catch (const InputError&) {  // no pose of the pool can be had
+  }
+}
+
+void add_planned(const Session& session, const ExperimentModel& model, const Knowledge& known, const Reach& reach,
+                 const ChoiceOptions& options, int count, bool between, std::vector<ChosenPose>& chosen) {
+  PlanOptions o = plan_options(model, options, count);
+  if (between)
+    o.between = known.competing;
+  else
+    o.estimated.insert(o.estimated.end(), known.likely.begin(), known.likely.end());
+  o.pool = usual_pool;
+  o.seed += between ? 1000003 : 0;
+  o.may_take = takes(known, reach, chosen);
+  try {
+    const Plan planned = plan(session, o);
     if (between && !planned.tells_apart) return;
     for (const PlannedPose& pose : planned.poses)
       chosen.push_back({pose.position, between ? PoseReason::between : PoseReason::precision});
@@ -159,6 +183,8 @@ const char* reason_text(PoseReason reason) {
       return "to begin with, spread over what is seen";
     case PoseReason::precision:
       return "to settle the estimate";
+    case PoseReason::cause:
+      return "to find what is missing";
     case PoseReason::between:
       return "to tell the likeliest causes apart";
     case PoseReason::region:
@@ -174,6 +200,8 @@ const char* reason_name(PoseReason reason) {
       return "spread";
     case PoseReason::precision:
       return "precision";
+    case PoseReason::cause:
+      return "cause";
     case PoseReason::between:
       return "between";
     case PoseReason::region:
@@ -228,7 +256,7 @@ std::vector<Eigen::VectorXd> poses_to_judge_by(const Session& session, const Fit
 std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
                                      const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options) {
   std::vector<ChosenPose> chosen;
-  if (!known.fit || known.used < least_to_plan) {
+  if (!known.fit || (known.used < least_to_plan && !options.for_cause)) {
     add_spread(session, known, reach, from, options, chosen);
     return chosen;
   }
@@ -245,8 +273,11 @@ std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentMod
       chosen.push_back({*position, PoseReason::region});
   }
   const auto left = [&] { return options.count - static_cast<int>(chosen.size()); };
+  if (options.for_cause && left() > 0) add_for_causes(session, model, known, reach, options, left(), chosen);
   if (known.competing && left() > 0) add_planned(session, model, known, reach, options, left(), true, chosen);
-  if (left() > 0) add_planned(session, model, known, reach, options, left(), false, chosen);
+  if (left() > 0 && known.used >= least_to_plan)
+    add_planned(session, model, known, reach, options, left(), false, chosen);
+  if (chosen.empty()) add_spread(session, known, reach, from, options, chosen);
   return chosen;
 }
 

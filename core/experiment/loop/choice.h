@@ -10,7 +10,7 @@
 
 namespace handsight {
 
-enum class PoseReason { spread, precision, between, region, repeat };
+enum class PoseReason { spread, precision, cause, between, region, repeat };
 /// "to settle the estimate", for people.
 const char* reason_text(PoseReason reason);
 /// "precision", for programs.
@@ -42,13 +42,15 @@ bool is_well_seen(const Reach& reach, const Fit& fit, const Eigen::VectorXd& pos
 struct ChoiceOptions {
   int count = 5;
   bool with_repeat = false;
+  bool for_cause = false;  // what is missing is asked for, and not known yet
   std::uint64_t seed = 1;
 };
 
-/// Up to `count` poses. Without a fit, or with fewer than six observations, poses are spread: with a fit over what can
-/// be seen, else about where the target was seen, or where the robot stands (`from`). Later: for the two causes that
-/// cannot be distinguished, the rest for the precision of the model with what is likely, one in a region not yet seen,
-/// one that is repeated for the scatter. Fewer, or none, where there are no more.
+/// Up to `count` poses. Without a fit poses are spread about where the target was seen, or where the robot stands
+/// (`from`). With one, for_cause: those that say most about what is missing (plan_for_causes). Otherwise, with fewer
+/// than six observations spread over what can be seen, later for the two causes that cannot be distinguished, the rest
+/// for the precision of the model with what is likely. Of four and more one is in a region not yet seen, of three and
+/// more one is repeated for the scatter where that is asked for. Fewer, or none, where there are no more.
 std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
                                      const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options);
 

@@ -12,6 +12,7 @@ namespace handsight {
 namespace {
 
 constexpr double slow_share = 0.1;  // of the speed, for the first move
+constexpr int least_shown = 3;      // poses, before anything moves
 constexpr int most_in_vain = 10;    // moves in a row that brought nothing
 
 }  // namespace
@@ -21,9 +22,12 @@ std::vector<PlannedMove> Experiment::next_moves() {
   ChoiceOptions choice;
   choice.count = options_.batch;
   if (options_.until.count) choice.count = std::min(choice.count, *options_.until.count - result_.observations);
-  // No more than the first diagnosis needs.
-  if (const std::size_t used = result_.known.used; used < least_to_diagnose)
-    choice.count = std::min(choice.count, static_cast<int>(least_to_diagnose - used));
+  // While little is measured each pose may settle what is missing. Who is asked whether to begin sees some.
+  choice.for_cause = options_.until.odds && !result_.settled && !options_.between && !session_.is_touch();
+  if (const std::size_t used = result_.known.used; choice.for_cause && used < least_for_none) {
+    const int most = used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1;
+    choice.count = std::min(choice.count, batches_ == 0 ? std::max(least_shown, most) : most);
+  }
   choice.with_repeat = batches_ % 2 == 1;
   choice.seed = options_.seed + 1000 * static_cast<std::uint64_t>(batches_ + session_.observations.size());
   ++batches_;

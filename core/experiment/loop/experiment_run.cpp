@@ -12,7 +12,6 @@ namespace {
 
 constexpr int most_batches_without = 3;  // choices in a row that found no pose
 constexpr int poses_for_limit = 150;
-constexpr std::size_t least_for_none = 20;  // observations before it is said that nothing is missing
 
 /// Why everything that was asked for is reached.
 Message reached_text(const Goals& until, const ExperimentResult& result) {

@@ -100,6 +100,7 @@ Knowledge assess_knowledge(const Session& session, const ExperimentModel& model,
   options.estimated = model.estimated;
   options.with_held_out = false;
   options.with_regions = false;
+  options.fewest = least_to_diagnose;
   known.diagnosis = diagnose(session, options);
   known.settled = settled_cause(*known.diagnosis);
   set_open_questions(known);

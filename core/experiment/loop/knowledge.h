@@ -31,12 +31,13 @@ struct SettledCause {
   double odds = 1;
 };
 
-inline constexpr std::size_t least_to_diagnose = 10;  // used observations
+inline constexpr std::size_t least_to_diagnose = 5;  // used observations
+inline constexpr std::size_t least_for_none = 20;    // ... before it is said that nothing is missing
 
 struct Knowledge {
   std::size_t used = 0;                       // observations
   std::optional<Fit> fit;                     // nothing where too little is known for one
-  std::optional<Diagnosis> diagnosis;         // from ten used observations on
+  std::optional<Diagnosis> diagnosis;         // from least_to_diagnose used observations on
   std::optional<SettledCause> settled;        // what is likeliest, however unsure
   std::optional<CompetingEffects> competing;  // the two likeliest that cannot be distinguished
   std::vector<EffectTerm> likely;             // terms that poses should show, beside the model
