@@ -19,7 +19,9 @@ QString said(const char* text) { return QCoreApplication::translate("handsight::
 
 QString change_text(const VersionEntry& version, const QString& unit) {
   if (!version.change) return {};
-  return said("change %1 %2").arg(with_sigma_text(version.change, version.change_sigma), unit);
+  return said("change %1 %2")
+      .arg(version.change_sigma ? with_sigma_text(version.change, version.change_sigma) : short_text(version.change),
+           unit);
 }
 
 QString second_line(const VersionEntry& version, const QString& unit) {
@@ -82,7 +84,7 @@ void VersionListModel::set_compared(int a, int b) {
 
 namespace {
 
-constexpr int most_lines = 3;  // of a version's name, and of what stands below it
+constexpr int most_lines = 6;  // of a version's name, and of what stands below it
 
 /// Where the texts of a row stand, from its top left.
 struct VersionRow {

@@ -52,10 +52,10 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msTop);
   plot_->axisRect()->setMargins(QMargins(64, 4, 76, 8));
   // The letters stand at the curves' ends, pushed apart where they would meet.
-  connect(plot_, &QCustomPlot::beforeReplot, this, [this] {
+  connect(plot_, &QCustomPlot::afterLayout, this, [this] {
     const QRect rect = plot_->axisRect()->rect();
     if (samples_.empty() || rect.isEmpty()) return;
-    const double top = rect.top() + 6.0, bottom = rect.bottom() + 6.0;
+    const double top = rect.top() + 6.0, bottom = rect.bottom() - 4.0;  // clear of the tick labels
     std::array<std::pair<double, std::size_t>, 3> places;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto points = curves_->value[i]->data();
