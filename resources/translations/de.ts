@@ -2648,7 +2648,7 @@
     </message>
     <message>
         <source>Springs of %1</source>
-        <translation>Federn von %1</translation>
+        <translation>Federn: %1</translation>
     </message>
     <message>
         <source>Staircase</source>
@@ -6330,6 +6330,10 @@
     <message>
         <source>%1, %2 taken, %3 rejected</source>
         <translation>%1, %2 genommen, %3 verworfen</translation>
+    </message>
+    <message>
+        <source>It has no name in the catalogue: the plot shows the curve that stands for it.</source>
+        <translation>Im Katalog hat es keinen Namen: Das Diagramm zeigt die Kurve, die dafür steht.</translation>
     </message>
     <message>
         <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median); corrected angles would not bring it nearer.</source>
