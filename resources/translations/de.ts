@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Invisible on these poses</source>
-        <translation>In diesen Stellungen unsichtbar</translation>
+        <translation>Hier nicht zu sehen</translation>
     </message>
     <message>
         <source>Cause</source>
