@@ -275,9 +275,10 @@ WorkStatus CalibrateWorkspace::status() const {
   if (player_.is_playing()) return {WorkState::open, tr("playing")};
   const bool any_images = std::any_of(s.observations.begin(), s.observations.end(),
                                       [](const Observation& o) { return !o.images[0].empty(); });
-  if (taken == 0)
-    return any_images ? WorkStatus{WorkState::open, tr("ready to play")}
-                      : WorkStatus{WorkState::done, tr("nothing to play")};
+  if (taken == 0) {
+    if (s.is_touch()) return {WorkState::done, tr("nothing to play")};
+    return {any_images ? WorkState::open : WorkState::done, tr("ready to play")};  // labels that are there need no play
+  }
   return {WorkState::done,
           rejected > 0 ? tr("%1 taken, %2 rejected").arg(taken).arg(rejected) : tr("%1 taken").arg(taken)};
 }

@@ -188,6 +188,22 @@ bool Transport::is_labelled() const {
          std::any_of(all.begin(), all.end(), [](const Observation& o) { return !o.sightings.empty(); });
 }
 
+namespace {
+
+/// Before the first step: what there is to play, or what an earlier play made of it.
+QString waiting_text(const Session& session) {
+  const auto decided = [&](Decision decision) {
+    return std::count_if(session.observations.begin(), session.observations.end(),
+                         [decision](const Observation& o) { return o.decision == decision; });
+  };
+  const auto taken = decided(Decision::accepted), rejected = decided(Decision::rejected);
+  const QString all = counted(static_cast<qint64>(session.observations.size()), "%n observation(s)");
+  if (taken == 0) return Transport::tr("%1 to play").arg(all);
+  return Transport::tr("%1, %2 taken, %3 rejected").arg(all).arg(taken).arg(rejected);
+}
+
+}  // namespace
+
 QString Transport::progress_text() const {
   if (workbench_.document.is_open() && is_joined(workbench_.document.session()))
     return tr("Each session is played by itself.");
@@ -196,7 +212,7 @@ QString Transport::progress_text() const {
   if (!workbench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
   const std::size_t count = workbench_.document.session().observations.size(), at = player_.position();
-  if (at == 0) return tr("%1 to play").arg(counted(static_cast<qint64>(count), "%n observation(s)"));
+  if (at == 0) return waiting_text(workbench_.document.session());
   const std::size_t taken = player_.steps().back().accepted;
   if (const auto& search = player_.steps().back().search)
     return tr("%1 of %2 observations. The cameras' mount is still unknown: %3 labelled, %4 left open, which agree on "

@@ -15,7 +15,7 @@ ShownUnit shown_unit(const std::string& unit) {
   if (unit == "m") return {1e3, "mm"};
   if (unit == "m/N") return {1e6, QString::fromUtf8("µm/N")};
   if (unit == "s") return {1e3, "ms"};
-  if (unit == "1") return {1, QString()};
+  if (unit == "1") return {100, "%"};
   return {1, translated(unit)};
 }
 
@@ -51,15 +51,23 @@ QString place_text(const std::string& place) {
   return name;
 }
 
+namespace {
+
+QString with_and(QStringList names) {
+  if (names.size() < 2) return names.join("");
+  const QString last = names.takeLast();
+  return QObject::tr("%1 and %2").arg(names.join(", "), last);
+}
+
+}  // namespace
+
 QString places_text(const std::vector<std::string>& where) {
   constexpr std::size_t most = 7;  // all the joints of an arm
   QStringList names;
   const std::size_t shown = where.size() > most ? most - 1 : where.size();
   for (std::size_t i = 0; i < shown; ++i) names << place_text(where[i]);
   if (shown < where.size()) return QObject::tr("%1 and %2 more").arg(names.join(", ")).arg(where.size() - shown);
-  if (names.size() < 2) return names.join("");
-  const QString last = names.takeLast();
-  return QObject::tr("%1 and %2").arg(names.join(", "), last);
+  return with_and(std::move(names));
 }
 
 QString effect_text(const std::string& id, const std::vector<std::string>& where) {
@@ -69,7 +77,7 @@ QString effect_text(const std::string& id, const std::vector<std::string>& where
 QString list_effects(const std::string& ids) {
   QStringList names;
   for (const QString& id : QString::fromStdString(ids).split(", ")) names << effect_text(id.toStdString(), {});
-  return names.join(", ");
+  return with_and(std::move(names));
 }
 
 QString of_places(const QString& title, const std::vector<std::string>& where) {

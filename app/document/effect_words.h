@@ -12,7 +12,7 @@
 
 namespace handsight::app {
 
-/// 1.2e-4 rad is 0.12 mrad: value in the effect's unit * scale = value in `unit`. A number without a unit: empty.
+/// 1.2e-4 rad is 0.12 mrad: value in the effect's unit * scale = value in `unit`. A number without a unit: in %.
 struct ShownUnit {
   double scale = 1;
   QString unit;
@@ -37,7 +37,7 @@ QString places_text(const std::vector<std::string>& where);
 
 /// "joint elasticity of arm_2 and arm_4", within a sentence.
 QString effect_text(const std::string& id, const std::vector<std::string>& where);
-/// "mount drift, joint elasticity" of the ids of several, as `improve` joins them.
+/// "mount drift and joint elasticity" of the ids of several, as `improve` joins them.
 QString list_effects(const std::string& ids);
 
 /// "joint elasticity of arm_2 and arm_4" from its title and places.

@@ -172,6 +172,9 @@ void WatchingPane::refresh_cloud() {
   const ModelVersionPointer now = workbench_.document.shown_model();
   if (const auto& rig = workbench_.document.session().rig) cloud_->set_camera_names(camera_names_in_words(*rig));
   cloud_->set_predicted(false);
+  cloud_->set_empty_text(now && now->fit && !now->fit->noise
+                             ? tr("What is left of every point is shown against the noise, which is not known.")
+                             : tr("What is left of every point comes here."));
   if (!now || !now->fit) {
     cloud_->set_before({}, {});
     return cloud_->clear_after();

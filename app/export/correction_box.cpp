@@ -155,6 +155,14 @@ void CorrectionBox::show_gain() {
     sentence_->setText(tr("Being worked out over %1 poses like the measured ones ...").arg(poses));
     return;
   }
+  constexpr double much = 0.95;  // what it is to get below, of what it is
+  if (gain_->median_after > much * gain_->median_before) {
+    bars_->hide();
+    return sentence_->setText(tr("Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median); "
+                                 "corrected angles would not bring it nearer.")
+                                  .arg(gain_->before.size())
+                                  .arg(widgets::short_text(1e3 * gain_->median_before)));
+  }
   QString said =
       tr("Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when "
          "the corrected angles are commanded, with all that the model is not sure of: by the C++ and Python files that "

@@ -23,8 +23,15 @@
 namespace handsight::app {
 namespace {
 
+/// As low as a few rows where there is no room for more: else the column would scroll, and the table in it.
+class LowTable : public QTableWidget {
+ public:
+  using QTableWidget::QTableWidget;
+  QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), 5 * 24 + 36}; }
+};
+
 QTableWidget* plain_table(int columns, QWidget* parent) {
-  auto* table = new QTableWidget(0, columns, parent);
+  auto* table = new LowTable(0, columns, parent);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->verticalHeader()->hide();
@@ -99,8 +106,8 @@ QWidget* ExportWorkspace::make_left() {
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   for (const int c : {1, 2}) motion_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  motion_->setMinimumHeight(4 * 24 + 36);  // more where there is room; else it scrolls
-  layout->addWidget(motion_);
+  motion_->setMinimumHeight(5 * 24 + 36);  // more where there is room; else it scrolls
+  layout->addWidget(motion_, 2);
   correction_ = new CorrectionBox(workbench_, left);
   layout->addWidget(correction_);
   excluded_title_ = heading(tr("Not used"), left);

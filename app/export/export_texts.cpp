@@ -150,6 +150,17 @@ QString mount_text(const Session& session, const Fit& fit) {
            three(180 / M_PI * rpy_from_rotation(mount.rotation), 4));
 }
 
+/// What belongs to TCP->Body, and what it is worth alone.
+QString together_text(const Session& session, const Fit& fit) {
+  constexpr double nothing = 1e-7;  // m: what effects move that sit in the cameras or in the target
+  const double moved = moved_by_effects(fit);
+  if (moved < nothing)
+    return QObject::tr("Estimated together with: %1. The hand is not moved by it: TCP→Body holds without it, too.")
+        .arg(effects_text(session, fit));
+  return QObject::tr("Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.")
+      .arg(effects_text(session, fit), widgets::short_text(1e3 * moved));
+}
+
 }  // namespace
 
 ExportRemark verdict_remark(const widgets::SessionVerdict& verdict, const ModelVersion& model) {
@@ -178,11 +189,7 @@ std::vector<ExportRemark> export_remarks(const Document& document, const ModelVe
         {QObject::tr("The uncertainties come from how the observations differ, not from the noise alone: they hold for "
                      "poses like these."),
          false});
-  if (!model.fit->effects.empty())
-    remarks.push_back({QObject::tr("Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.")
-                           .arg(effects_text(document.session(), *model.fit),
-                                widgets::short_text(1e3 * moved_by_effects(*model.fit))),
-                       false});
+  if (!model.fit->effects.empty()) remarks.push_back({together_text(document.session(), *model.fit), false});
   if (!model.wrong_points.empty()) remarks.push_back({wrong_points_text(model, 3), false});
   if (document.session().mount.estimate) remarks.push_back({mount_text(document.session(), *model.fit), false});
   for (const Message& note : model.fit->notes) remarks.push_back({translated(note), true});

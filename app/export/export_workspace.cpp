@@ -165,6 +165,7 @@ void ExportWorkspace::refresh_remarks(const ModelVersionPointer& model) {
     auto* label = new QLabel((remark.is_warning ? QString("▲  ") : QString("✓  ")) + remark.sentence, reported_);
     label->setWordWrap(true);
     remarks_->addWidget(label);
+    label->show();  // at once: what is hidden has no height
     any_warning = any_warning || remark.is_warning;
   }
   QPalette tinted = reported_->palette();
@@ -175,8 +176,8 @@ void ExportWorkspace::refresh_remarks(const ModelVersionPointer& model) {
 
 /// However much there is to say, what is exported stays in sight, and the button that saves it.
 void ExportWorkspace::fit_remarks() {
-  if (remarks_->isEmpty()) return;
-  const int least = 100, wanted = reported_->heightForWidth(width() - 32), most = std::max(height() / 5, least);
+  if (remarks_->count() == 0) return;
+  const int least = 100, wanted = reported_->heightForWidth(width() - 32), most = std::max(height() / 4, least);
   // A bar that is there takes room, and by that seems needed where it is not.
   before_->setVerticalScrollBarPolicy(wanted > most ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
   before_->setFixedHeight(std::min(wanted, most));

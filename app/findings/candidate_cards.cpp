@@ -51,6 +51,7 @@ QString evidence_text(const DiagnosisCandidate& c, const CandidateView* view) {
 /// A cause in words; of a target what its numbers mean to who has it in the hand.
 QString list_words(const DiagnosisCandidate& c) {
   const Effect& effect = term_effect(c.terms.front());
+  if (c.unnamed) return QObject::tr("It has no name in the catalogue: the plot shows the curve that stands for it.");
   const std::vector<double>& values = c.terms.front().values;
   if (c.id == "target_scale") {
     const double sigma = c.sigmas.empty() ? 0 : c.sigmas.front().front();

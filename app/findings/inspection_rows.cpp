@@ -115,6 +115,13 @@ QString in_the_light_of_the_cause(const Workbench& workbench, ErrorCause at_faul
       .arg(name);
 }
 
+/// Of what agrees, or is off without anybody whose fault it can be said to be.
+QString without_blame(const InspectionRow& row) {
+  if (*row.ratio < widgets::noise_limit(row.coordinates))
+    return QObject::tr("Agrees with the model down to the noise. ");
+  return QObject::tr("It is %1 times the noise from where the model has it. ").arg(widgets::short_text(*row.ratio));
+}
+
 /// A touch says how far off it is, and no more.
 QString touch_sentence(const InspectionRow* row, const Observation& o) {
   if (o.sightings.empty()) return QObject::tr("Nothing was touched in this observation.");
@@ -155,7 +162,7 @@ QString attribution_sentence(const Workbench& workbench, const InspectionRow* ro
                                         : in_the_light_of_the_cause(workbench, cause);
       break;
     default:
-      text = QObject::tr("Agrees with the model down to the noise. ");
+      text = without_blame(*row);
   }
   if (!row->what_would_mend.empty())
     text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));

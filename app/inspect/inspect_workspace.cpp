@@ -385,6 +385,7 @@ void InspectWorkspace::refresh_observation() {
   const bool is_noise = row && row->ratio && *row->ratio < widgets::noise_limit(row->coordinates);
   const Session& s = workbench_.document.session();
   attribution_->set_none_text(is_noise                     ? tr("Nothing stands out of the noise")
+                              : row && !row->ratio         ? QObject::tr("whose fault: noise unknown")
                               : row && s.is_touch()        ? tr("Cannot be split by touches")
                               : row && s.marker_count == 1 ? cannot_be_split_text()
                                                            : QString());

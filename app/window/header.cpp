@@ -88,7 +88,6 @@ Header::Header(Workbench& workbench, const Actions& actions, QMenu* session_menu
   session_->setPopupMode(QToolButton::InstantPopup);
   session_->setFont(widgets::text_font(widgets::TextRole::title));
   session_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-  session_->setMinimumWidth(96);  // a long title must not widen the window
   undo_ = button("undo", tr("Undo"), {});
   redo_ = button("redo", tr("Redo"), {});
   undo_->setIcon(widgets::icon("undo"));
@@ -163,6 +162,7 @@ void Header::refresh_session() {
   const Document& d = workbench_.document;
   const QString name = d.is_open() ? display_name(d.session()) + (d.is_saved() ? "" : " •") : tr("Session");
   session_->setText(name + QStringLiteral("  ▾"));
+  session_->setMinimumWidth(std::min(96, session_->sizeHint().width()));  // a long title must not widen the window
   session_->setToolTip(!d.is_open()   ? tr("Open, save, close")
                        : d.is_saved() ? tr("Everything is saved in %1").arg(QString::fromStdString(d.file().string()))
                                       : tr("Not yet saved in session.xml (Ctrl+S). Nothing is lost if you close."));

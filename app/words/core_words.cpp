@@ -14,8 +14,10 @@ namespace {
 /// The translation of "%1 has %2" and the like, with its places.
 QString looked_up(const std::string& form) { return QCoreApplication::translate("core", form.c_str()); }
 
-/// The core writes what every terminal has.
-QString with_signs(QString text) { return text.replace("+-", QString::fromUtf8("±")); }
+/// The core writes what every terminal has. No line ends after the sign in brackets.
+QString with_signs(QString text) {
+  return text.replace("(+- ", QString::fromUtf8("(±\u00a0")).replace("+-", QString::fromUtf8("±"));
+}
 
 QString with_mark(QString number) {
   const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated

@@ -1156,7 +1156,7 @@
     </message>
     <message>
         <source>Add until it stops</source>
-        <translation>Hinzufügen, bis Schluss ist</translation>
+        <translation>Bis zum Schluss</translation>
     </message>
     <message>
         <source>Seeking other names for what is in the model</source>
@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Invisible on these poses</source>
-        <translation>In diesen Stellungen unsichtbar</translation>
+        <translation>Hier nicht zu sehen</translation>
     </message>
     <message>
         <source>Cause</source>
@@ -2648,7 +2648,7 @@
     </message>
     <message>
         <source>Springs of %1</source>
-        <translation>Federn von %1</translation>
+        <translation>Federn: %1</translation>
     </message>
     <message>
         <source>Staircase</source>
@@ -6319,6 +6319,34 @@
         <source>to find what is missing</source>
         <translation>um zu finden, was fehlt</translation>
     </message>
+    <message>
+        <source>It is %1 times the noise from where the model has it. </source>
+        <translation>Sie liegt um das %1-fache des Rauschens neben dem Modell. </translation>
+    </message>
+    <message>
+        <source>Estimated together with: %1. The hand is not moved by it: TCP→Body holds without it, too.</source>
+        <translation>Zusammen geschätzt mit: %1. Die Hand bewegt das nicht: TCP→Body gilt auch ohne.</translation>
+    </message>
+    <message>
+        <source>The noise is not known: nothing to colour by.</source>
+        <translation>Das Rauschen ist nicht bekannt: Es gibt keine Farbskala.</translation>
+    </message>
+    <message>
+        <source>%1, %2 taken, %3 rejected</source>
+        <translation>%1, %2 genommen, %3 verworfen</translation>
+    </message>
+    <message>
+        <source>It has no name in the catalogue: the plot shows the curve that stands for it.</source>
+        <translation>Im Katalog hat es keinen Namen: Das Diagramm zeigt die Kurve, die dafür steht.</translation>
+    </message>
+    <message>
+        <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median); corrected angles would not bring it nearer.</source>
+        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie kommandiert, um %2 mm daneben (Median); korrigierte Winkel brächten sie nicht näher.</translation>
+    </message>
+    <message>
+        <source>What is left of every point is shown against the noise, which is not known.</source>
+        <translation>Was von jedem Punkt übrig ist, wird am Rauschen gemessen, und das ist nicht bekannt.</translation>
+    </message>
 </context>
 <context>
     <name>effects</name>
@@ -6649,7 +6677,7 @@
     </message>
     <message>
         <source>Seen where the joint's gravity torque changes between poses; not at joints without torque. A link's torsion along the joint's axis is the same term.</source>
-        <translation>Zu sehen, wo sich das Schwerkraftmoment des Gelenks zwischen den Stellungen ändert; nicht an Gelenken ohne Moment. Die Torsion eines Glieds längs der Gelenkachse ist derselbe Term.</translation>
+        <translation>Zu sehen, wo sich das Schweremoment des Gelenks zwischen den Stellungen ändert; nicht an Gelenken ohne Moment. Die Torsion eines Glieds längs der Gelenkachse ist derselbe Term.</translation>
     </message>
     <message>
         <source>Stereo rig</source>
@@ -6705,7 +6733,7 @@
     </message>
     <message>
         <source>The gear has play: the joint rests on one flank or the other, depending on the sign of gravity's torque.</source>
-        <translation>Das Getriebe hat Spiel: das Gelenk liegt an der einen oder der anderen Flanke an, je nach Vorzeichen des Schwerkraftmoments.</translation>
+        <translation>Das Getriebe hat Spiel: das Gelenk liegt an der einen oder der anderen Flanke an, je nach Vorzeichen des Schweremoments.</translation>
     </message>
     <message>
         <source>The hand carries a mass that the model does not know, or its centre of mass is elsewhere: the springs are loaded differently.</source>
@@ -7265,11 +7293,11 @@
     </message>
     <message>
         <source>gravity torque at %1</source>
-        <translation>Schwerkraftmoment an %1</translation>
+        <translation>Schweremoment an %1</translation>
     </message>
     <message>
         <source>gravity's moment across the axis of %1</source>
-        <translation>Schwerkraftmoment quer zur Achse von %1</translation>
+        <translation>Schweremoment quer zur Achse von %1</translation>
     </message>
     <message>
         <source>hand</source>
@@ -8940,10 +8968,6 @@
         <translation>%1</translation>
     </message>
     <message>
-        <source>the %1 at %2</source>
-        <translation>%1 an %2</translation>
-    </message>
-    <message>
         <source>shift along %1 of %2</source>
         <translation>Verschiebung von %2 entlang %1</translation>
     </message>
@@ -9838,6 +9862,14 @@
     <message>
         <source>%1: between %2 and %3</source>
         <translation>%1: zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>shift along %1 at %2</source>
+        <translation>Verschiebung entlang %1 an %2</translation>
+    </message>
+    <message>
+        <source>turn about %1 at %2</source>
+        <translation>Drehung um %1 an %2</translation>
     </message>
 </context>
 <context>
@@ -11101,7 +11133,7 @@
     </message>
     <message>
         <source>the centre of mass of link %1 lies %2 m from the link's frame, farther than %3 m; its gravity moments will be as large as that says.</source>
-        <translation>der Schwerpunkt des Glieds %1 liegt %2 m vom System des Glieds, weiter als %3 m; seine Schwerkraftmomente werden so groß, wie das sagt.</translation>
+        <translation>der Schwerpunkt des Glieds %1 liegt %2 m vom System des Glieds, weiter als %3 m; seine Schweremomente werden so groß, wie das sagt.</translation>
     </message>
     <message>
         <source>joint %1 has &lt;dh&gt;, so that its &lt;origin&gt; and &lt;axis&gt; are ignored.</source>

@@ -12,6 +12,9 @@ for picture in "$here"/docs/pictures/*.png; do
   name=$(basename "$picture" .png)
   if [ -f "$made/${name}_light_100.png" ]; then
     cp "$made/${name}_light_100.png" "$picture"
+    if command -v convert >/dev/null; then  # 256 colours are enough, and a third of the size
+      convert "$picture" -strip +dither -colors 256 "PNG8:$picture"
+    fi
     echo "$name"
   fi
 done

@@ -24,7 +24,7 @@ Session with_axes_both_ways() {
   return s;
 }
 
-/// "Shift along z of the frame at a2: -0.52 +- 0.03 mm in every pose": what moves, by how much (m, rad), how surely.
+/// "Shift along z at a2: -0.52 +- 0.03 mm in every pose": what moves, by how much (m, rad), how surely.
 struct Said {
   bool is_turn = false;
   int axis = 0;
@@ -34,7 +34,7 @@ struct Said {
 
 std::optional<Said> said(const std::string& text) {
   static const std::regex form(
-      R"((Shift along|Turn about) ([xyz]) of the frame at (\w+): (-?[0-9.]+) \+- ([0-9.]+) ([mu]?)(m|rad) .*)");
+      R"((Shift along|Turn about) ([xyz]) at (\w+): (-?[0-9.]+) \+- ([0-9.]+) ([mu]?)(m|rad) .*)");
   std::smatch m;
   if (!std::regex_match(text, m, form)) return std::nullopt;
   const double unit = m[6] == "m" ? 1e-3 : m[6] == "u" ? 1e-6 : 1;

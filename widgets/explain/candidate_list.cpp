@@ -112,7 +112,10 @@ CandidateCard* CandidateList::make_card() {
 
 void CandidateList::set_cards(std::vector<CardState> cards, CardOrder order) {
   wanted_ = std::move(cards);
-  if (order == CardOrder::fresh) return resort();
+  // What is said of all of them stands first, whatever stood there.
+  const bool is_said_of_all = !wanted_.empty() && wanted_.front().kind != CardKind::candidate &&
+                              (cards_.empty() || cards_.front()->state().id != wanted_.front().id);
+  if (order == CardOrder::fresh || is_said_of_all) return resort();
   std::vector<CardState> in_order;
   const auto wanted = [this](const QString& id) {
     return std::find_if(wanted_.begin(), wanted_.end(), [&](const CardState& card) { return card.id == id; });

@@ -20,6 +20,21 @@ double LogAxis::at(double value) const {
   return bottom + (top - bottom) * std::clamp(share, 0.0, 1.0);
 }
 
+namespace {
+
+std::vector<double> list_marks(const LogAxis& axis, const std::vector<double>& steps, double least_px) {
+  std::vector<double> all;
+  for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= std::log10(axis.high); ++power)
+    for (const double step : steps) {
+      const double value = step * std::pow(10.0, power);
+      if (value < axis.low || value > axis.high) continue;
+      if (all.empty() || std::abs(axis.at(value) - axis.at(all.back())) >= least_px) all.push_back(value);
+    }
+  return all;
+}
+
+}  // namespace
+
 std::vector<double> LogAxis::marks() const {
   const double decade = std::abs(bottom - top) / std::log10(high / low);
   std::vector<double> steps = {1};
@@ -27,12 +42,8 @@ std::vector<double> LogAxis::marks() const {
     steps = {1, 2, 5};
   else if (decade * std::log10(3.0) > 14)
     steps = {1, 3};
-  std::vector<double> all;
-  for (int power = static_cast<int>(std::floor(std::log10(low))); power <= std::log10(high); ++power)
-    for (const double step : steps) {
-      const double value = step * std::pow(10.0, power);
-      if (value >= low && value <= high) all.push_back(value);
-    }
+  std::vector<double> all = list_marks(*this, steps, 0);
+  if (all.size() < 2) all = list_marks(*this, {1, 2, 3, 4, 5, 6, 7, 8, 9}, 18);  // less than a decade
   return all;
 }
 

@@ -57,10 +57,15 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
     painter.fillRect(QRectF(mark.left(), mark.top(), mark.width() * std::clamp(plot.strength, 0.0, 1.0), mark.height()),
                      c.ink2);
   painter.setPen(c.ink2);
-  worded(against, plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
-  painter.setPen(c.ink3);
   const QRectF names = last.adjusted(0, 0, is_at_foot ? 0 : -of_mark, 0);
   const QString shown = whole_names(plot.shows, metrics, names.width());
+  const qsizetype two_words = plot.against.lastIndexOf(' ', plot.against.lastIndexOf(' ') - 1);
+  if (metrics.horizontalAdvance(plot.against) > foot.width() && shown.isEmpty() && two_words > 0) {
+    worded(plot.against.left(two_words), plot.against.left(two_words), foot, Qt::ElideMiddle);
+    return worded(plot.against.mid(two_words + 1), plot.against.mid(two_words + 1), names, Qt::ElideMiddle);
+  }
+  worded(against, plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
+  painter.setPen(c.ink3);
   if (!shown.isEmpty()) worded(tr("shows %1").arg(shown), shown, names, Qt::ElideRight);
 }
 

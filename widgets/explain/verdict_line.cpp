@@ -123,15 +123,18 @@ void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
                       : mood == Mood::bad  ? c.bad_tint
                                            : c.sunken;
   painter.fillRect(area, tint);
-  const QPointF middle(area.center().x(), area.top() + 26);
+  const QPointF middle(area.center().x(), area.top() + 24);
   painter.setPen(QPen(ink, 2));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(middle, 14, 14);
   painter.setFont(text_font(TextRole::title));
   painter.drawText(QRectF(middle - QPointF(14, 14), QSizeF(28, 28)), Qt::AlignCenter, sign_of(verdict_.state));
-  painter.setFont(text_font(TextRole::body));
-  painter.drawText(QRectF(area.left(), area.bottom() - 28, area.width(), 24), Qt::AlignCenter,
-                   session_state_text(verdict_.state));
+  const QString state = session_state_text(verdict_.state);
+  const bool is_long = QFontMetricsF(text_font(TextRole::body)).horizontalAdvance(state) > area.width() - 4;
+  painter.setFont(text_font(is_long ? TextRole::small : TextRole::body));  // long: two lines rather than cut off
+  painter.drawText(is_long ? QRectF(area.left(), area.bottom() - 31, area.width(), 30)
+                           : QRectF(area.left(), area.bottom() - 28, area.width(), 24),
+                   Qt::AlignCenter | Qt::TextWordWrap, state);
 }
 
 void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {

@@ -19,7 +19,9 @@ QString version_text(const char* text) { return QCoreApplication::translate("han
 
 QString change_text(const VersionEntry& version, const QString& unit) {
   if (!version.change) return {};
-  return version_text("change %1 %2").arg(with_sigma_text(version.change, version.change_sigma), unit);
+  return version_text("change %1 %2")
+      .arg(version.change_sigma ? with_sigma_text(version.change, version.change_sigma) : short_text(version.change),
+           unit);
 }
 
 QString second_line(const VersionEntry& version, const QString& unit) {
@@ -82,7 +84,7 @@ void VersionListModel::set_compared(int a, int b) {
 
 namespace {
 
-constexpr int most_version_lines = 3;  // of a version's name, and of what stands below it
+constexpr int most_version_lines = 6;  // of a version's name, and of what stands below it
 
 /// Where the texts of a row stand, from its top left.
 struct VersionRow {

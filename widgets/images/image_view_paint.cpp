@@ -50,14 +50,18 @@ QPainterPath leader(const QPointF& from, const QPointF& to) {
   return path;
 }
 
-/// A plate of this size beside a mark that lies over none of `placed`; of many marks only the usual place is tried.
+/// So many marks are a board's: numbers on all of them would bury it.
+constexpr std::size_t most_with_leaders = 8;
+
+/// A plate of this size beside a mark that lies over none of `placed`; of many marks only the four nearest places are
+/// tried.
 std::optional<QRectF> free_plate(const QPointF& at, const QSizeF& size, const std::vector<QRectF>& placed,
                                  bool are_many) {
   const double right = 13 + size.width() / 2, high = 11, far = 34;
   const QPointF places[] = {{right, -high}, {right, high}, {-right, -high}, {-right, high},
                             {0, -22},       {0, 22},       {far, -far},     {far, far},
                             {-far, -far},   {-far, far},   {1.3 * far, 0},  {-1.3 * far, 0}};
-  for (const QPointF& place : std::span(places).first(are_many ? 1 : std::size(places))) {
+  for (const QPointF& place : std::span(places).first(are_many ? 4 : std::size(places))) {
     QRectF plate({}, size);
     plate.moveCenter(at + place);
     if (std::none_of(placed.begin(), placed.end(), [&](const QRectF& p) { return p.intersects(plate); })) return plate;
@@ -186,12 +190,19 @@ void ImageView::paint_numbers(QPainter& painter) const {
   std::stable_partition(measured.begin(), measured.end(), [this](const ImageMark* mark) {
     return mark->marker == selected_marker_ || mark->marker == hovered_marker_;
   });
+  const bool are_many = measured.size() > most_with_leaders;
   std::vector<QRectF> placed;
+  constexpr double rim = 6;
+  if (are_many)  // the marks themselves stay in sight
+    for (const ImageMark* mark : measured) {
+      const QPointF at = to_screen(mark->position);
+      placed.emplace_back(at - QPointF(rim, rim), at + QPointF(rim, rim));
+    }
   painter.setFont(text_font(TextRole::small));
   for (const ImageMark* mark : measured) {
     const QPointF at = to_screen(mark->position);
     const QString text = QString::number(mark->marker);
-    const auto free = free_plate(at, plate_size(painter, text), placed, measured.size() > 60);
+    const auto free = free_plate(at, plate_size(painter, text), placed, are_many);
     if (!free) continue;
     if (QLineF(at, free->center()).length() > 28)
       draw_rimmed_path(painter, leader(at, free->center()), QPen(QColor(Qt::white), 1));

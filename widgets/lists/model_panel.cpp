@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
@@ -106,6 +107,19 @@ void ModelPanel::set_folded(bool folded) {
   static_cast<QVBoxLayout*>(layout())->setStretch(2, folded ? 1 : 0);
   fold_->setArrowType(folded ? Qt::LeftArrow : Qt::RightArrow);
   fold_->setToolTip(folded ? tr("Show the model (M)") : tr("Fold the model away (M)"));
+}
+
+/// Folded it says what it is, along its edge.
+void ModelPanel::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
+  if (!is_folded_) return;
+  constexpr int below_fold = 44, room = 200;
+  QPainter painter(this);
+  painter.setFont(text_font(TextRole::title));
+  painter.setPen(colors().ink2);
+  painter.translate(width(), below_fold);
+  painter.rotate(90);
+  painter.drawText(QRect(0, 0, room, width()), Qt::AlignLeft | Qt::AlignVCenter, tr("Model"));
 }
 
 void ModelPanel::set_selected_joint(const QString& joint) {

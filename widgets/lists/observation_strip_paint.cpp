@@ -206,6 +206,10 @@ void ObservationStrip::paint_legend(QPainter& painter) const {
     painter.fillRect(QRectF(x, row.top() + 3, 12, 10), c.residual[static_cast<std::size_t>(step)]);
     x += 12;
   };
+  const auto is_fitted = [](const ObservationCell& cell) { return cell.size.has_value(); };
+  const auto has_ratio = [](const ObservationCell& cell) { return cell.rms_over_sigma.has_value(); };
+  if (std::any_of(cells_.begin(), cells_.end(), is_fitted) && std::none_of(cells_.begin(), cells_.end(), has_ratio))
+    return write(QObject::tr("The noise is not known: nothing to colour by."));
   write(QString::fromUtf8("× ") + QObject::tr("noise:"));
   const QStringList names = {QStringLiteral("< 1.5"), QStringLiteral("< 3"), QStringLiteral("< 5"),
                              QStringLiteral("< 10"), QString::fromUtf8("≥ 10")};

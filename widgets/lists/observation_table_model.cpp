@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "widgets/base/number_text.h"
@@ -18,8 +19,10 @@ constexpr int sort_role = Qt::UserRole;
 
 double sort_number(std::optional<double> value) { return value.value_or(-std::numeric_limits<double>::infinity()); }
 
-/// Two decimals as long as there is room for them.
-QString column_text(std::optional<double> value) { return fixed_text(value, value && *value >= 99.995 ? 0 : 2); }
+/// As many decimals as long as there is room for them.
+QString column_text(std::optional<double> value, int decimals = 2) {
+  return fixed_text(value, value && *value >= 99.995 ? 0 : decimals);
+}
 
 using Units = std::array<SizeUnit, 2>;
 
@@ -43,13 +46,24 @@ QString about_size(SizeUnit unit) {
   return {};
 }
 
-QString shown(const ObservationRow& row, TableColumn column, const Units& units) {
+/// So many that what is usual in a column has two digits, and two at least.
+int find_decimals(const std::vector<ObservationRow>& rows, SizeUnit unit) {
+  std::vector<double> values;
+  for (const ObservationRow& row : rows)
+    if (const auto value = measure_size(row, unit); value && *value > 0) values.push_back(*value);
+  if (values.empty()) return 2;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(*middle))), 2, 4);
+}
+
+QString shown(const ObservationRow& row, TableColumn column, const Units& units, const std::array<int, 2>& decimals) {
   switch (column) {
     case TableColumn::id:
       return QString::number(row.id);
     case TableColumn::size:
     case TableColumn::other_size:
-      return column_text(measure_size(row, find_unit(column, units)));
+      return column_text(measure_size(row, find_unit(column, units)), decimals[column == TableColumn::size ? 0 : 1]);
     case TableColumn::degree:
       return column_text(row.angle_deg);
     case TableColumn::worst:
@@ -75,7 +89,7 @@ QVariant sort_value(const ObservationRow& row, TableColumn column, const Units& 
     case TableColumn::worst:
       return sort_number(row.worst_over_sigma);
     default:
-      return shown(row, column, units);
+      return shown(row, column, units, {2, 2});
   }
 }
 
@@ -111,7 +125,7 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const ObservationRow& row = rows_[static_cast<std::size_t>(index.row())];
   const auto column = static_cast<TableColumn>(index.column());
-  if (role == Qt::DisplayRole) return shown(row, column, units_);
+  if (role == Qt::DisplayRole) return shown(row, column, units_, decimals_);
   if (role == sort_role) return sort_value(row, column, units_);
   if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
@@ -151,10 +165,15 @@ void ObservationTableModel::tell(int first, int last) {
   if (first <= last) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
 }
 
+void ObservationTableModel::choose_decimals() {
+  for (std::size_t i = 0; i < units_.size(); ++i) decimals_[i] = find_decimals(rows_, units_[i]);
+}
+
 void ObservationTableModel::set_units(SizeUnit first, SizeUnit second) {
   const Units units = {first, second};
   if (units == units_) return;
   units_ = units;
+  choose_decimals();
   emit headerDataChanged(Qt::Horizontal, static_cast<int>(TableColumn::size),
                          static_cast<int>(TableColumn::other_size));
   tell(0, rowCount() - 1);
@@ -175,11 +194,13 @@ void ObservationTableModel::set_rows(std::vector<ObservationRow> rows) {
                                        [](const auto& a, const auto& b) { return a.id == b.id; });
   if (are_the_same) {
     rows_ = std::move(rows);
+    choose_decimals();
     tell(0, rowCount() - 1);
     return;
   }
   beginResetModel();
   rows_ = std::move(rows);
+  choose_decimals();
   endResetModel();
 }
 
@@ -253,7 +274,7 @@ bool ObservationTableFilter::filterAcceptsRow(int row, const QModelIndex&) const
   if (text_.isEmpty()) return true;
   return QString::number(r.id) == text_ || r.reason.contains(text_, Qt::CaseInsensitive) ||
          r.worst.contains(text_, Qt::CaseInsensitive) ||
-         shown(r, TableColumn::state, {}).contains(text_, Qt::CaseInsensitive);
+         shown(r, TableColumn::state, {}, {2, 2}).contains(text_, Qt::CaseInsensitive);
 }
 
 bool ObservationTableFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {

@@ -42,8 +42,10 @@ class ObservationTableModel : public QAbstractTableModel {
 
  private:
   void tell(int first, int last);
+  void choose_decimals();
   std::vector<ObservationRow> rows_;
   std::array<SizeUnit, 2> units_ = {SizeUnit::pixel, SizeUnit::millimetre};  // of the two columns of sizes
+  std::array<int, 2> decimals_ = {2, 2};
   std::vector<ObservationId> highlighted_;
   ObservationId hovered_ = no_observation;
   std::map<std::pair<int, int>, QVariant> own_heads_;  // by section and role

@@ -3,6 +3,7 @@
 
 #include <qcustomplot.h>
 
+#include <QFontMetrics>
 #include <QObject>
 #include <algorithm>
 #include <cmath>
@@ -52,10 +53,10 @@ ConvergencePlot::ConvergencePlot(const QString& quantity, const QString& unit, c
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msTop);
   plot_->axisRect()->setMargins(QMargins(64, 4, 76, 8));
   // The letters stand at the curves' ends, pushed apart where they would meet.
-  connect(plot_, &QCustomPlot::beforeReplot, this, [this] {
+  connect(plot_, &QCustomPlot::afterLayout, this, [this] {
     const QRect rect = plot_->axisRect()->rect();
     if (samples_.empty() || rect.isEmpty()) return;
-    const double top = rect.top() + 6.0, bottom = rect.bottom() + 6.0;
+    const double top = rect.top() + 6.0, bottom = rect.bottom() - 4.0;  // clear of the tick labels
     std::array<std::pair<double, std::size_t>, 3> places;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto points = curves_->value[i]->data();
@@ -134,11 +135,12 @@ int ConvergencePlot::settled_at(int curve) const {
 
 /// In full where the axis is as long as that.
 void ConvergencePlot::name_y_axis() {
-  constexpr int long_enough = 170;
+  constexpr int beside_axis = 40;  // px, above and below it, less what a label may stand over
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
   const QString name =
       origin_ ? QObject::tr("change from the first (%1)").arg(unit_) : QObject::tr("change from final (%1)").arg(unit_);
-  plot_->yAxis->setLabel((has_bands || origin_) && height() >= long_enough ? name : unit_);
+  const bool has_room = QFontMetrics(plot_->yAxis->labelFont()).horizontalAdvance(name) <= height() - beside_axis;
+  plot_->yAxis->setLabel((has_bands || origin_) && has_room ? name : unit_);
 }
 
 void ConvergencePlot::resizeEvent(QResizeEvent* event) {

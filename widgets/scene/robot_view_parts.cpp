@@ -16,6 +16,8 @@
 namespace handsight::widgets {
 namespace {
 
+constexpr double covered_px = 28;  // along the upper edge, by the standard views
+
 double distance_to_segment(const QPointF& p, const QPointF& a, const QPointF& b) {
   const QPointF ab = b - a, ap = p - a;
   const double squared = QPointF::dotProduct(ab, ab);
@@ -203,8 +205,8 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  constexpr double reach = 0.35;  // m: links this near belong to it
-  const bool has_focus = !points.empty();
+  constexpr double reach = 0.35;                                 // m: links this near belong to it
+  const bool has_focus = !cameras.empty() || !interest.empty();  // else the whole robot
   const Vector3 from = low - Vector3::Constant(reach), to = high + Vector3::Constant(reach);
   for (const LinkActor& part : links.parts) {
     const double* b = part.actor->GetBounds();
@@ -222,13 +224,15 @@ std::vector<Vector3> RobotViewParts::points_of_interest() const {
 }
 
 bool RobotViewParts::is_in_sight() const {
-  constexpr double enough = 0.85;
+  constexpr double enough = 0.95;
   const std::vector<Vector3> points = points_of_interest();
-  const auto seen = std::count_if(points.begin(), points.end(), [&](const Vector3& point) {
+  const auto is_seen = [&](const Vector3& point) {
     const auto at = to_screen(point, shown_size);
-    return at && QRectF(QPointF(0, 0), shown_size).contains(*at);
-  });
-  return static_cast<double>(seen) >= enough * static_cast<double>(points.size());
+    return at && QRectF(QPointF(0, covered_px), shown_size - QSizeF(0, covered_px)).contains(*at);
+  };
+  const auto seen = std::count_if(points.begin(), points.end(), is_seen);
+  return static_cast<double>(seen) >= enough * static_cast<double>(points.size()) &&
+         (!tcp || is_seen(tcp->translation));
 }
 
 void RobotViewParts::look(StandardView view) {
@@ -236,9 +240,8 @@ void RobotViewParts::look(StandardView view) {
   const auto from = [this](double azimuth, double elevation) {
     orbit.azimuth = azimuth;
     orbit.elevation = elevation;
-    constexpr double covered = 28;  // px along the upper edge
     orbit.see_points(points_of_interest(), shown_size.width() / std::max(shown_size.height(), 1.0),
-                     covered / std::max(shown_size.height(), 1.0));
+                     covered_px / std::max(shown_size.height(), 1.0));
   };
   switch (view) {
     case StandardView::front:

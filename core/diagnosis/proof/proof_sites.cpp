@@ -201,11 +201,13 @@ Followed followed(const Problem& p, const Effect& effect, int place, const Eigen
 
 Message motion_text(const Entry& e, const Robot& robot) {
   constexpr const char* axes = "xyz";
-  const Message whose = e.joint < 0
-                            ? message("the {}", e.frame)
-                            : message("the {} at {}", e.frame, robot.joints[static_cast<std::size_t>(e.joint)].name);
-  return e.axis < 3 ? message("shift along {} of {}", axes[e.axis], whose)
-                    : message("turn about {} of {}", axes[e.axis - 3], whose);
+  const char axis = axes[e.axis % 3];
+  if (e.joint < 0) {
+    const Message whose = message("the {}", e.frame);
+    return e.axis < 3 ? message("shift along {} of {}", axis, whose) : message("turn about {} of {}", axis, whose);
+  }
+  const std::string& joint = robot.joints[static_cast<std::size_t>(e.joint)].name;
+  return e.axis < 3 ? message("shift along {} at {}", axis, joint) : message("turn about {} at {}", axis, joint);
 }
 
 /// What moves where this entry does, with its unit; empty: no scalar motion.

@@ -19,8 +19,8 @@ struct BillRow {
   bool unnamed = false;
   std::string follows;  // of a curve: what it follows; else empty
   bool held = false;    // by the user, not estimated
-  /// Root mean square over the observations of how far it moves the body's origin as the sensor sees it, m. What is the
-  /// same in all of them is the mount's and left out.
+  /// Root mean square over the observations of how far it moves the body's origin as the sensor sees it, m. Where the
+  /// mount is estimated too, what is the same in all of them is the mount's and left out.
   double hand_m = 0;
   double hand_sigma_m = 0;   // one sigma of it, by the covariance of the cause's own numbers; 0 where it is held
   bool too_large = false;    // larger than robots are built (stand_in.h)

@@ -62,6 +62,7 @@ HandPlaces::HandPlaces(const Fit& fit) : fit_(fit) {
 
 Eigen::Matrix3Xd HandPlaces::moved_by(const std::vector<EffectTerm>& terms) {
   Eigen::Matrix3Xd moved = with(terms) - now_;
+  if (!fit_.problem.mount_is_estimated) return moved;
   const Vector3 mean = moved.rowwise().mean();
   moved.colwise() -= mean;
   return moved;

@@ -13,8 +13,8 @@ class HandPlaces {
  public:
   explicit HandPlaces(const Fit& fit);
 
-  /// By how much these terms in the place of the model's would move it, m: a column an observation. What is the same in
-  /// all of them is left out: it is the mount's or TCP->Body's.
+  /// By how much these terms in the place of the model's would move it, m: a column an observation. Where the
+  /// mount is estimated too, what is the same in all of them is left out: it is the mount's.
   Eigen::Matrix3Xd moved_by(const std::vector<EffectTerm>& terms);
 
  private:

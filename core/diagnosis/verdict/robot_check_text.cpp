@@ -20,7 +20,7 @@ struct Shown {
 Shown shown(const std::string& unit) {
   if (unit == "m") return {1e3, " mm"};
   if (unit == "rad") return {1e3, " mrad"};
-  if (unit == "1") return {1, ""};
+  if (unit == "1") return {100, " %"};
   return {1, " " + unit};
 }
 

@@ -133,6 +133,64 @@ TEST_F(Contradictions, InspectBlamesWhatExplainBlames) {
   EXPECT_EQ(cameras, all);
 }
 
+/// 4: with one marker nobody is to blame, and yet what is beyond the noise does not agree.
+TEST_F(Contradictions, InspectSaysOfNothingBeyondTheNoiseThatItAgrees) {
+  if (!std::filesystem::exists(real("justin_left_even"))) GTEST_SKIP() << "the real robot is not here";
+  std::filesystem::copy(real("justin_left_even"), folder.path / "copy", std::filesystem::copy_options::recursive);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "copy").string())));
+  ASSERT_TRUE(desk.settle());
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  int beyond = 0;
+  for (const std::int64_t id : {0, 1, 2, 3, 100, 200}) {
+    desk.window.workbench().selection.select_observation(id);
+    QTest::qWait(20);
+    const InspectionRow* row = desk.window.workbench().selected_row();
+    ASSERT_TRUE(row && row->ratio);
+    const QString sentence = desk.find<widgets::AttributionBar>("blame")->sentence();
+    const bool agrees = *row->ratio < widgets::noise_limit(row->coordinates);
+    beyond += agrees ? 0 : 1;
+    EXPECT_EQ(sentence.contains("Agrees with the model"), agrees) << sentence.toStdString();
+  }
+  EXPECT_GT(beyond, 0);
+}
+
+/// Labels that came with the session can be played, whether they have images or not: both places say so.
+TEST_F(Contradictions, TheRailOffersToPlayWhatTheTransportPlays) {
+  open("hidden_3");
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(desk.find<QAbstractButton>("play")->isEnabled());
+  EXPECT_EQ(reported.rail("rail_calibrate").line, "ready to play");
+}
+
+/// Header and bill in mm: with the mount given, what a cause is worth at the hand is what the error loses by it.
+TEST_F(Contradictions, TheBillIsWhatTheErrorLoses) {
+  open("hidden_3");
+  const double before = *desk.document().model()->report->held_out.hand_m;
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const app::ModelVersionPointer now = desk.document().model();
+  const std::vector<BillRow> bill = desk.window.workbench().make_bill(now);
+  ASSERT_EQ(bill.size(), 1U);
+  EXPECT_NEAR(std::hypot(bill[0].hand_m, *now->report->held_out.hand_m), before, 0.1 * before);
+}
+
+/// A target of another size does not move the hand.
+TEST_F(Contradictions, NothingIsMissedByNothing) {
+  const auto session_of_target =
+      std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/print_scale/declared_two_percent_small";
+  if (!std::filesystem::exists(session_of_target)) GTEST_SKIP() << "the sessions of the field are not here";
+  open_copy(session_of_target);
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  desk.key(Qt::Key_5, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  QStringList said;
+  for (const QLabel* label : desk.find<QWidget>("export_remarks")->findChildren<QLabel*>()) said << label->text();
+  EXPECT_TRUE(said.join(' ').contains("size of the target")) << said.join(' ').toStdString();
+  EXPECT_FALSE(said.join(' ').contains("misses by 0")) << said.join(' ').toStdString();
+}
+
 TEST_F(Contradictions, NothingIsOddIsNotSaidWhereAllAreBeyondTheThreshold) {
   open("hidden_3");
   EXPECT_GT(reported.story().beyond, 40);

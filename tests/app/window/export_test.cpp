@@ -2,6 +2,7 @@
 // What Export says before the numbers are used, and that the numbers are in sight.
 #include <gtest/gtest.h>
 
+#include <QScrollBar>
 #include <QTableWidget>
 
 #include "app/window/explain_fixture.h"
@@ -97,6 +98,23 @@ TEST_F(Export, HoweverMuchIsSaidTheButtonThatSavesIsInSight) {
   EXPECT_GT(reported->widget()->height(), reported->height()) << "there is more than has room";
   const auto* save = desk.find<QWidget>("save_xml");
   EXPECT_EQ(save->visibleRegion().boundingRect(), save->rect());
+}
+
+TEST_F(Export, OnALaptopWhatIsSaidIsWholeAndNothingScrolls) {
+  open("hidden_3");
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  desk.window.resize(1366, 768);
+  go();
+  const auto* correction = desk.find<QWidget>("correction_bars");
+  ASSERT_TRUE(desk.wait([&] { return correction->isVisible(); }));
+  QTest::qWait(50);
+  const auto* reported = desk.find<QScrollArea>("export_remarks");
+  EXPECT_EQ(reported->widget()->heightForWidth(reported->width()), reported->height());
+  EXPECT_GE(reported->height(), 40) << "two remarks at least";
+  for (const QWidget* w = correction; w; w = w->parentWidget())
+    if (const auto* column = qobject_cast<const QScrollArea*>(w))
+      EXPECT_EQ(column->verticalScrollBar()->maximum(), 0) << "the column has all it says in sight";
 }
 
 TEST_F(Export, LongNamesDoNotPushTheNumbersOutOfSight) {

@@ -34,7 +34,7 @@ TEST(Findings, AllJointsOfAnArmAreNamed) {
 }
 
 TEST(Findings, SeveralEffectsAreNamedNotTheirIds) {
-  EXPECT_EQ(app::list_effects("mount_drift, joint_elasticity"), "mount drift, joint elasticity");
+  EXPECT_EQ(app::list_effects("mount_drift, joint_elasticity"), "mount drift and joint elasticity");
   EXPECT_EQ(app::list_effects("backlash"), "backlash");
 }
 

@@ -186,7 +186,7 @@ TEST(Language, WhatAnErrorOrAResultPutsTogetherIsGerman) {
                                                  .name = message("gravity torque at {}", std::string("torso_4")),
                                                  .unit = "N m",
                                                  .values = {}})),
-            "Alle 16 haben Schwerkraftmoment an torso_4 unter 76,8 N m; von den 64 anderen nur 1.");
+            "Alle 16 haben Schweremoment an torso_4 unter 76,8 N m; von den 64 anderen nur 1.");
   QCoreApplication::removeTranslator(&german);
 }
 

@@ -45,6 +45,7 @@ double moved_by(const Session& session, const Fit& fit, const PredictionModel& w
                     predict_tcp(chain, o.position, without).root_from_tcp_est * body);
     mean += moved.back() / static_cast<double>(session.observations.size());
   }
+  if (!session.mount.estimate) mean.setZero();  // what is the same in all poses is the cause's, too
   double squares = 0;
   for (const Vector3& m : moved) squares += (m - mean).squaredNorm();
   return std::sqrt(squares / static_cast<double>(moved.size()));
