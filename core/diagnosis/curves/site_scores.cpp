@@ -74,14 +74,30 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
   return sites;
 }
 
-Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::MatrixXd& values) {
+namespace {
+
+/// What functions share with the base, and with what is left, direction by direction of a site.
+struct SharesOfFunctions {
+  Eigen::MatrixXd gradient;             // directions x functions
+  std::vector<Eigen::MatrixXd> shared;  // per direction, base x functions
+};
+
+SharesOfFunctions shares_of_functions(const CurveSite& site, const Eigen::MatrixXd& values) {
+  SharesOfFunctions shares{column_products(site.gradient, values), {}};
+  for (const Eigen::MatrixXd& of_direction : site.shared)
+    shares.shared.push_back(column_products(of_direction, values));
+  return shares;
+}
+
+/// Of functions whose shares begin at the column `first`.
+Score score_from(const SharesOfFunctions& shares, Eigen::Index first, const WhitenedModel& w, const CurveSite& site,
+                 const Eigen::MatrixXd& values) {
   const Eigen::Index s = site.directions(), f = values.cols();
-  Score score{Eigen::MatrixXd(s * f, s * f), column_products(site.gradient, values).reshaped()};
+  Score score{Eigen::MatrixXd(s * f, s * f), shares.gradient.middleCols(first, f).reshaped()};
   Eigen::MatrixXd shared(w.model->base, s * f);
-  for (Eigen::Index d = 0; d < s; ++d) {
-    const Eigen::MatrixXd of_direction = column_products(site.shared[static_cast<std::size_t>(d)], values);
-    for (Eigen::Index a = 0; a < f; ++a) shared.col(s * a + d) = of_direction.col(a);
-  }
+  for (Eigen::Index d = 0; d < s; ++d)
+    for (Eigen::Index a = 0; a < f; ++a)
+      shared.col(s * a + d) = shares.shared[static_cast<std::size_t>(d)].col(first + a);
   for (Eigen::Index a = 0; a < f; ++a) {
     const Eigen::MatrixXd products = values.leftCols(a + 1).array().colwise() * values.col(a).array();
     const Eigen::MatrixXd information = column_products(site.information, products);
@@ -101,6 +117,33 @@ Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::Matri
     score.gradient[i] = 0;
   }
   return score;
+}
+
+}  // namespace
+
+Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::MatrixXd& values) {
+  return score_from(shares_of_functions(site, values), 0, w, site, values);
+}
+
+std::vector<Score> scores_at(const WhitenedModel& w, const CurveSite& site,
+                             const std::vector<const Eigen::MatrixXd*>& values) {
+  if (values.empty()) return {};
+  Eigen::Index count = 0;
+  for (const Eigen::MatrixXd* v : values) count += v->cols();
+  Eigen::MatrixXd all(values.front()->rows(), count);
+  Eigen::Index first = 0;
+  for (const Eigen::MatrixXd* v : values) {
+    all.middleCols(first, v->cols()) = *v;
+    first += v->cols();
+  }
+  const SharesOfFunctions shares = shares_of_functions(site, all);
+  std::vector<Score> scores;
+  first = 0;
+  for (const Eigen::MatrixXd* v : values) {
+    scores.push_back(score_from(shares, first, w, site, *v));
+    first += v->cols();
+  }
+  return scores;
 }
 
 }  // namespace handsight

@@ -28,4 +28,8 @@ std::vector<CurveSite> curve_sites(const WhitenedModel& w, const Problem& proble
 /// site's directions.
 Score score_at(const WhitenedModel& w, const CurveSite& site, const Eigen::MatrixXd& values);
 
+/// score_at() of each of several: together they take a fraction of the time.
+std::vector<Score> scores_at(const WhitenedModel& w, const CurveSite& site,
+                             const std::vector<const Eigen::MatrixXd*>& values);
+
 }  // namespace handsight

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/combinations.h"
+#include "base/threads.h"
 #include "diagnosis/curves/place_formulas.h"
 #include "effects/own_effect.h"
 
@@ -45,6 +46,10 @@ std::vector<Eigen::Index> parameters_of(const Form& f) {
 class Search {
  public:
   Search(const WhitenedModel& w, const NoiseKnowledge& noise) : w_(w), noise_(noise) {}
+
+  std::vector<Score> scores_of(const CurveSite& site, const std::vector<const Eigen::MatrixXd*>& values) const {
+    return scores_at(w_, site, values);
+  }
 
   double make_factor(const Form& f) const { return make_factor(f, score_at(w_, *f.site, f.shape.values)); }
 
@@ -117,25 +122,42 @@ const Variable* other_factor(const CurveShape& product, const Variable& v, const
   return &*std::find_if(variables.begin(), variables.end(), [&](const Variable& x) { return x.formula == other; });
 }
 
+bool can_act_there(const Variable& v, const CurveShape& shape, const CurveSite& site) {
+  const bool is_line = shape.family == ShapeFamily::line;
+  if (site.kind != EmpiricalErrorSite::joint) return shape.at_rigid && !is_line;
+  if (site.joint == v.joint) return shape.at_joint && !is_line;
+  return v.kind != VariableKind::torque;
+}
+
 /// Every form of a variable that a formula can write, at every site, with its evidence.
 void add_forms(const Search& search, const std::vector<CurveSite>& sites, const Variable& v,
                const std::vector<Variable>& variables, std::vector<Form>& forms) {
   std::vector<CurveShape> shapes = list_shapes(v, variables);
   if (v.kind == VariableKind::angle) shapes.push_back(make_shape({&v}, ShapeFamily::line, 0));
-  for (const CurveShape& shape : shapes) {
-    if (shape.formulas.empty()) continue;
-    ShapeVariable of{&v};
-    if (shape.family == ShapeFamily::product) of.other = other_factor(shape, v, variables);
-    for (const CurveSite& site : sites) {
-      const bool at_joint = site.kind == EmpiricalErrorSite::joint, own = site.joint == v.joint;
-      if (!at_joint && (!shape.at_rigid || shape.family == ShapeFamily::line)) continue;
-      if (at_joint && own && (!shape.at_joint || shape.family == ShapeFamily::line)) continue;
-      if (at_joint && !own && v.kind == VariableKind::torque) continue;
-      Form f{&site, of, shape, all_directions(site)};
-      f.ln_factor = search.make_factor(f);
-      forms.push_back(std::move(f));
+  std::erase_if(shapes, [](const CurveShape& s) { return s.formulas.empty(); });
+  std::vector<std::vector<std::optional<Form>>> made(shapes.size(), std::vector<std::optional<Form>>(sites.size()));
+  each_part(static_cast<int>(sites.size()), true, [&](int i) {
+    const auto place = static_cast<std::size_t>(i);
+    std::vector<const Eigen::MatrixXd*> values;
+    std::vector<std::size_t> acting;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (!can_act_there(v, shapes[k], sites[place])) continue;
+      values.push_back(&shapes[k].values);
+      acting.push_back(k);
     }
-  }
+    const std::vector<Score> scores = search.scores_of(sites[place], values);
+    for (std::size_t k = 0; k < acting.size(); ++k) {
+      const CurveShape& shape = shapes[acting[k]];
+      ShapeVariable of{&v};
+      if (shape.family == ShapeFamily::product) of.other = other_factor(shape, v, variables);
+      Form f{&sites[place], of, shape, all_directions(sites[place])};
+      f.ln_factor = search.make_factor(f, scores[k]);
+      made[acting[k]][place] = std::move(f);
+    }
+  });
+  for (auto& of_shape : made)
+    for (std::optional<Form>& form : of_shape)
+      if (form) forms.push_back(std::move(*form));
 }
 
 /// "x", "rz" of a rigid site; empty of a joint.

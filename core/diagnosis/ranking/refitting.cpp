@@ -67,6 +67,7 @@ Refit refit_with(const CleanFit& model, const FitOptions& model_options, const s
   for (std::size_t t = 0; t < r.options.estimated.size(); ++t)
     r.options.estimated[t] = r.fit.effects[r.options.effects.size() + t].term;
   r.options.start = estimate(r.fit);
+  if (r.fit.solution.stopped) return r;
   const Eigen::Index before = model.fit.problem.effect_count();
   r.ln_bayes_factor = fit_evidence(r.fit, before, noise_model).ln_evidence -
                       (ln_before ? *ln_before : compute_ln_evidence(model, noise_model));

@@ -21,7 +21,7 @@ struct Refit {
 double compute_ln_evidence(const CleanFit& model, const NoiseModel& noise_model);
 
 /// Adds terms to a model and fits everything from there, on the same points. `ln_before`: compute_ln_evidence() the
-/// model, where it is known.
+/// model, where it is known. A fit that is stopped has no factor.
 Refit refit_with(const CleanFit& model, const FitOptions& model_options, const std::vector<EffectTerm>& added,
                  const NoiseModel& noise_model, std::optional<double> ln_before = std::nullopt);
 

@@ -2,7 +2,9 @@
 #include "diagnosis/selection/exchange.h"
 
 #include <algorithm>
+#include <mutex>
 
+#include "base/threads.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/ranking/slips.h"
@@ -32,7 +34,11 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   o.estimated.erase(o.estimated.begin() + static_cast<std::ptrdiff_t>(first),
                     o.estimated.begin() + static_cast<std::ptrdiff_t>(last));
   set_quick(by, o);
-  o.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
+  std::mutex one_at_a_time;
+  o.on_iteration = [&](int, double, const Unknowns&) {
+    const std::scoped_lock lock(one_at_a_time);
+    return goes_on();
+  };
   const CleanFit without{model.model.session, fit(model.model.session, o), {}};
   if (without.fit.solution.stopped) return std::nullopt;
   for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
@@ -44,10 +50,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   const auto own = std::find_if(ranking.effects.begin(), ranking.effects.end(),
                                 [&](const RankedEffect& r) { return r.candidate->effect->id == present.front().id; });
   if (own == ranking.effects.end() && !unnamed) return std::nullopt;
-  std::optional<Refit> now;
-  double ln_before = 0;
-  std::optional<Exchange> best;
-  double best_evidence = 0;
+  std::vector<const RankedEffect*> others;
   for (std::size_t i = 0; i < std::min(most, ranking.effects.size()); ++i) {
     const RankedEffect& r = ranking.effects[i];
     if (!unnamed && &r == &*own) continue;
@@ -55,20 +58,31 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     if (r.candidate->effect->id == "target_scale" && !without.fit.problem.rig) continue;
     if (follows_time(r.candidate->units.front().term) && !follows_time(present.front())) continue;
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
-    if (r.ln_bayes_factor < least || !goes_on()) break;
-    if (!now) {
-      ln_before = compute_ln_evidence(without, by);
-      now = refit_with(without, o, present, by, ln_before);
-      best_evidence = unnamed ? now->ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves
-                              : evidence_of(*now, *own) + clearly_above;
-    }
-    const Refit other = refit_with(without, o, with_settled_orders(without, terms_with_values(r), by), by, ln_before);
+    if (r.ln_bayes_factor < least) break;
+    others.push_back(&r);
+  }
+  if (others.empty() || !goes_on()) return std::nullopt;
+  const double ln_before = compute_ln_evidence(without, by);
+  std::vector<Refit> refits(others.size() + 1);  // the present name's last
+  each_part(static_cast<int>(refits.size()), true, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    const std::vector<EffectTerm> terms =
+        at < others.size() ? with_settled_orders(without, terms_with_values(*others[at]), by) : present;
+    refits[at] = refit_with(without, o, terms, by, ln_before);
+  });
+  const Refit& now = refits.back();
+  double best_evidence =
+      unnamed ? now.ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(now, *own) + clearly_above;
+  std::optional<Exchange> best;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const Refit& other = refits[i];
     // Where a fit has not ended its evidence is less than it could be, and may be enough.
-    if (!other.fit.solution.normal.in_front || evidence_of(other, r) <= best_evidence) continue;
-    best_evidence = evidence_of(other, r);
+    if (!other.fit.solution.normal.in_front || evidence_of(other, *others[i]) <= best_evidence) continue;
+    best_evidence = evidence_of(other, *others[i]);
     const std::vector<EffectTerm> terms = list_terms(other.fit);
-    best = Exchange{
-        r.candidate->effect->id, {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()}, other.options};
+    best = Exchange{others[i]->candidate->effect->id,
+                    {terms.end() - static_cast<std::ptrdiff_t>(other.added), terms.end()},
+                    other.options};
     best->options.on_iteration = nullptr;
   }
   return goes_on() ? best : std::nullopt;

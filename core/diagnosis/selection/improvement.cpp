@@ -264,7 +264,10 @@ class Improving {
     settled_ = m_;
     while (!m_.stopped && static_cast<int>(m_.steps.size()) <= options_.most_steps && one_more()) {
     }
-    if (!options_.with_curves && is_outdone(m_.last) && !m_.stopped) take_back(settled_, m_);
+    if (!options_.with_curves && is_outdone(m_.last) && !m_.stopped) {
+      take_back(settled_, m_);
+      certain_.reset();
+    }
     if (m_.stopped) return std::move(m_);
     conclude(excess, refused_, m_);
     m_.inclusion_probabilities = certain();
@@ -322,6 +325,7 @@ class Improving {
     if (!change.model) return false;
     m_.steps.insert(m_.steps.end(), change.steps.begin(), change.steps.end());
     m_.last = std::move(*change.model);
+    certain_.reset();
     if (!options_.with_curves && !is_outdone(m_.last)) settled_ = m_;
     return true;
   }
@@ -339,10 +343,14 @@ class Improving {
     return change;
   }
 
-  InclusionProbabilities certain() const {
-    if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return {};
-    return inclusion_probabilities(m_.last, options_.estimated.size(),
-                                   [&] { return !options_.on_progress || options_.on_progress(0.98); });
+  /// Of the last model; asked once.
+  const InclusionProbabilities& certain() {
+    if (certain_) return *certain_;
+    certain_.emplace();
+    if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return *certain_;
+    certain_ = inclusion_probabilities(m_.last, options_.estimated.size(),
+                                       [&] { return !options_.on_progress || options_.on_progress(0.98); });
+    return *certain_;
   }
 
   void note_refusals(const ModelChange& change) {
@@ -358,9 +366,10 @@ class Improving {
   const Session& session_;
   ImprovementOptions options_;
   Improvement m_;
-  Improvement settled_;               // names alone: the last model that no unnamed curve outdoes
-  std::vector<RefusedStep> refused_;  // of the last model
-  int sought_ = 0;                    // times
+  Improvement settled_;                            // names alone: the last model that no unnamed curve outdoes
+  std::vector<RefusedStep> refused_;               // of the last model
+  std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
+  int sought_ = 0;                                 // times
   bool sought_simpler_ = false;
   std::set<std::string> tried_;  // likely names
 };

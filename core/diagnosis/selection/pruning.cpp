@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/threads.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/ranking/slips.h"
@@ -81,6 +82,12 @@ class Pruning {
     return d.threshold;
   }
 
+  /// Of the present model, for all that it estimates.
+  double ln_evidence(const NoiseModel& by) {
+    if (!ln_evidence_) ln_evidence_ = compute_ln_evidence(change_.model->model, by);
+    return *ln_evidence_;
+  }
+
   bool goes_on() {
     if (options_.on_progress && !options_.on_progress(0.97)) change_.stopped = true;
     return !change_.stopped;
@@ -140,6 +147,7 @@ class Pruning {
     step.noise = now.noise;
     if (!removed.empty()) step.removed += (step.removed.empty() ? "" : ", ") + removed;
     change_.model = std::move(next);
+    ln_evidence_.reset();
     return true;
   }
 
@@ -160,8 +168,7 @@ class Pruning {
     if (squares_without(with, d.model_options, first, last, by.noise) > 10 * threshold() + 100) return false;
     const FitOptions o = options_without(first, last, by);
     const Fit without = fit(d.model.session, o);
-    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
-                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    const double gained = ln_evidence(by) - fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : threshold();
     if (gained >= least - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;
     return take(model_from(session_, options_, o.estimated, estimate(without), most_), dropped.front().id);
@@ -173,8 +180,9 @@ class Pruning {
     FitOptions o = change_.model->model_options;
     const NoiseModel by = noise_model(model);
     set_quick(by, o);
+    std::optional<double> ln_with;  // of `model`; absent: that of the present one
     for (std::size_t t = options_.estimated.size(); t < o.estimated.size() && goes_on();) {
-      const auto fewer = is_one_of_several(o.estimated, t) ? without_place(model, o, t, by) : std::nullopt;
+      const auto fewer = is_one_of_several(o.estimated, t) ? without_place(model, o, t, by, ln_with) : std::nullopt;
       if (!fewer) {
         ++t;
         continue;
@@ -194,18 +202,19 @@ class Pruning {
     return (t > 0 && all[t - 1].id == all[t].id) || (t + 1 < all.size() && all[t + 1].id == all[t].id);
   }
 
-  /// The fit without one place; nothing where the place is worth its numbers.
-  std::optional<Fit> without_place(const Fit& with, const FitOptions& options, std::size_t place,
-                                   const NoiseModel& by) const {
+  /// The fit without one place, whose evidence is then `ln_with`; nothing where the place is worth its numbers.
+  std::optional<Fit> without_place(const Fit& with, const FitOptions& options, std::size_t place, const NoiseModel& by,
+                                   std::optional<double>& ln_with) {
     const double numbers = static_cast<double>(options.estimated[place].values.size());
     if (squares_without(with, options, place, place + 1, by.noise) > 2 * numbers + 4) return std::nullopt;
     FitOptions fewer = options;
     fewer.estimated.erase(fewer.estimated.begin() + static_cast<std::ptrdiff_t>(place));
     fewer.start = estimate(with);
     Fit without = fit(change_.model->model.session, fewer);
-    const double gained = fit_evidence(with, with.problem.effect_count(), by).ln_evidence -
-                          fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
-    if (!without.converged() || gained > worth_a_place) return std::nullopt;
+    if (!without.converged()) return std::nullopt;
+    const double ln_without = fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
+    if ((ln_with ? *ln_with : ln_evidence(by)) - ln_without > worth_a_place) return std::nullopt;
+    ln_with = ln_without;
     return without;
   }
 
@@ -240,6 +249,17 @@ class Pruning {
     }
   }
 
+  static std::pair<Refit, Refit> refitted_side_by_side(const CleanFit& without, const FitOptions& options,
+                                                       const std::vector<EffectTerm>& one,
+                                                       const std::vector<EffectTerm>& other, const NoiseModel& by,
+                                                       double before) {
+    std::pair<Refit, Refit> both;
+    each_part(2, true, [&](int i) {
+      (i == 0 ? both.first : both.second) = refit_with(without, options, i == 0 ? one : other, by, before);
+    });
+    return both;
+  }
+
   void look_for_moment(std::size_t first, std::size_t last) {
     const NoiseModel by = noise_model(change_.model->model.fit);
     const std::vector<EffectTerm> present = group(first, last);
@@ -247,7 +267,7 @@ class Pruning {
     const std::vector<EffectTerm> other = with_best_orders(without, present, by);
     if (slip_order(other) == slip_order(present) || !goes_on()) return;
     const double before = compute_ln_evidence(without, by);
-    const Refit now = refit_with(without, o, present, by, before), then = refit_with(without, o, other, by, before);
+    const auto [now, then] = refitted_side_by_side(without, o, present, other, by, before);
     if (then.fit.converged() && then.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, then);
   }
 
@@ -280,8 +300,7 @@ class Pruning {
         find_curve(w, by.knowledge, none.problem, variables, ranking.empirical_errors, present.front().id);
     if (!found || formula_text(*found->term.own->definition) == formula_text(*present.front().own->definition)) return;
     const double before = compute_ln_evidence(without, by);
-    const Refit now = refit_with(without, o, present, by, before),
-                other = refit_with(without, o, {found->term}, by, before);
+    const auto [now, other] = refitted_side_by_side(without, o, present, {found->term}, by, before);
     // Both were chosen in as many ways.
     if (other.fit.converged() && other.ln_bayes_factor > now.ln_bayes_factor + clearly_better) replace(first, other);
   }
@@ -290,7 +309,8 @@ class Pruning {
   const ImprovementOptions& options_;
   double most_;
   ModelChange& change_;
-  std::set<std::string> gone_;  // names that were exchanged for others
+  std::set<std::string> gone_;         // names that were exchanged for others
+  std::optional<double> ln_evidence_;  // of the present model; absent: not asked yet
 };
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <set>
 
 #include "base/combinations.h"
+#include "base/threads.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
@@ -69,6 +72,24 @@ bool is_simple(const CandidateEffect& effect, const Problem& model) {
   return true;
 }
 
+/// A fit that is still far from what it must reach when it has nearly come to rest.
+class HopelessFit {
+ public:
+  /// `least`: the squares to be reached.
+  explicit HopelessFit(double least) : least_(least) {}
+
+  bool is_so_at(double cost) {
+    constexpr double far = 4, nearly_at_rest = 0.9;
+    const bool is_so = before_ && cost > nearly_at_rest * *before_ && cost > far * least_;
+    before_ = cost;
+    return is_so;
+  }
+
+ private:
+  double least_;
+  std::optional<double> before_;
+};
+
 /// In the place of all estimated terms from `first` on, the likeliest first; fitted in full on the model's points.
 /// Those are left out that fit the measurements worse than the model predicts them.
 std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first,
@@ -90,17 +111,30 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
   // Held out, an error of points is reported by length, and what a fit leaves by coordinate.
   const double predicted = held_out_error(model) / (model.report.held_out.rms_pixel ? 1 : std::sqrt(3.0));
 
+  std::vector<const CandidateEffect*> simple;
+  for (const CandidateEffect& effect : candidates.effects)
+    if (is_simple(effect, plain.fit.problem)) simple.push_back(&effect);
+  std::vector<std::optional<SimpleModel>> made(simple.size());
+  std::mutex one_at_a_time;
+  each_part(static_cast<int>(simple.size()), true, [&](int i) {
+    const std::vector<EffectTerm> terms = everywhere(*simple[static_cast<std::size_t>(i)]);
+    HopelessFit hopeless(std::pow(predicted, 2) * plain.fit.rows);
+    FitOptions own = o;
+    own.on_iteration = [&](int, double cost, const Unknowns&) {
+      const std::scoped_lock lock(one_at_a_time);
+      return goes_on() && !hopeless.is_so_at(cost);
+    };
+    Refit r = refit_with(plain, own, terms, by, ln_before);
+    if (!r.fit.converged() || r.fit.residual_rms > predicted) return;
+    r.options.on_iteration = nullptr;
+    made[static_cast<std::size_t>(i)] = {
+        simple[static_cast<std::size_t>(i)]->effect->id, std::move(r.options),
+        ln_before + r.ln_bayes_factor - compute_cost(terms, places, model.threshold) - stands};
+  });
+  if (!goes_on()) return {};
   std::vector<SimpleModel> found;
-  for (const CandidateEffect& effect : candidates.effects) {
-    if (!is_simple(effect, plain.fit.problem)) continue;
-    if (!goes_on()) return {};
-    const std::vector<EffectTerm> terms = everywhere(effect);
-    const Refit r = refit_with(plain, o, terms, by, ln_before);
-    if (!r.fit.converged() || r.fit.residual_rms > predicted) continue;
-    found.push_back(
-        {effect.effect->id, r.options,
-         fit_evidence(r.fit, base, by).ln_evidence - compute_cost(terms, places, model.threshold) - stands});
-  }
+  for (std::optional<SimpleModel>& one : made)
+    if (one) found.push_back(std::move(*one));
   std::stable_sort(found.begin(), found.end(),
                    [](const SimpleModel& a, const SimpleModel& b) { return a.ln_gained > b.ln_gained; });
   return found;

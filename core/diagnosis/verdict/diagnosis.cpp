@@ -62,6 +62,7 @@ class Work {
   /// Of a model that has been fitted before.
   Diagnosis go_on(Diagnosis model) {
     d_ = std::move(model);
+    if (d_.threshold > 0) known_threshold_ = d_.threshold;
     return find_what_is_missing();
   }
 
@@ -185,10 +186,14 @@ class Work {
       d_.threshold = *options_.threshold;
       return;
     }
-    d_.threshold = simulated_threshold(model_, candidates_, d_.repeatability, noise_model_.knowledge);
     const std::vector<EffectTerm>& terms = d_.model_options.estimated;
-    if (!d_.repeatability.is_any() || terms.empty() || std::any_of(terms.begin(), terms.end(), is_curve)) return;
-    d_.threshold -= more_with_repeatability;
+    const bool asks_less =
+        d_.repeatability.is_any() && !terms.empty() && std::none_of(terms.begin(), terms.end(), is_curve);
+    d_.threshold = known_threshold_
+                       ? *known_threshold_
+                       : simulated_threshold(model_, candidates_, d_.repeatability, noise_model_.knowledge) -
+                             (asks_less ? more_with_repeatability : 0);
+    if (!asks_less) return;
     odds_of_unnamed_ -= more_with_repeatability;
     for (RankedEmpiricalError& l : ranking_.empirical_errors) l.ln_bayes_factor -= more_with_repeatability;
   }
@@ -304,8 +309,9 @@ class Work {
 
   std::optional<FoundCurve> curve_of(const DiagnosisCandidate& c,
                                      const std::vector<RankedEmpiricalError>& empirical_errors) {
-    const WhitenedModel w = whiten(model_, c.repeatability, noise_model_.knowledge);
-    return find_curve(w, noise_model_.knowledge, candidates_.problem, variables_, empirical_errors,
+    if (!whitened_ || !(whitened_->repeatability == c.repeatability))
+      whitened_ = whiten(model_, c.repeatability, noise_model_.knowledge);
+    return find_curve(*whitened_, noise_model_.knowledge, candidates_.problem, variables_, empirical_errors,
                       next_curve_id(list_terms(d_.model.fit)));
   }
 
@@ -406,9 +412,11 @@ class Work {
   LinearModel model_;
   std::vector<Variable> variables_;
   Ranking ranking_;
-  std::optional<Score> plain_;  // of all candidates, without scatter
+  std::optional<WhitenedModel> whitened_;  // for the last curve that was sought
+  std::optional<Score> plain_;             // of all candidates, without scatter
   std::map<std::string, Refit> fits_;
-  std::optional<double> ln_evidence_;  // of the model; absent: not asked yet
+  std::optional<double> ln_evidence_;      // of the model; absent: not asked yet
+  std::optional<double> known_threshold_;  // of a model that it was worked out for before
   double odds_of_unnamed_ = ln_odds_of_unnamed;
   double done_ = 0;
   std::atomic<bool> stopped_ = false;
