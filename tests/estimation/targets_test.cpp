@@ -28,7 +28,7 @@ SimulatedSession simulated_board(const Session& like, std::uint64_t seed, const 
   return simulate_session(like, o);
 }
 
-double error_of_body(const SimulatedSession& s, const Fit& f) {
+double error_of_board(const SimulatedSession& s, const Fit& f) {
   const Vector6 xi = small_motion_between(fixture::true_target_body(s, f.sides), f.tcp_from_body);
   return xi.dot(f.covariance.ldlt().solve(xi));
 }
@@ -72,7 +72,7 @@ TEST(Targets, TheBodyIsWhereItIsAndAsSureAsIsSaid) {
         EXPECT_TRUE(f.converged());
         EXPECT_EQ(f.covariance_kind, CovarianceKind::noise);
         EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows)) << display_name(target.kind);
-        squares += error_of_body(s, f);
+        squares += error_of_board(s, f);
       }
       EXPECT_LT(squares, 18 + 4.5 * std::sqrt(36.0)) << display_name(target.kind) << mount_is_known;
     }
@@ -96,7 +96,7 @@ TEST(Targets, APrintThatIsOnlyAboutRightIsAllowedFor) {
     SimulatedSession s = simulated_board(target_session(target), seed);
     const Fit f = fit(s.session);
     EXPECT_NEAR(*f.chi2_per_dof, 1, 4.5 * std::sqrt(2.0 / f.rows));
-    squares += error_of_body(s, f);
+    squares += error_of_board(s, f);
     s.session.shape->sigma = 0;
     held_chi2 += *fit(s.session).chi2_per_dof / 3;
   }
@@ -111,7 +111,7 @@ TEST(Targets, OnTheTableWithTheCameraOnTheHand) {
     s.session = with_unknown_mount(s.session);
     const Fit f = fit(s.session);
     EXPECT_TRUE(f.converged());
-    squares += error_of_body(s, f);
+    squares += error_of_board(s, f);
   }
   EXPECT_LT(squares, 18 + 4.5 * std::sqrt(36.0));
 }
@@ -134,7 +134,7 @@ TEST(Targets, PartsOfABoardAreEnough) {
   for (Observation& one : s.session.observations)  // a corner that no image ever shows
     std::erase_if(one.sightings, [](const Sighting& p) { return p.marker == 0; });
   const Fit f = fit(s.session);
-  EXPECT_LT(error_of_body(s, f), 6 + 4.5 * std::sqrt(12.0));
+  EXPECT_LT(error_of_board(s, f), 6 + 4.5 * std::sqrt(12.0));
   for (const Message& note : f.notes) EXPECT_EQ(note.find("seen in no used"), std::string::npos) << note;
 }
 

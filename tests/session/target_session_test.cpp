@@ -31,7 +31,7 @@ std::string find_session(const std::string& target,
 const std::string charuco =
     "<target kind=\"charuco\" columns=\"8\" rows=\"11\" square=\"0.015\" marker=\"0.011\" dictionary=\"DICT_5X5_100\"";
 
-std::string refusal(const std::string& text) {
+std::string target_refusal(const std::string& text) {
   try {
     parse_session(text, "session.xml");
   } catch (const InputError& error) {
@@ -101,21 +101,23 @@ TEST(TargetSession, IsWrittenAndReadBack) {
 }
 
 TEST(TargetSession, WhatIsWrongIsRefused) {
-  EXPECT_THAT(refusal(find_session(charuco + "/><markers count=\"3\"/>")), HasSubstr("beside the <markers>"));
-  EXPECT_THAT(refusal(find_session("<target kind=\"pose\"/>")), HasSubstr("<pose_sensor>"));
-  EXPECT_THAT(refusal(find_session("<target kind=\"charucco\"/>")), HasSubstr("chessboard, charuco"));
-  EXPECT_THAT(refusal(find_session("<target kind=\"chessboard\" rows=\"5\" square=\"0.1\"/>")), HasSubstr("columns"));
-  EXPECT_THAT(refusal(find_session("<target columns=\"4\"/>")), HasSubstr("kind"));
-  EXPECT_THAT(refusal(find_session("<target kind=\"chessboard\" columns=\"100\" rows=\"100\" square=\"0.01\"/>")),
-              HasSubstr("4096"));
-  EXPECT_THAT(refusal(find_session(charuco + "/>", "<marker index=\"70\" eye=\"1 2\"/>")), HasSubstr("index"));
+  EXPECT_THAT(target_refusal(find_session(charuco + "/><markers count=\"3\"/>")), HasSubstr("beside the <markers>"));
+  EXPECT_THAT(target_refusal(find_session("<target kind=\"pose\"/>")), HasSubstr("<pose_sensor>"));
+  EXPECT_THAT(target_refusal(find_session("<target kind=\"charucco\"/>")), HasSubstr("chessboard, charuco"));
+  EXPECT_THAT(target_refusal(find_session("<target kind=\"chessboard\" rows=\"5\" square=\"0.1\"/>")),
+              HasSubstr("columns"));
+  EXPECT_THAT(target_refusal(find_session("<target columns=\"4\"/>")), HasSubstr("kind"));
   EXPECT_THAT(
-      refusal(find_session(charuco + "/>", "<marker index=\"69\" eye=\"1 2\"/><marker index=\"69\" eye=\"1 2\"/>")),
-      HasSubstr("second time"));
+      target_refusal(find_session("<target kind=\"chessboard\" columns=\"100\" rows=\"100\" square=\"0.01\"/>")),
+      HasSubstr("4096"));
+  EXPECT_THAT(target_refusal(find_session(charuco + "/>", "<marker index=\"70\" eye=\"1 2\"/>")), HasSubstr("index"));
+  EXPECT_THAT(target_refusal(
+                  find_session(charuco + "/>", "<marker index=\"69\" eye=\"1 2\"/><marker index=\"69\" eye=\"1 2\"/>")),
+              HasSubstr("second time"));
   std::string tracked = find_session(charuco + "/>");
   const auto from = tracked.find("<cameras"), to = tracked.find("</cameras>") + 10;
   tracked.replace(from, to - from, "<tracker mount=\"hand\"><mount_from_tracker/></tracker>");
-  EXPECT_THAT(refusal(tracked), HasSubstr("found in images"));
+  EXPECT_THAT(target_refusal(tracked), HasSubstr("found in images"));
 }
 
 TEST(TargetSession, APartOfItHasTheTargetToo) {

@@ -31,6 +31,9 @@ void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance,
     if (unknown.numbers[static_cast<std::size_t>(i)])
       out.line(fmt::format("  {:<6} {:>11.4f}    {}, left at its start", names[i], value + 0.0,
                            is_place || rotation_is_observed ? "not determined" : "not observed"));
+    else if (sigma[i] == 0)  // as many unknowns as measurements: nothing tells how large errors are
+      out.line(
+          fmt::format("  {:<6} {:>11.4f}    {} (sigma not known)", names[i], value + 0.0, is_place ? "mm" : "deg"));
     else
       out.line(with_sigma(names[i], value, (is_place ? 1e3 : degrees) * sigma[i], is_place ? "mm" : "deg"));
   }

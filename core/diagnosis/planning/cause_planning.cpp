@@ -27,10 +27,6 @@ struct Prediction {
   double half_ln_determinant = 0;
 };
 
-double half_ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
-  return llt.matrixLLT().diagonal().array().log().sum();
-}
-
 /// Bhattacharyya's: how little two predictions overlap.
 double distance(const Prediction& a, const Prediction& b) {
   const Eigen::MatrixXd middle = 0.5 * (a.covariance.reconstructedMatrix() + b.covariance.reconstructedMatrix());

@@ -2,9 +2,16 @@
 // What a fitted model expects to see in poses that were not measured yet, and what measuring them would teach it.
 #pragma once
 
+#include <Eigen/Cholesky>
+
 #include "diagnosis/planning/pose_pool.h"
 
 namespace handsight {
+
+/// Half of ln det of the matrix that was factored.
+inline double half_ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
+  return llt.matrixLLT().diagonal().array().log().sum();
+}
 
 /// The coordinates of one pose, all in units of the noise.
 struct ExpectedRows {

@@ -14,10 +14,6 @@ Eigen::MatrixXd predicted_covariance(const Eigen::MatrixXd& whitened) {
   return v;
 }
 
-double half_ln_determinant(const Eigen::LLT<Eigen::MatrixXd>& llt) {
-  return llt.matrixLLT().diagonal().array().log().sum();
-}
-
 }  // namespace
 
 Eigen::VectorXd ModelDiscrimination::difference(const ExpectedRows& by_truth, const ExpectedRows& by_rival) const {
