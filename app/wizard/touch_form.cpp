@@ -19,7 +19,7 @@
 namespace handsight::app {
 namespace {
 
-constexpr std::array<const char*, 5> tags{"plane", "point", "line", "gauge", "length"};
+constexpr std::array<const char*, 5> fixture_tags{"plane", "point", "line", "gauge", "length"};
 
 /// What a name says, as the engine takes it where nobody tells.
 int likely_kind(const QString& name) {
@@ -134,7 +134,7 @@ void TouchForm::ask(const QStringList& fixtures) {
 std::vector<std::string> TouchForm::described() const {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    list.push_back((QLatin1String(tags[static_cast<std::size_t>(std::max(0, rows_[i].kind->current()))]) + ' ' +
+    list.push_back((QLatin1String(fixture_tags[static_cast<std::size_t>(std::max(0, rows_[i].kind->current()))]) + ' ' +
                     names_[static_cast<qsizetype>(i)] + ' ' + rows_[i].known->text())
                        .trimmed()
                        .toStdString());
