@@ -114,10 +114,13 @@ std::string checked(const Session& session) {
   const bool works = check.problems.empty();
   const auto size = works ? cli::find_target_size(session) : std::nullopt;
   if (size) check.warnings.push_back(size->text + " " + size->fix);
+  const auto distance = works ? cli::find_doubtful_distance(session) : std::nullopt;
+  if (distance) check.warnings.push_back(distance->text);
   cli::Json json = cli::check_json(session, check);
   json["target_size"] = cli::target_size_json(size);
-  json["blunders"] =
-      cli::blunders_json(works && !cli::settles_it(size) ? cli::list_blunders(session) : std::vector<Blunder>());
+  json["doubtful_distance"] = cli::doubtful_distance_json(distance, session);
+  json["blunders"] = cli::blunders_json(works && !cli::settles_it(size) && !distance ? cli::list_blunders(session)
+                                                                                     : std::vector<Blunder>());
   return make_text(json);
 }
 

@@ -2,6 +2,8 @@
 // Commands with sessions of touches: alone, and in a collection beside a tracker's.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "cli/cli_runner.h"
 #include "temporary_folder.h"
 
@@ -36,6 +38,19 @@ TEST_F(TouchCommands, CheckTellsWhatIsTouched) {
   ASSERT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_NE(r.output.find("Fixture socket_left on stand, a point: 10 touches"), std::string::npos) << r.output;
   EXPECT_EQ(r.output.find("tracker"), std::string::npos) << r.output;
+}
+
+TEST_F(TouchCommands, NoFigureStandsBesideWhatTheyDoNotDetermine) {
+  std::ifstream all(samples / "probe_and_plate" / "touches.csv");
+  std::string table, line;
+  for (int i = 0; i < 6 && std::getline(all, line); ++i) table += line + "\n";
+  write_text(folder.path / "five.csv", table);
+  const CliResult made = run({"convert", at("five.csv"), "--robot", (samples / "robots" / "six_axis.urdf").string(),
+                              "--tcp", "hand", "--fixture", "plane plate_front", "--out", at("five")});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const CliResult r = run({"fit", at("five")});
+  EXPECT_EQ(r.output.find("+- 0.0000"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("not determined, left at its start"), std::string::npos) << r.output;
 }
 
 TEST_F(TouchCommands, PlanNamesTheFixture) {

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/degrees.h"
 #include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/touch_unknown.h"
 #include "estimation/fit/undetermined.h"
 #include "json_values.h"
 
@@ -20,7 +22,8 @@ std::string with_sigma(const char* name, double value, double sigma, const char*
 }
 
 /// Place and turns of a pose with their sigmas; where nothing is known of a number, no figure stands beside it.
-void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance, bool rotation_is_observed) {
+void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance, bool rotation_is_observed,
+                const std::array<bool, 3>& is_untold = {}) {
   const UndeterminedMotions unknown = undetermined_motions(covariance);
   const Vector6 sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const Vector3 rpy = degrees * rpy_from_rotation(pose.rotation);
@@ -28,12 +31,9 @@ void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance,
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
     const double value = is_place ? 1e3 * pose.translation[i] : rpy[i - 3];
-    if (unknown.numbers[static_cast<std::size_t>(i)])
+    if (unknown.numbers[static_cast<std::size_t>(i)] || (is_place && is_untold[static_cast<std::size_t>(i)]))
       out.line(fmt::format("  {:<6} {:>11.4f}    {}, left at its start", names[i], value + 0.0,
                            is_place || rotation_is_observed ? "not determined" : "not observed"));
-    else if (sigma[i] == 0)  // as many unknowns as measurements: nothing tells how large errors are
-      out.line(
-          fmt::format("  {:<6} {:>11.4f}    {} (sigma not known)", names[i], value + 0.0, is_place ? "mm" : "deg"));
     else
       out.line(with_sigma(names[i], value, (is_place ? 1e3 : degrees) * sigma[i], is_place ? "mm" : "deg"));
   }
@@ -170,7 +170,8 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
 
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
-  print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed);
+  print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed,
+             undetermined_tip(session, fit));
   out.line(fit.covariance_kind == CovarianceKind::noise ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
            : fit.noise ? "  (sigmas from how the observations differ: the model does not agree with them to the noise)"
                        : "  (sigmas from how the observations differ: the noise is not known)");

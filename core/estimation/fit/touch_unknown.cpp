@@ -107,6 +107,15 @@ bool is_one_plane(const Session& session) {
 
 }  // namespace
 
+std::array<bool, 3> undetermined_tip(const Session& session, const Fit& fit) {
+  std::array<bool, 3> is_untold{};
+  if (session.fixtures.empty() || fit.problem.marker_count != 1) return is_untold;
+  const Eigen::MatrixXd untold = undetermined_directions(fit);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    is_untold[static_cast<std::size_t>(i)] = untold.cols() > 0 && untold.row(i).norm() > moves;
+  return is_untold;
+}
+
 std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit) {
   std::vector<Message> texts;
   const Eigen::MatrixXd untold = undetermined_directions(fit);
