@@ -92,6 +92,8 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const
     card.caution = QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
   else if (c.too_large)
     card.caution = QObject::tr("Larger than robots are built. Probably another cause.");
+  else if (!is_believable(c))
+    card.caution = QObject::tr("More than three times what is usual, and it leaves much. Probably another cause.");
   else if (!c.plausible)
     card.caution = QObject::tr("More than three times what is usual.");
   return card;

@@ -1979,6 +1979,10 @@
         <translation>Mehr als das Dreifache des Üblichen.</translation>
     </message>
     <message>
+        <source>More than three times what is usual, and it leaves much. Probably another cause.</source>
+        <translation>Mehr als das Dreifache des Üblichen, und es bleibt viel übrig. Wohl eine andere Ursache.</translation>
+    </message>
+    <message>
         <source>Larger than robots are built. Probably another cause.</source>
         <translation>Größer, als Roboter gebaut sind. Wohl eine andere Ursache.</translation>
     </message>

@@ -75,7 +75,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
 RobotView::~RobotView() { parts_->gl.release(); }
 
 QSize RobotView::sizeHint() const { return {460, 400}; }
-QSize RobotView::minimumSizeHint() const { return {240, 140}; }  // as low as the lower row of a laptop
+QSize RobotView::minimumSizeHint() const { return {240, 200}; }
 
 void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_folder) {
   RobotViewParts& p = *parts_;

@@ -51,7 +51,11 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
   return false;
 }
 
-bool is_believable(const DiagnosisCandidate& c) { return !c.too_large && !pushes_back(c.terms, c.sigmas); }
+bool is_believable(const DiagnosisCandidate& c) {
+  constexpr double nearly_all = 0.9;  // of what the model misses
+  const bool is_size_believable = c.plausible || (!c.too_large && c.explained.value_or(1) >= nearly_all);
+  return is_size_believable && !pushes_back(c.terms, c.sigmas);
+}
 
 bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
   return best.unnamed || (!best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best));

@@ -20,7 +20,8 @@ bool can_be_added(const DiagnosisCandidate& candidate);
 /// `sigmas` may be empty: none is known.
 bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::vector<double>>& sigmas);
 
-/// Of a size that robots have: not DiagnosisCandidate::too_large, and no spring that pushes back.
+/// Of a usual size, or of a larger one that robots have (not DiagnosisCandidate::too_large) where it explains nearly
+/// all that is missing: what is large and leaves much stands in for something else. And no spring that pushes back.
 bool is_believable(const DiagnosisCandidate& candidate);
 
 /// Could the one with the most evidence stand in for this candidate: a curve, or twice as many numbers that no robot

@@ -124,7 +124,7 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
             effects_in_the_model());
   EXPECT_EQ(effects_in_the_model(),
             (std::set<std::string>{"camera_mount ", "joint_offset axis_2", "joint_offset axis_3"}));
-  EXPECT_TRUE(desk.document().undo_stack().undoText().contains("xchanged link geometry for camera mount, joint"))
+  EXPECT_TRUE(desk.document().undo_stack().undoText().contains("xchanged link geometry for camera mount and joint"))
       << desk.document().undo_stack().undoText().toStdString();
   EXPECT_TRUE(said.contains("Done: other names found for what was added")) << said.toStdString();
   EXPECT_FALSE(said.contains("Larger than robots are built")) << "what was larger has gone";

@@ -86,7 +86,8 @@ class StoppedWizard : public FilesWizardTest {
   app::Jobs& jobs() { return desk.window.workbench().background; }
   QAbstractButton* stop() { return desk.find<QAbstractButton>("files_stop"); }
   bool begin_making() {
-    const std::vector<Rigid> three{Rigid{}, {Matrix3::Identity(), {0.1, 0, 0}}, {Matrix3::Identity(), {0, 0.1, 0}}};
+    const std::vector<Rigid> three{
+        {Matrix3::Identity(), {0, 0, 0.1}}, {Matrix3::Identity(), {0.1, 0, 0}}, {Matrix3::Identity(), {0, 0.1, 0}}};
     replace_file(folder.path / "flange.csv", pose_table(three));
     replace_file(folder.path / "target.csv", pose_table(three));
     if (!files.drop({folder.path / "flange.csv", folder.path / "target.csv"}, &desk.window)) return false;
@@ -255,8 +256,9 @@ TEST_F(FilesWizardTest, WhatIsNothingIsSaidAndWhatCannotBeMadeLeavesTheWizardOpe
   desk.find<QListWidget>("files_list")->setCurrentRow(0);
   desk.press_button("files_remove");
   EXPECT_TRUE(files.listed().isEmpty());
-  replace_file(folder.path / "flange.csv", pose_table({Rigid{}, Rigid{}, Rigid{}}));
-  replace_file(folder.path / "target.csv", pose_table({Rigid{}, Rigid{}}));
+  const Rigid somewhere{Matrix3::Identity(), {0.3, 0, 0.5}};  // poses of nothing but zeros are none
+  replace_file(folder.path / "flange.csv", pose_table({somewhere, somewhere, somewhere}));
+  replace_file(folder.path / "target.csv", pose_table({somewhere, somewhere}));
   files.drop({folder.path / "flange.csv", folder.path / "target.csv"}, files.dialog());
   files.fill("files_out", folder.path / "made");
   ASSERT_TRUE(files.make()->isEnabled()) << files.said().toStdString();
