@@ -12,10 +12,7 @@ import math
 import os
 import re
 import struct
-import subprocess
 import sys
-import tempfile
-import time
 import zlib
 
 try:
@@ -31,19 +28,15 @@ except (ImportError, AttributeError) as missing:
     sys.exit(77)
 
 sys.dont_write_bytecode = True  # nothing is written beside the sources
+from field_runner import pose, run, run_cases
 from field_scene import (ANGLES, CAMERA, CAMERAS, COUNT, FLANGES, HEIGHT, JOINTS, K, SEEN, STAND, TAG, TARGETS, WIDTH,
                          chessboard, hand, joint_table, motion, photographed, quaternion, quaternions, rotation_vector, table,
                          urdf, write)
 
-CLI = os.path.abspath(sys.argv[1])
 NOISE = np.random.default_rng(37)
 DICTIONARY = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_5X5_100)
 COLUMNS, ROWS, SQUARE = 7, 5, 0.02  # of the printed chessboard
 CHESSBOARD = "chessboard columns=7 rows=5 square=0.02"
-
-
-def run(*arguments):
-    return subprocess.run([CLI, *arguments], capture_output=True, text=True)
 
 
 def shaken(pose, place=2e-4, turn=3e-4):
@@ -60,24 +53,6 @@ def euler(pose, sequence):
 
 
 # What is to come of a case.
-
-def right(name, truth, away=3e-4, turn=0.05):
-    """`fit` gives this pose, within m and degrees."""
-    def judge(made):
-        if made.returncode:
-            return False, made.stderr.strip().split("\n")[-1]
-        fitted = run("fit", "session", "--json", "-")
-        if fitted.returncode == 2:
-            return False, "fit: " + fitted.stderr.strip().split("\n")[-1]
-        result = json.loads(fitted.stdout)
-        key = next(k for k in result if k.startswith(name))
-        found = np.array(result[key]["matrix"] if isinstance(result[key], dict) else result[key])
-        off = np.linalg.inv(truth) @ found
-        angle = math.degrees(Rotation.from_matrix(off[:3, :3]).magnitude())
-        length = float(np.linalg.norm(off[:3, 3]))
-        return length < away and angle < turn, "%.3f mm and %.4f degrees off" % (1e3 * length, angle)
-    return judge
-
 
 def told(*words, commands=("check", "fit")):
     """convert, or one of these commands, says a sentence with these words."""
@@ -100,9 +75,9 @@ def both(*judges):
     return judge
 
 
-SENSOR = right("mount_from_", CAMERA)
+SENSOR = pose("mount_from_", CAMERA)
 FIRST = SENSOR
-HAND = right("tcp_from_body", TAG, 3e-4, 0.05)
+HAND = pose("tcp_from_body", TAG, 3e-4, 0.05)
 
 
 # The flange as makers' own programs hold it, beside the poses of a target by a detector.
@@ -358,7 +333,7 @@ def camera_upside_down():
     turned[0, 2], turned[1, 2] = WIDTH - 1 - K[0, 2], HEIGHT - 1 - K[1, 2]
     return ([chessboard_images(change=lambda p: cv2.rotate(p, cv2.ROTATE_180)), camera_file(k=turned),
              quaternions("flange.csv", FLANGES), "--target", CHESSBOARD],
-            right("mount_from_", CAMERA @ motion((0, 0, math.pi), (0, 0, 0))))
+            pose("mount_from_", CAMERA @ motion((0, 0, math.pi), (0, 0, 0))))
 
 
 # Tables with a mistake in them.
@@ -491,25 +466,4 @@ CASES = [kuka_points, abb_module, fanuc_program, fanuc_german_table, staubli_lat
          four_degrees_off, one_counts_backwards, two_exchanged, two_hands_in_one_table, two_hands_chosen, sides_exchanged]
 
 
-def main():
-    wanted = [a for a in sys.argv[2:] if a != "-v"]
-    failed, begin = [], time.monotonic()
-    for make in CASES:
-        if wanted and make.__name__ not in wanted:
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            os.chdir(folder)
-            before = time.monotonic()
-            arguments, judge = make()
-            made = run("convert", *arguments, "--out", "session")
-            good, said = judge(made)
-            if "-v" in sys.argv:
-                print(made.stdout + made.stderr)
-            os.chdir("/")
-        failed += [] if good else [make.__name__]
-        print("%-4s %-32s %4.1f s  %s" % ("ok" if good else "FAIL", make.__name__, time.monotonic() - before, said), flush=True)
-    print("%d failed, %.0f s" % (len(failed), time.monotonic() - begin))
-    return 1 if failed else 0
-
-
-sys.exit(main())
+sys.exit(run_cases(CASES))

@@ -11,10 +11,7 @@ import json
 import math
 import os
 import re
-import subprocess
 import sys
-import tempfile
-import time
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads only wait for each other
 try:
@@ -27,16 +24,12 @@ except ImportError as missing:
     sys.exit(77)
 
 sys.dont_write_bytecode = True  # nothing is written beside the sources
+from field_runner import pose, run, run_cases
 from field_scene import (ANGLES, CAMERA, FLANGES, JOINTS, MIDDLE, ORIGINS, SEEN, STAND, TAG, TARGETS, hand, motion, quaternion,
                          quaternions, rotation_vector, table, urdf, write)
 
-CLI = os.path.abspath(sys.argv[1])
 NOISE = np.random.default_rng(3740)
 QUATERNION = ["x", "y", "z", "qx", "qy", "qz", "qw"]
-
-
-def run(*arguments):
-    return subprocess.run([CLI, *arguments], capture_output=True, text=True)
 
 
 def shaken(pose, place=2e-4, turn=3e-4):
@@ -68,23 +61,7 @@ def save(name, data):
     return name
 
 
-# What is to come of a case: a pose within m and degrees, or a sentence of convert.
-def pose(key, truth, away=4e-4, turn=0.05):
-    def judge(made):
-        if made.returncode:
-            return False, made.stderr.strip().split("\n")[-1]
-        fitted = run("fit", "session", "--json", "-")
-        if fitted.returncode == 2:
-            return False, "fit: " + fitted.stderr.strip().split("\n")[-1]
-        result = json.loads(fitted.stdout)
-        found = next(result[k] for k in result if k.startswith(key))
-        off = np.linalg.inv(truth) @ np.array(found["matrix"] if isinstance(found, dict) else found)
-        length = float(np.linalg.norm(off[:3, 3]))
-        angle = math.degrees(Rotation.from_matrix(off[:3, :3]).magnitude()) if turn else 0
-        return length < away and angle <= (turn or 0), "%.3f mm and %.4f degrees off" % (1e3 * length, angle)
-    return judge
-
-
+# What is to come of a case, beside a pose: a sentence of convert, or of another command.
 def told(*words, by=None):
     def judge(made):
         done = run(by, "session") if by else made
@@ -93,7 +70,7 @@ def told(*words, by=None):
     return judge
 
 
-MOUNT, HAND = pose("mount_from_", CAMERA), pose("tcp_from_body", TAG)
+MOUNT, HAND = pose("mount_from_", CAMERA, 4e-4), pose("tcp_from_body", TAG, 4e-4)
 
 
 def beside_target(flange):
@@ -429,23 +406,4 @@ CASES = [german, unicode_text, words_for_nothing, zeros_for_nothing, dates, matl
          dial_in_hundredths, bar_by_deviations, bar_by_deviations_from_nothing, bar_in_inches, touches_without_joints, hand_to_hand]
 
 
-def main():
-    wanted = sys.argv[2:]
-    failed, begin = 0, time.monotonic()
-    for make in CASES:
-        if wanted and make.__name__ not in wanted:
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            os.chdir(folder)
-            before = time.monotonic()
-            arguments, judge = make()
-            made = run("convert", *arguments, "--out", "session")
-            good, said = judge(made)
-            os.chdir("/")
-        failed += not good
-        print("%-4s %-32s %4.1f s  %s" % ("ok" if good else "FAIL", make.__name__, time.monotonic() - before, said), flush=True)
-    print("%d of %d failed, %.0f s" % (failed, len(wanted) or len(CASES), time.monotonic() - begin))
-    return 1 if failed else 0
-
-
-sys.exit(main())
+sys.exit(run_cases(CASES))
