@@ -134,6 +134,9 @@ std::vector<SampleSession> sample_sessions() {
       QObject::tr("A ChArUco board on the hand, twelve images, nothing to label: play, export."));
   add("probe_and_plate", QObject::tr("A probe and a plate"),
       QObject::tr("No camera, no tracker: a plate in three places and two sockets were touched. What is wrong?"));
+  add("panda_sockets", QObject::tr("A real robot: a Panda and four sockets"),
+      QObject::tr(
+          "Measured with a printed ball and sockets, by people in Delft. What is wrong with it, nobody knows."));
   add("hundred_poses", QObject::tr("A hundred poses"),
       QObject::tr("A guided arm that sags, and three bad poses with three different causes to find."));
   add("thesis_simulation", QObject::tr("The thesis's simulation"),

@@ -1043,6 +1043,14 @@
         <translation>Keine Kamera, kein Tracker: berührt wurden eine Platte an drei Orten und zwei Pfannen. Was stimmt nicht?</translation>
     </message>
     <message>
+        <source>A real robot: a Panda and four sockets</source>
+        <translation>Ein echter Roboter: ein Panda und vier Pfannen</translation>
+    </message>
+    <message>
+        <source>Measured with a printed ball and sockets, by people in Delft. What is wrong with it, nobody knows.</source>
+        <translation>Mit gedruckter Kugel und Pfannen gemessen, in Delft. Was an ihm nicht stimmt, weiß niemand.</translation>
+    </message>
+    <message>
         <source>nothing need be known of it</source>
         <translation>bekannt sein muss davon nichts</translation>
     </message>

@@ -108,7 +108,7 @@ TEST(Pictures, OfEveryWorkspace) {
 /// Of the sample sessions without images, for the start page (resources/pictures).
 TEST(Thumbnails, OfTheRobots) {
   for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
-                           "hidden_7", "hidden_8", "probe_and_plate"}) {
+                           "hidden_7", "hidden_8", "probe_and_plate", "panda_sockets"}) {
     const Session s =
         read_session(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions" / name / "session.xml");
     widgets::RobotView view;
@@ -119,7 +119,8 @@ TEST(Thumbnails, OfTheRobots) {
     view.set_posture(app::link_motions(s, s.observations[shown].position));
     view.look(widgets::StandardView::all);
     view.picture(1);
-    const QImage picture = view.picture(1).copy(55, 15, 270, 180);
+    const QRect part = s.fixtures.empty() ? QRect(55, 15, 270, 180) : QRect(0, 35, 330, 220);
+    const QImage picture = view.picture(1).copy(part);
     picture.scaled(144, 96, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
         .save(folder_of_pictures + "/" + name + ".png");
   }
