@@ -26,6 +26,8 @@ QString next_text(const Story& story, const QString& lead) {
       return QObject::tr("Next: look for another cause; %1 would lower the error, but no robot is built so.").arg(lead);
     case StoryNext::tell_the_noise:
       return QObject::tr("Next: declare the noise (sigma), or repeat some poses.");
+    case StoryNext::give_masses:
+      return QObject::tr("Next: give the links' masses in the robot's file; nothing that bends could be tried.");
     case StoryNext::look:
       return QObject::tr("Next: look at what is left and at what it follows.");
     case StoryNext::use_it:

@@ -154,15 +154,24 @@ QString stand_in_sentence(const Story& story) {
   return QObject::tr("No robot is built so, it stands in for another cause: %1.").arg(names.join("; "));
 }
 
+/// What to do about what is left: masses first, where there are none.
+QString advice(const Story& story, const Diagnosis& d) {
+  if (story.cannot_bend)
+    return QObject::tr(
+        "No link of the robot has a mass, so that nothing that bends could be tried: give the masses in the robot's "
+        "file.");
+  return what_is_left_follows(d);
+}
+
 QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told& t) {
   if (const StoryCause* lead = story.lead(); lead && !lead->unnamed)
     return QObject::tr(
                "Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the "
                "catalogue explains the rest. %4")
-        .arg(t.error, t.noise, display_name(d.candidates[lead->candidate], d.model.session), what_is_left_follows(d))
+        .arg(t.error, t.noise, display_name(d.candidates[lead->candidate], d.model.session), advice(story, d))
         .trimmed();
   return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
-      .arg(t.error, t.noise, what_is_left_follows(d))
+      .arg(t.error, t.noise, advice(story, d))
       .trimmed();
 }
 

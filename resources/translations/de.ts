@@ -5249,6 +5249,14 @@
         <translation>Als Nächstes: das Rauschen angeben (sigma) oder einige Stellungen wiederholen.</translation>
     </message>
     <message>
+        <source>Next: give the links' masses in the robot's file; nothing that bends could be tried.</source>
+        <translation>Als Nächstes: die Massen der Glieder in der Datei des Roboters angeben; nichts, was sich biegt, konnte geprüft werden.</translation>
+    </message>
+    <message>
+        <source>No link of the robot has a mass, so that nothing that bends could be tried: give the masses in the robot's file.</source>
+        <translation>Kein Glied des Roboters hat eine Masse, so dass nichts, was sich biegt, geprüft werden konnte: Geben Sie die Massen in der Datei des Roboters an.</translation>
+    </message>
+    <message>
         <source>Next: look at what is left and at what it follows.</source>
         <translation>Als Nächstes: ansehen, was übrig ist und wovon es abhängt.</translation>
     </message>
@@ -8938,6 +8946,10 @@
     <message>
         <source>stand</source>
         <translation>stehen</translation>
+    </message>
+    <message>
+        <source> No link of the robot has a mass, so that nothing that bends could be tried: give the masses in the robot's file.</source>
+        <translation> Kein Glied des Roboters hat eine Masse, so dass nichts, was sich biegt, geprüft werden konnte: Geben Sie die Massen in der Datei des Roboters an.</translation>
     </message>
     <message>
         <source>Something is left, %1, and what would explain it does not lower the error on observations that the fit has not seen.</source>

@@ -169,6 +169,8 @@ const char* next_text(StoryNext next) {
       return "add_or_stop";
     case StoryNext::tell_the_noise:
       return "tell_the_noise";
+    case StoryNext::give_masses:
+      return "give_masses";
     case StoryNext::look:
       return "look";
     case StoryNext::use_it:

@@ -94,11 +94,17 @@ StoryNext next_of(const Story& s) {
     case StoryState::implausible:
       return StoryNext::add_or_stop;
     case StoryState::unexplained:
-      return s.cause_leads ? StoryNext::add : StoryNext::look;
     case StoryState::refused:
-      return StoryNext::look;
+      if (s.cause_leads) return StoryNext::add;
+      return s.cannot_bend ? StoryNext::give_masses : StoryNext::look;
   }
   return StoryNext::look;
+}
+
+/// Springs of joints and links bend by the links' weight: of a robot without masses they are never seen.
+bool nothing_bends(const Session& session) {
+  return !session.robot.is_of_poses && !session.gravity.isZero() &&
+         std::none_of(session.robot.links.begin(), session.robot.links.end(), [](const Link& l) { return l.mass > 0; });
 }
 
 void count_beyond(const FitReport& report, Story& s) {
@@ -172,6 +178,8 @@ Story find_story(const StoryBasis& b) {
     }
   s.state = read_state(s, d, b.fit);
   s.cause_leads = leads(s, d);
+  const bool is_left = s.state == StoryState::unexplained || s.state == StoryState::refused;
+  s.cannot_bend = is_left && nothing_bends(d.model.session);
   s.next = next_of(s);
   if (can_add) s.attribution = attribution_by_finding(b.attribution, d, b.refused);
   return s;

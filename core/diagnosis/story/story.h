@@ -78,6 +78,7 @@ enum class StoryNext {
   add,             // the first of the causes
   add_or_stop,     // likewise, but it may stand in for another cause
   tell_the_noise,  // declare sigma, or repeat poses
+  give_masses,     // of the robot's links: without them nothing that bends could be tried
   look,            // at what is left, and at what it follows
   use_it           // export
 };
@@ -91,6 +92,7 @@ struct Story {
   ErrorAttribution attribution;    // in the light of what leads
   int used = 0;                    // observations
   int beyond = 0;                  // of them beyond `beyond_noise`
+  bool cannot_bend = false;        // something is left, and no link has a mass by which it could bend
   StoryNext next = StoryNext::wait;
 
   /// The cause that leads; null where none does.

@@ -78,10 +78,16 @@ Message of_state(const Story& s, const Diagnosis& d) {
   }
 }
 
+Message of_masses(const Story& s) {
+  if (!s.cannot_bend) return "";
+  return " No link of the robot has a mass, so that nothing that bends could be tried: give the masses in the robot's "
+         "file.";
+}
+
 }  // namespace
 
 Message story_size_text(double error, bool in_pixels) { return reported_size(error, in_pixels); }
 
-Message story_text(const Story& s, const Diagnosis& d) { return of_state(s, d) + of_stand_ins(s); }
+Message story_text(const Story& s, const Diagnosis& d) { return of_state(s, d) + of_masses(s) + of_stand_ins(s); }
 
 }  // namespace handsight

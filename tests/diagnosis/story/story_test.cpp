@@ -148,6 +148,18 @@ TEST_F(StoryOf, WhatStandsInIsSaidWhereverItIsInTheModel) {
   EXPECT_TRUE(find_story(d).stands_in.empty()) << "what the user holds is the user's";
 }
 
+TEST_F(StoryOf, WhereNothingHasAMassTheMassesAreAskedFor) {
+  Diagnosis d = diagnosed(Verdict::unexplained, 3);
+  EXPECT_EQ(find_story(d).next, StoryNext::look) << "these links have masses";
+  for (Link& link : d.model.session.robot.links) link.mass = 0;
+  const Story s = find_story(d);
+  EXPECT_EQ(s.next, StoryNext::give_masses);
+  EXPECT_NE(std::string(story_text(s, d)).find("give the masses"), std::string::npos) << std::string(story_text(s, d));
+  d.verdict = Verdict::adequate;
+  d.report.held_out.rms_pixel = *d.noise;
+  EXPECT_EQ(find_story(d).next, StoryNext::use_it) << "where nothing is left, nothing is asked for";
+}
+
 TEST_F(StoryOf, FewObservationsAndUnknownNoiseHaveNoCause) {
   EXPECT_EQ(find_story(diagnosed(Verdict::too_few_observations, 8, {named("backlash", 60)})).lead(), nullptr);
   Diagnosis d = diagnosed(Verdict::unexplained, 8);
