@@ -174,11 +174,12 @@ void FailingPane::show_residuals(std::shared_ptr<const ModelResiduals> residuals
   const std::vector<PlotKey> strongest = strongest_plots(*residuals_);
   const bool is_sorted = has_to_be_sorted();
   if (is_sorted) sort_places();
+  const bool is_other = !is_sorted && replace_missing(strongest);
   const bool same_first = follows_by_chance(*residuals_) || strongest.empty() ||
                           std::find(places_.begin(), places_.end(), strongest.front()) != places_.end();
   resort_->setVisible(!same_first && !shows_proof());
   // The axes stay while the user looks, as long as they hold what is shown.
-  refill(is_sorted);
+  refill(is_sorted || is_other);
   refresh_selection();
 }
 
@@ -188,6 +189,19 @@ bool FailingPane::has_to_be_sorted() const {
   if (places_.empty()) return true;
   const bool was_taken_back = workbench_.document.undo_stack().index() < order_of_;
   return was_taken_back || (is_order_of_chance_ && !follows_by_chance(*residuals_));
+}
+
+/// With other effects in the model another motion may be looked at: what is not there any more gives its place to the
+/// strongest that has none.
+bool FailingPane::replace_missing(const std::vector<PlotKey>& strongest) {
+  const std::size_t before = places_.size();
+  std::erase_if(places_, [this](const PlotKey& key) { return !pattern_plot(key, *residuals_, workbench_); });
+  if (places_.size() == before) return false;
+  for (const PlotKey& key : strongest)
+    if (places_.size() < before && std::find(places_.begin(), places_.end(), key) == places_.end())
+      places_.push_back(key);
+  chosen_ = 0;
+  return true;
 }
 
 void FailingPane::sort_places() {

@@ -87,6 +87,7 @@ class FailingPane : public QWidget {
   void follow_mode();
   /// The strongest first, as these residuals have them.
   void sort_places();
+  bool replace_missing(const std::vector<PlotKey>& strongest);
   bool has_to_be_sorted() const;
   void put_proof(const Proof& proof);
   void set_added(double share);

@@ -132,6 +132,19 @@ TEST_F(Bill, ReopenedAndTakenBackThePlotsAreTheFirstOnesAgain) {
   EXPECT_FALSE(page()->plots()[0].is_chance) << "no patternless scatter first";
 }
 
+TEST_F(Bill, TheLargePlotIsOneOfTheSmallOnesWhateverBecameOfThose) {
+  open("panda_sockets");  // its first plots are of motions that the last model has no more
+  ASSERT_TRUE(add_until_it_stops());
+  ASSERT_FALSE(is_proof());
+  const auto& small = page()->plots()[static_cast<std::size_t>(std::max(0, page()->selected_plot()))];
+  const auto& large = desk.find<widgets::ScatterPlot>("pattern_large")->points();
+  ASSERT_EQ(large.size(), small.points.size());
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    EXPECT_DOUBLE_EQ(large[i].x, small.points[i].x);
+    EXPECT_DOUBLE_EQ(large[i].y, small.points[i].y);
+  }
+}
+
 /// What a list paints: each of its texts.
 QStringList painted_in(QAbstractItemView* view) {
   QStringList texts;
