@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "diagnosis/selection/simple_models.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "document/model_edits.h"
@@ -77,7 +78,8 @@ std::shared_ptr<ModelVersion> version_of_all(const Session& session, const Model
   return std::make_shared<ModelVersion>(*made);
 }
 
-/// Other names for what is in the model, else what is likely beside it; what is not taken of that was not asked for.
+/// Other names for what is in the model, else what is likely beside it, else one in the place of all; what is not taken
+/// of that was not asked for.
 ModelChange other_or_likely_names(const Session& session, const ImprovementOptions& options, const Diagnosis& before,
                                   bool only_likely) {
   ModelChange change = only_likely ? ModelChange{} : search_models(session, options, before);
@@ -85,6 +87,7 @@ ModelChange other_or_likely_names(const Session& session, const ImprovementOptio
   change =
       add_likely(session, options, before,
                  inclusion_probabilities(before, options.estimated.size(), [&] { return options.on_progress(0.97); }));
+  if (!change.model && !change.stopped) change = seek_simpler_model(session, options, before);
   change.refused.clear();
   return change;
 }

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/finding.h"
 #include "document/effect_words.h"
+#include "document/refusal.h"
 #include "words/counted.h"
 
 namespace handsight::app {
@@ -88,11 +91,11 @@ void AddingOn::look() {
 
 void AddingOn::add_first() {
   if (!is_running_ || is_paused_ || is_waiting()) return;
-  // What is of a prior sigma stands first; what is not is taken too, as `improve` does: the error falls with it.
-  for (int i = 0; i < cards_.count(); ++i) {
-    const widgets::CardState& card = cards_.card(i)->state();
-    if (card.kind != widgets::CardKind::candidate || !card.can_add) continue;
-    return adding_.add(card.id.toStdString());
+  // In the order of `improve`, not of the cards, which put first what robots usually have: both end in one model.
+  const auto diagnosis = workbench_.diagnosing.diagnosis();
+  for (const DiagnosisCandidate* c : candidates_to_try(*diagnosis, true)) {
+    const std::string id = find_id(*c);
+    if (can_be_added(*c) && !refused_now(workbench_.refused, workbench_.document).contains(id)) return adding_.add(id);
   }
   seek_or_end();
 }

@@ -92,15 +92,6 @@ Message unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candi
       beside, least, kind);
 }
 
-/// By their evidence; but first what comes before the best.
-std::vector<const DiagnosisCandidate*> in_order_of_trial(const Diagnosis& model) {
-  std::vector<const DiagnosisCandidate*> order;
-  for (const DiagnosisCandidate& c : model.candidates) order.push_back(&c);
-  std::stable_partition(order.begin(), order.end(),
-                        [&](const DiagnosisCandidate* c) { return comes_before(*c, model.candidates.front()); });
-  return order;
-}
-
 /// What was not taken beside other names and is in the model now was not refused.
 void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
   std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
@@ -167,16 +158,25 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   return change;
 }
 
-ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
-  ModelChange all;
-  if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return all;
-  for (const DiagnosisCandidate* candidate : in_order_of_trial(model)) {
-    const DiagnosisCandidate& c = *candidate;
-    const bool can_be_taken = !c.unnamed || (options.with_curves && c.refitted);
+std::vector<const DiagnosisCandidate*> candidates_to_try(const Diagnosis& model, bool with_curves) {
+  std::vector<const DiagnosisCandidate*> order;
+  if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return order;
+  for (const DiagnosisCandidate& c : model.candidates) {
+    const bool can_be_taken = !c.unnamed || (with_curves && c.refitted);
     if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
     if (has_no_answer(model.model.fit) && !c.refitted)
       continue;  // nor has the fit with it, or it was not among the likeliest
-    ModelChange one = add_candidate(session, options, model, c);
+    order.push_back(&c);
+  }
+  std::stable_partition(order.begin(), order.end(),
+                        [&](const DiagnosisCandidate* c) { return comes_before(*c, model.candidates.front()); });
+  return order;
+}
+
+ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  ModelChange all;
+  for (const DiagnosisCandidate* candidate : candidates_to_try(model, options.with_curves)) {
+    ModelChange one = add_candidate(session, options, model, *candidate);
     all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
     all.model = std::move(one.model);
     all.steps = std::move(one.steps);

@@ -14,7 +14,10 @@ Diagnosis diagnosed(const Session& session, const ImprovementOptions& options);
 /// effect is exchanged for it.
 ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                           const DiagnosisCandidate& candidate);
-/// The first of the candidates that pass the threshold and are not refused.
+/// What may be added to a model, in the order in which it is tried: by evidence, but first what comes before the best.
+/// Empty where nothing is missing, or nobody can say. The pointers are into `model`.
+std::vector<const DiagnosisCandidate*> candidates_to_try(const Diagnosis& model, bool with_curves);
+/// The first of those that is not refused.
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 
 /// Once nothing is left to add: other names, and other places of the same, for what stands, where they are clearly

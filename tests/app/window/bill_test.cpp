@@ -61,6 +61,16 @@ TEST_F(Bill, ComesAfterAddUntilItStopsAndSaysWhatTheCommandSays) {
   EXPECT_TRUE(bill()->entries().empty()) << "taken back";
 }
 
+TEST_F(Bill, IsThatOfTheCommandWhereTheLikeliestIsNotWhatRobotsUsuallyHave) {
+  open("panda_sockets");  // the bending of its links has more evidence than its base's, and is larger than usual
+  ASSERT_TRUE(add_until_it_stops());
+  const auto cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  ASSERT_EQ(bill()->entries().size(), cli["bill"].size());
+  for (std::size_t i = 0; i < cli["bill"].size(); ++i)
+    EXPECT_EQ(bill()->entries()[i].id.toStdString(), cli["bill"][i]["id"].get<std::string>());
+  EXPECT_NEAR(*reported.header().now, 1e3 * cli["left"]["story"]["error"].get<double>(), 0.005);
+}
+
 TEST_F(Bill, LeadsTheReport) {
   open("hidden_3");
   ASSERT_TRUE(add_until_it_stops());
