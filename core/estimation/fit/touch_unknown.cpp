@@ -15,16 +15,21 @@ namespace {
 
 constexpr double moves = 1e-3;  // of a unit direction: less is rounding
 
-/// Directions of the unknowns that no touch tells, orthonormal.
+/// Directions of the unknowns that no touch tells, orthonormal; what means nothing (a plane's turn about its normal) is
+/// not among them.
 Eigen::MatrixXd undetermined_directions(const Fit& fit) {
   const Solution& s = fit.solution;
   if (s.unobservable == 0) return Eigen::MatrixXd(s.basis.rows(), 0);
-  const InverseParts parts = inverse_parts(s.basis.transpose() * s.normal.information * s.basis);
-  std::vector<Eigen::Index> none;
+  const Eigen::MatrixXd information = s.basis.transpose() * s.normal.information * s.basis;
+  const Eigen::VectorXd scale = inverse_scale(information);
+  std::vector<Eigen::Index> felt, none;
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    if (scale[i] > 0) felt.push_back(i);
+  const InverseParts parts = inverse_parts(information(felt, felt));
   for (Eigen::Index i = 0; i < parts.inverse.size(); ++i)
-    if (!(parts.inverse[i] > 0) && !parts.half.col(i).isZero(0)) none.push_back(i);
+    if (!(parts.inverse[i] > 0)) none.push_back(i);
   if (none.empty()) return Eigen::MatrixXd(s.basis.rows(), 0);
-  const Eigen::MatrixXd directions = s.basis * parts.half(Eigen::all, none);
+  const Eigen::MatrixXd directions = s.basis(Eigen::all, felt) * parts.half(Eigen::all, none);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(directions);
   return qr.householderQ() * Eigen::MatrixXd::Identity(directions.rows(), directions.cols());
 }
