@@ -6367,6 +6367,13 @@
         <source>%1 with %2</source>
         <translation>%1 mit %2</translation>
     </message>
+    <message numerus="yes">
+        <source>a collection of %n session(s)</source>
+        <translation>
+            <numerusform>eine Sammlung von %n Sitzung</numerusform>
+            <numerusform>eine Sammlung von %n Sitzungen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>effects</name>

@@ -88,7 +88,10 @@ TEST_F(TouchExperimentInWindow, WhatWasTouchedIsInTheSessionWithItsFixtureAndIsT
 }
 
 TEST_F(TouchExperimentInWindow, ATryTouchesInACopyOfThisSession) {
+  const QByteArray path = qgetenv("PATH");
+  qputenv("PATH", QByteArray(HANDSIGHT_BINARY_DIR "/app/cli:") + path);
   desk.press_button("experiment_try");
+  qputenv("PATH", path);
   ASSERT_TRUE(desk.wait([this] { return page.state() == app::RunState::asking; }, 60000)) << page.said().toStdString();
   EXPECT_NE(desk.document().file().parent_path(), session);
   EXPECT_GT(page.poses()->rowCount(), 0);
