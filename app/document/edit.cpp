@@ -104,16 +104,23 @@ Json observation_json(const Observation& o) {
   for (int c = 0; c < max_cameras; ++c)
     if (const std::string& image = o.images[static_cast<std::size_t>(c)]; c < 2 || !image.empty())
       json[find_key(c)] = image;
+  if (o.torque.size() > 0) json["torque"] = std::vector<double>(o.torque.begin(), o.torque.end());
+  if (o.part > 0) json["part"] = o.part;  // which fixture was touched
   return json;
 }
 
-Observation parse_observation(const Json& json) {
+Observation parse_observation(const Json& json, const Session* session) {
   Observation o;
   o.id = json.at("id").get<std::int64_t>();
   o.time = json.at("time").get<double>();
   const auto position = json.at("position").get<std::vector<double>>();
   o.position = Eigen::Map<const Eigen::VectorXd>(position.data(), static_cast<Eigen::Index>(position.size()));
   for (int c = 0; c < max_cameras; ++c) o.images[static_cast<std::size_t>(c)] = json.value(find_key(c), std::string());
+  const auto torque = json.value("torque", std::vector<double>());
+  if (torque.size() == position.size())
+    o.torque = Eigen::Map<const Eigen::VectorXd>(torque.data(), static_cast<Eigen::Index>(torque.size()));
+  const int parts = session ? static_cast<int>(session->parts.size()) : 0;
+  if (json.contains("part")) o.part = within(json["part"], 0, std::max(0, parts - 1));
   return o;
 }
 
@@ -311,7 +318,7 @@ Edit parse_edit(const std::string& text, const Session* session) {
     Edit edit;
     edit.sentence = QString::fromStdString(json.at("sentence").get<std::string>());
     edit.joins = json.at("joins").get<std::int64_t>();
-    for (const Json& o : json.value("added", Json::array())) edit.added.push_back(parse_observation(o));
+    for (const Json& o : json.value("added", Json::array())) edit.added.push_back(parse_observation(o, session));
     for (const Json& o : json.at("observations"))
       edit.observations.push_back(
           {o.at("id").get<std::int64_t>(), parse_state(o.at("before")), parse_state(o.at("after"))});

@@ -166,7 +166,7 @@ void ControlBar::refresh() {
   yes_->setVisible(is_asking_);
   no_->setVisible(is_asking_);
   stop_->setEnabled(!rests && state != RunState::asking && state != RunState::stopping && state != RunState::halted);
-  QString text = state_text(state, run_.driver_name());
+  QString text = state_text(state, run_.driver_name(), run_.is_of_touches());
   if (rests && !hindrance_.isEmpty())
     text = hindrance_;
   else if (is_asking_ || (rests && !said_.isEmpty()))

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr char preference_name[] = "drivers";
 constexpr int most_remembered = 8;
-constexpr std::size_t observations_to_try = 6;
+constexpr std::size_t observations_to_try = 6, touches_to_try = 30;  // every fixture often enough to be fitted
 
 fs::path folder_of_tries() { return state_folder() / "experiments"; }
 
@@ -31,7 +31,7 @@ Session with_few(Session session) {
   for (const Observation& o : session.observations)
     if (is_used(o) && !o.sightings.empty()) used.push_back(o);
   if (used.empty()) used = session.observations;
-  const std::size_t count = std::min(observations_to_try, used.size());
+  const std::size_t count = std::min(session.is_touch() ? touches_to_try : observations_to_try, used.size());
   for (std::size_t i = 0; i < count; ++i) few.push_back(used[i * used.size() / count]);
   session.observations = few;
   return session;

@@ -84,10 +84,11 @@ QWidget* ExperimentPage::make_welcome() {
   column->setSpacing(10);
   column->addWidget(heading(tr("Let the robot measure by itself"), page));
   for (const QString& text :
-       {tr("The program chooses the most useful poses, drives there, looks, and stops when enough is known: where the "
+       {tr("The program chooses the most useful poses, drives there, looks (or touches), and stops when enough is "
+           "known: where the "
            "hand sits, and what is missing in the model."),
         tr("1.  Write the command of your robot's driver above: a program of yours that moves the robot and takes the "
-           "images. A template of thirty lines is in docs/examples/drivers."),
+           "images, or feels for what is touched. A template of thirty lines is in docs/examples/drivers."),
         tr("2.  Connect. The driver says where the robot stands, and the first poses and the ways to them are shown. "
            "Nothing moves."),
         tr("3.  Start. You are asked once more. Then each move is shown as it happens; Esc and the red button stop "

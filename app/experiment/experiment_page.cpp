@@ -21,6 +21,8 @@ namespace {
 enum Tab { goals_tab, known_tab };
 enum Side { welcome, work };
 
+constexpr double feeling_speed = 0.1;  // rad/s, as it is drawn: the driver's own is not told
+
 QTableWidgetItem* cell(const QString& text, const QColor& ink) {
   auto* item = new QTableWidgetItem(text);
   item->setForeground(ink);
@@ -57,6 +59,8 @@ void ExperimentPage::connect_run() {
     now_ = robot_->move(path, speed);
     show_poses();
   });
+  connect(&run_, &ExperimentRun::feeling, this,
+          [this](const Eigen::VectorXd& touching) { robot_->move({touching}, feeling_speed); });
   connect(&run_, &ExperimentRun::stepped, this, [this](const ExperimentStep& step) {
     steps_.push_back(step);
     now_.reset();
@@ -131,7 +135,7 @@ void ExperimentPage::show_knowledge() {
   const bool is_known = known_ && known_->fit;
   used_->setText(known_ ? counted(static_cast<qint64>(known_->used), "%n observation(s)") : tr("nothing measured yet"));
   const bool has_box = goals_->has_box();
-  hand_->setText(is_known ? hand_text(*known_, has_box) : tr("not known yet"));
+  hand_->setText(is_known ? hand_text(*known_, has_box, run_.is_of_touches()) : tr("not known yet"));
   missing_->setText(is_known ? verdict_in_words(*known_) : tr("not known yet"));
   const std::vector<CauseInWords> causes = is_known ? likeliest_causes(*known_) : std::vector<CauseInWords>();
   for (std::size_t i = 0; i < causes_.size(); ++i)
@@ -141,7 +145,10 @@ void ExperimentPage::show_knowledge() {
 
 void ExperimentPage::show_next() {
   const std::vector<PlannedMove>& planned = robot_->planned();
-  next_->setText(planned.empty() ? tr("none chosen yet") : reason_in_words(planned.front().pose.reason));
+  if (planned.empty()) return next_->setText(tr("none chosen yet"));
+  const QString reason = reason_in_words(planned.front().pose.reason);
+  const QString fixture = touched_by(planned.front().pose, workbench_.document.session());
+  next_->setText(fixture.isEmpty() ? reason : tr("touches %1, %2").arg(fixture, reason));
 }
 
 void ExperimentPage::show_poses() {
@@ -155,12 +162,16 @@ void ExperimentPage::show_poses() {
     poses_->setItem(row, 1, cell(reason_in_words(reason), c.ink1));
     poses_->setItem(row++, 2, cell(result, ink));
   };
+  const auto named = [this](const QString& name, const ChosenPose& pose) {
+    const QString fixture = touched_by(pose, workbench_.document.session());
+    return fixture.isEmpty() ? name : tr("%1, %2").arg(name, fixture);
+  };
   for (const ExperimentStep& step : steps_)
-    put(step.id < 0 ? QStringLiteral("-") : tr("obs %1").arg(step.id), step.move.pose.reason, step_text(step),
-        step.accepted ? c.good : c.care);
+    put(named(step.id < 0 ? QStringLiteral("-") : tr("obs %1").arg(step.id), step.move.pose), step.move.pose.reason,
+        step_text(step), step.accepted ? c.good : c.care);
   const int taken = row;
-  if (now_) put(tr("now"), *now_, tr("on its way"), c.accent);
-  for (const PlannedMove& move : planned) put(tr("next"), move.pose.reason, way_text(move), c.ink2);
+  if (now_) put(named(tr("now"), *now_), now_->reason, tr("on its way"), c.accent);
+  for (const PlannedMove& move : planned) put(named(tr("next"), move.pose), move.pose.reason, way_text(move), c.ink2);
   if (const int last = std::min(row - 1, taken + 1); last >= 0) poses_->scrollToItem(poses_->item(last, 0));
 }
 

@@ -60,7 +60,7 @@ class ExperimentPage : public QWidget {
   QLabel *hand_, *missing_, *next_, *used_, *more_;
   std::array<QLabel*, 2> causes_{};
   std::vector<ExperimentStep> steps_;
-  std::optional<PoseReason> now_;  // of the pose that the robot is on its way to
+  std::optional<ChosenPose> now_;  // of the pose that the robot is on its way to
   std::shared_ptr<const Knowledge> known_;
   struct Grown {
     std::size_t used = 0;

@@ -89,6 +89,10 @@ bool ExperimentRun::is_driving() const {
          state_ == RunState::stopping;
 }
 
+bool ExperimentRun::is_of_touches() const {
+  return workbench_.document.is_open() && workbench_.document.session().is_touch();
+}
+
 void ExperimentRun::set_state(RunState state) {
   if (state == state_) return;
   state_ = state;
@@ -141,6 +145,7 @@ class ExperimentRun::Work {
   std::shared_ptr<const Session> session_;
   Decisions decisions_{*session_};
   std::optional<JointOrder> order_;
+  std::optional<Eigen::VectorXd> stands_at_;  // of the last move
 };
 
 void ExperimentRun::Work::greet(const DriverHello& hello) {
@@ -164,10 +169,18 @@ RobotWatch ExperimentRun::Work::watch() {
     show(RunState::moving);
   };
   watch.stood = [this](const MoveAnswer& answer) {
-    if (answer.ok && answer.position.size() == static_cast<Eigen::Index>(order_->place_in_driver.size()))
-      tell([at = order_->to_session(answer.position)](ExperimentRun& run) { emit run.stood(at); });
+    if (!answer.ok || answer.position.size() != static_cast<Eigen::Index>(order_->place_in_driver.size())) return;
+    stands_at_ = order_->to_session(answer.position);
+    tell([at = *stands_at_](ExperimentRun& run) { emit run.stood(at); });
   };
   watch.looking = [this] { show(RunState::looking); };
+  watch.touching = [this](const TouchRequest& request) {
+    tell([at = order_->to_session(request.position)](ExperimentRun& run) { emit run.feeling(at); });
+    show(RunState::looking);
+  };
+  watch.went_back = [this] {
+    if (stands_at_) tell([at = *stands_at_](ExperimentRun& run) { emit run.stood(at); });
+  };
   watch.halted = [this] { tell([](ExperimentRun& run) { run.set_state(RunState::halted); }); };
   return watch;
 }

@@ -55,12 +55,16 @@ class ExperimentRun : public QObject {
   /// Something may be moving, or may begin to by itself.
   bool is_driving() const;
   const QString& driver_name() const { return driver_name_; }
+  /// Of the open session: a look is a touch.
+  bool is_of_touches() const;
 
  signals:
   void state_changed();
   void stood(const Eigen::VectorXd& position);
   void planned(const std::vector<handsight::PlannedMove>& moves);
   void moving(const std::vector<Eigen::VectorXd>& path, double speed);
+  /// From where it stands to the fixture, in the posture that is expected there; stood() tells that it is back.
+  void feeling(const Eigen::VectorXd& touching);
   void stepped(const handsight::ExperimentStep& step);
   void measured(const std::shared_ptr<const handsight::Session>& session, qint64 id);
   void learned(const std::shared_ptr<const handsight::Knowledge>& known);

@@ -23,17 +23,13 @@ QString why_no_experiment(const Session& session) {
     return QObject::tr("Several sessions are open together. An experiment adds to one: open it by itself.");
   if (session.robot.is_of_poses)
     return QObject::tr("Of this session's robot only the flange's poses are known, and an experiment moves joints.");
-  if (session.is_touch())
-    return QObject::tr(
-        "This session is of touches. In the window an experiment looks; handsight-cli experiment touches, and "
-        "Explain plans which posture on which fixture comes next.");
   if (session.observations.empty())
     return QObject::tr("An experiment begins with one observation at least: add it, and it goes on from there.");
   if (const auto need = what_paths_need()) return translated(*need);
   return {};
 }
 
-QString state_text(RunState state, const QString& driver) {
+QString state_text(RunState state, const QString& driver, bool is_of_touches) {
   switch (state) {
     case RunState::resting:
       return QObject::tr("No robot is connected.");
@@ -46,7 +42,8 @@ QString state_text(RunState state, const QString& driver) {
     case RunState::moving:
       return QObject::tr("The robot moves.");
     case RunState::looking:
-      return QObject::tr("The robot looks.");
+      return is_of_touches ? QObject::tr("The robot feels for the fixture and goes back.")
+                           : QObject::tr("The robot looks.");
     case RunState::stopping:
       return QObject::tr("Stopping ...");
     case RunState::halted:
@@ -73,10 +70,13 @@ QString reason_in_words(PoseReason reason) {
   return {};
 }
 
-QString hand_text(const Knowledge& known, bool has_box) {
+QString hand_text(const Knowledge& known, bool has_box, bool is_of_touches) {
   if (!known.hand_limit) return QObject::tr("not known yet");
   const QString limit = QObject::tr("within %1 mm").arg(short_number(1e3 * *known.hand_limit));
-  return (has_box ? QObject::tr("%1 in the box (95 %)") : QObject::tr("%1 wherever it can be seen (95 %)")).arg(limit);
+  if (has_box) return QObject::tr("%1 in the box (95 %)").arg(limit);
+  return (is_of_touches ? QObject::tr("%1 wherever it can touch (95 %)")
+                        : QObject::tr("%1 wherever it can be seen (95 %)"))
+      .arg(limit);
 }
 
 QString verdict_in_words(const Knowledge& known) {
@@ -108,15 +108,25 @@ QString step_text(const ExperimentStep& step) {
   return QObject::tr("rejected: %1").arg(reason);
 }
 
+QString touched_by(const ChosenPose& pose, const Session& session) {
+  const auto place = static_cast<std::size_t>(pose.fixture);
+  return pose.fixture >= 0 && place < session.fixtures.size() ? QString::fromStdString(session.fixtures[place].id)
+                                                              : QString();
+}
+
 QString way_text(const PlannedMove& move) {
   const QString length = QObject::tr("%1 rad away").arg(short_number(move.length));
   return move.way.size() > 1 ? QObject::tr("%1, round what is in the way").arg(length) : length;
 }
 
-QString question_text(std::size_t poses, double speed) {
-  return QObject::tr(
-             "The robot moves now: %1 at first, the first one at a tenth of %2 rad/s. Is nobody within its "
-             "reach, and is the emergency stop at hand?")
+QString question_text(std::size_t poses, double speed, bool is_of_touches) {
+  return (is_of_touches
+              ? QObject::tr(
+                    "The robot moves now and feels for its fixtures: %1 at first, the first move at a tenth of %2 "
+                    "rad/s. Is nobody within its reach, and is the emergency stop at hand?")
+              : QObject::tr(
+                    "The robot moves now: %1 at first, the first one at a tenth of %2 rad/s. Is nobody within its "
+                    "reach, and is the emergency stop at hand?"))
       .arg(counted(static_cast<qint64>(poses), "%n pose(s)"))
       .arg(short_number(speed, 3));
 }

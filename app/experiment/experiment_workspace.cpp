@@ -101,7 +101,9 @@ void ExperimentWorkspace::begin() {
   }
 }
 
-void ExperimentWorkspace::ask() { bar_->ask(question_text(page_->planned(), page_->goals().speed())); }
+void ExperimentWorkspace::ask() {
+  bar_->ask(question_text(page_->planned(), page_->goals().speed(), run_.is_of_touches()));
+}
 
 /// In a session of its own, so that nothing invented comes among what was measured.
 void ExperimentWorkspace::try_it() {

@@ -61,22 +61,22 @@ void MovingRobot::point_at(int place) {
   set_outline(is_there ? std::optional(planned_[static_cast<std::size_t>(place)].pose.position) : std::nullopt);
 }
 
-std::optional<PoseReason> MovingRobot::move(const std::vector<Eigen::VectorXd>& path, double speed) {
+std::optional<ChosenPose> MovingRobot::move(const std::vector<Eigen::VectorXd>& path, double speed) {
   if (path.empty() || at_.size() != path.back().size()) return std::nullopt;
   path_ = path;
   path_.insert(path_.begin(), at_);
   speed_ = std::max(speed, 1e-6);
-  std::optional<PoseReason> reason;
+  std::optional<ChosenPose> planned;
   std::erase_if(planned_, [&](const PlannedMove& m) {
     const bool is_it = (m.pose.position - path.back()).isZero(1e-12);
-    if (is_it) reason = m.pose.reason;
+    if (is_it) planned = m.pose;
     return is_it;
   });
   set_outline(path.back());
   draw_paths();
   clock_.start();
   timer_.start(between_pictures);
-  return reason;
+  return planned;
 }
 
 void MovingRobot::halt() { timer_.stop(); }

@@ -29,8 +29,8 @@ class MovingRobot : public QObject {
   /// Shows one of them as an outline; none where there is no such place.
   void point_at(int place);
   /// It goes along these points now, the fastest joint at `speed`, rad/s (m/s); drawn where it is by then.
-  /// Why, where it is one of those that were planned.
-  std::optional<PoseReason> move(const std::vector<Eigen::VectorXd>& path, double speed);
+  /// The pose, where it is one of those that were planned.
+  std::optional<ChosenPose> move(const std::vector<Eigen::VectorXd>& path, double speed);
   /// It stands still where it is drawn.
   void halt();
   void forget_plan();

@@ -14,7 +14,9 @@ struct RobotWatch {
   std::function<void(const std::vector<Eigen::VectorXd>& path, double speed)> moving;
   std::function<void(const MoveAnswer&)> stood;
   std::function<void()> looking;
-  std::function<void()> halted;  // it was asked to stop, and has answered or never will
+  std::function<void(const TouchRequest&)> touching;
+  std::function<void()> went_back;  // after a touch, to where it stood
+  std::function<void()> halted;     // it was asked to stop, and has answered or never will
 };
 
 class WatchedRobot : public DrivenRobot {
@@ -38,8 +40,10 @@ class WatchedRobot : public DrivenRobot {
     return robot_.look();
   }
   TouchAnswer touch(const TouchRequest& request) override {
-    watch_.looking();
-    return robot_.touch(request);
+    watch_.touching(request);
+    TouchAnswer answer = robot_.touch(request);
+    watch_.went_back();
+    return answer;
   }
   void stop() noexcept override {
     robot_.stop();

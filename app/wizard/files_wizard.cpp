@@ -297,13 +297,14 @@ void FilesWizard::make() {
   stop_->setFocus();
   said_->setText(tr("The session is being made …"));
   refresh();
-  using Made = std::shared_ptr<const Conversion>;
+  using Made = std::shared_ptr<const MadeOfFiles>;
   jobs_.start<Made>(
       "convert", tr("Making a session"),
-      [files, options = options(), is_stopped = is_stopped_](JobControl& control) mutable -> Made {
+      [files, options = options(), is_open = mount_->currentIndex() <= 0,
+       is_stopped = is_stopped_](JobControl& control) mutable -> Made {
         options.goes_on = [&] { return !*is_stopped && !control.is_cancelled(); };
         try {
-          return std::make_shared<const Conversion>(convert(files, options));
+          return std::make_shared<const MadeOfFiles>(made_of_files(files, options, is_open));
         } catch (const ConversionStopped&) {
           return nullptr;
         }
@@ -361,11 +362,13 @@ QString FilesWizard::in_words_of_window(QString sentence) const {
 }
 
 /// What was understood and what was left out stands there before the session opens.
-void FilesWizard::show_made(const Conversion& made) {
-  made_ = QString::fromStdString(made.session.file.string());
+void FilesWizard::show_made(const MadeOfFiles& made) {
+  made_ = QString::fromStdString(made.file.string());
+  QString what = counted(static_cast<qint64>(made.observations), "%n observation(s)");
+  if (made.sessions > 1)
+    what = tr("%1 with %2").arg(counted(static_cast<qint64>(made.sessions), "a collection of %n session(s)"), what);
   said_->setText((*is_stopped_ ? tr("It was made before it could be stopped: %1 in %2.") : tr("Made: %1 in %2."))
-                     .arg(counted(static_cast<qint64>(made.session.observations.size()), "%n observation(s)"),
-                          QString::fromStdString(made.session.file.parent_path().string())));
+                     .arg(what, QString::fromStdString(made.file.parent_path().string())));
   report_->setPlainText(made.notes.empty() ? tr("Nothing was left out.")
                                            : in_words_of_window(lines_of(made.notes, QString::fromUtf8("• "))));
   report_->show();

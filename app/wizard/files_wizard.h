@@ -12,10 +12,11 @@
 #include <optional>
 #include <vector>
 
-#include "convert/convert.h"
+#include "convert/conversion.h"
 #include "convert/file_kind.h"
 #include "jobs/jobs.h"
 #include "readers/field_urdf.h"
+#include "wizard/made_of_files.h"
 
 class QCheckBox;
 class QComboBox;
@@ -82,7 +83,7 @@ class FilesWizard : public QDialog {
   void stop_making();
   void end_making();
   QString in_words_of_window(QString sentence) const;
-  void show_made(const Conversion& made);
+  void show_made(const MadeOfFiles& made);
   void open_made();
 
   Jobs& jobs_;

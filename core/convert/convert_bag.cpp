@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "convert/bag_rigs.h"
+#include "convert/bag_sessions.h"
 #include "convert/convert_inputs.h"
 #include "convert/convert_pairing.h"
 
@@ -31,108 +32,10 @@ std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
               likely.empty() ? "no" : "several", shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
 }
 
-/// The bag's image topics, by camera, and their rig.
-struct BagRig {
-  std::vector<const BagImages*> topics;
-  Rig rig;
-};
-
-const RosCamera* camera_beside(const BagContents& bag, const std::string& topic) {
-  const auto folder = [](const std::string& name) { return name.substr(0, name.rfind('/')); };
-  for (const auto& [name, camera] : bag.cameras)
-    for (std::string above = folder(topic); above.size() > 1; above = folder(above)) {
-      if (folder(name) == above) return &camera;
-      if (above.rfind('/') == std::string::npos || above.rfind('/') == 0) break;
-    }
-  return nullptr;
-}
-
-/// A left camera's topic and the right one's.
-struct TopicPair {
-  const BagImages *left = nullptr, *right = nullptr;
-};
-
-/// What stands in a topic's name before the word that says the side: "/head/" of "/head/left/image_raw".
-std::string before_side(std::string topic, std::initializer_list<const char*> sides) {
-  for (char& c : topic) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  std::size_t at = std::string::npos;
-  for (const char* side : sides) at = std::min(at, topic.find(side));
-  return topic.substr(0, at);
-}
-
-/// The pairs whose names agree up to the side; where none do, the first left one with the first right one.
-std::map<std::string, TopicPair> topic_pairs(const BagContents& bag) {
-  std::map<std::string, TopicPair> pairs;
-  TopicPair first;
-  const auto see = [&](const BagImages& images, std::initializer_list<const char*> sides,
-                       const BagImages* TopicPair::*side) {
-    if (!says(images.topic, sides)) return;
-    TopicPair& pair = pairs[before_side(images.topic, sides)];
-    if (!(pair.*side)) pair.*side = &images;
-    if (!(first.*side)) first.*side = &images;
-  };
-  for (const BagImages& images : bag.images) {
-    see(images, {"left", "infra1"}, &TopicPair::left);
-    see(images, {"right", "infra2"}, &TopicPair::right);
-  }
-  std::erase_if(pairs, [](const auto& named) { return !named.second.left || !named.second.right; });
-  if (pairs.empty() && first.left && first.right) pairs[""] = first;
-  return pairs;
-}
-
-std::optional<BagRig> find_bag_pair(const BagContents& bag, const Brought& b) {
-  const std::map<std::string, TopicPair> pairs = topic_pairs(bag);
-  if (pairs.empty()) return std::nullopt;
-  if (pairs.size() > 1) {
-    std::string names;
-    for (const auto& [name, pair] : pairs) names += (names.empty() ? "" : ", ") + name;
-    throw InputError(
-        message("The bag has {} pairs of cameras ({}); say with --camera which to take, or name each with a --camera "
-                "of its own for a collection.",
-                pairs.size(), shortened(names, 200)));
-  }
-  const auto [left, right] = pairs.begin()->second;
-  if (b.rig && is_pair(*b.rig)) return BagRig{{left, right}, *b.rig};
-  const RosCamera *l = camera_beside(bag, left->topic), *r = camera_beside(bag, right->topic);
-  if (!l || !r) return std::nullopt;
-  return BagRig{{left, right}, make_rig(make_rig(*l, *r))};
-}
-
-/// Leaves the images whose topics the option names.
-void keep_camera(BagContents& bag, const std::string& camera) {
-  if (camera.empty()) return;
-  std::string topics;
-  for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
-  std::erase_if(bag.images, [&](const BagImages& images) { return images.topic.find(camera) == std::string::npos; });
-  if (bag.images.empty())
-    throw InputError(message("--camera {}: no image topic of the bag has this in its name; it has: {}.",
-                             in_quotes(camera), topics.empty() ? Message("none") : verbatim(shortened(topics, 300))));
-}
-
 std::string named_topics(const BagRig& rig) {
   std::string names;
   for (const BagImages* images : rig.topics) names += (names.empty() ? "" : ", ") + images->topic;
   return names;
-}
-
-/// Two cameras, or with a target the only one whose calibration is known.
-std::optional<BagRig> find_bag_rig(const BagContents& bag, const Brought& b, const ConvertOptions& o) {
-  if (auto pair = find_bag_pair(bag, b)) return pair;
-  if (!o.target) return std::nullopt;
-  std::vector<BagRig> single;
-  for (const BagImages& images : bag.images) {
-    if (b.rig && b.rig->count() == 1 && bag.images.size() == 1)
-      single.push_back({{&images}, *b.rig});
-    else if (const RosCamera* camera = camera_beside(bag, images.topic))
-      single.push_back({{&images}, make_rig(*camera)});
-  }
-  if (single.size() == 1) return single.front();
-  std::string topics;
-  for (const BagImages& images : bag.images) topics += (topics.empty() ? "" : ", ") + images.topic;
-  throw InputError(
-      message("The bag has {} image topics with a calibration beside them where one is expected{}; record one "
-              "camera with its CameraInfo, or a left and a right one, or say with --camera which to take.",
-              single.size(), topics.empty() ? std::string() : " (" + shortened(topics, 200) + ")"));
 }
 
 /// Places of images of all topics that were taken together: by topic, one a time.
@@ -215,6 +118,30 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
 
 namespace {
 
+/// Where nobody says what carries the cameras, their frame may: a frame of the robot's, or one that /tf hangs from it.
+/// A camera on the hand sees what stands beside the robot.
+ConvertOptions with_mount_of_frame(const BagContents& bag, const Robot& robot, const BagRig& rig, ConvertOptions o,
+                                   std::vector<Message>& notes) {
+  if (!o.mount.empty() || o.tcp.empty()) return o;
+  const std::string link = link_of_frame(bag, robot, rig.frame);
+  if (link.empty() || link == robot.links.front().name) return o;
+  o.mount = link;
+  notes.push_back(
+      message("The cameras' frame {} is on the link {}, which is taken for what carries them (--mount says "
+              "otherwise).",
+              in_quotes(rig.frame), in_quotes(link)));
+  const std::vector<int> above = joints_to(robot, find_link(robot, link));
+  const int hand = find_link(robot, o.tcp);
+  const bool is_on_hand = link == o.tcp || std::any_of(above.begin(), above.end(), [&](int joint) {
+                            return robot.joints[static_cast<std::size_t>(joint)].child_link == hand;
+                          });
+  if (!is_on_hand) return o;
+  notes.push_back(message("That is on the hand {}: the target is taken to stand beside the robot (link {}).",
+                          in_quotes(o.tcp), in_quotes(robot.links.front().name)));
+  o.tcp = robot.links.front().name;
+  return o;
+}
+
 Rigid find_instant_pose(const Eigen::VectorXd& position) {
   return {rotation_from_rpy({position[5], position[4], position[3]}), position.head<3>()};
 }
@@ -265,7 +192,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, cons
         "the robot that it was recorded with.");
   if (const auto rig = o.target_frame.empty() ? find_bag_rig(bag, b, o) : std::nullopt) {
     SessionParts parts;
-    require_links(*robot, o, parts, c.notes);
+    require_links(*robot, with_mount_of_frame(bag, robot->robot, *rig, o, c.notes), parts, c.notes);
     return from_bag_images(std::move(parts), bag, *rig, file, o, std::move(c));
   }
   const std::string child = target_frame_of(bag, o.target_frame);

@@ -132,6 +132,7 @@ RosCamera read_camera_info(const YAML::Node& yaml, const std::string& file) {
 RosCamera camera_from_message(const ros::CameraInfo& message, const std::string& file) {
   RosCamera c;
   c.file = c.name = file;
+  c.frame = message.header.frame;
   c.camera = from_matrix({message.k, message.k + 9});
   c.camera.width = static_cast<int>(std::min(message.width, 1000000u));
   c.camera.height = static_cast<int>(std::min(message.height, 1000000u));

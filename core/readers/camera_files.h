@@ -16,6 +16,7 @@ namespace handsight {
 /// One camera of ROS: its numbers, and what its rectified twin says of a rig.
 struct RosCamera {
   std::string name, file;
+  std::string frame;  // in which it sees, as ROS calls it; empty: not told
   Camera camera;
   Matrix3 rectified_from_camera = Matrix3::Identity();
   double baseline = 0;  // m: -P[3] / P[0], > 0 for the right camera of a rectified rig

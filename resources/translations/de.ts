@@ -5788,12 +5788,12 @@
         <translation>Den Roboter selbst messen lassen</translation>
     </message>
     <message>
-        <source>The program chooses the most useful poses, drives there, looks, and stops when enough is known: where the hand sits, and what is missing in the model.</source>
-        <translation>Das Programm wählt die nützlichsten Stellungen, fährt hin, schaut und hört auf, wenn genug bekannt ist: wo die Hand sitzt und was im Modell fehlt.</translation>
+        <source>The program chooses the most useful poses, drives there, looks (or touches), and stops when enough is known: where the hand sits, and what is missing in the model.</source>
+        <translation>Das Programm wählt die nützlichsten Stellungen, fährt hin, schaut (oder berührt) und hört auf, wenn genug bekannt ist: wo die Hand sitzt und was im Modell fehlt.</translation>
     </message>
     <message>
-        <source>1.  Write the command of your robot's driver above: a program of yours that moves the robot and takes the images. A template of thirty lines is in docs/examples/drivers.</source>
-        <translation>1.  Schreibe oben den Befehl des Treibers deines Roboters: ein Programm von dir, das den Roboter bewegt und die Bilder macht. Eine Vorlage von dreißig Zeilen liegt in docs/examples/drivers.</translation>
+        <source>1.  Write the command of your robot's driver above: a program of yours that moves the robot and takes the images, or feels for what is touched. A template of thirty lines is in docs/examples/drivers.</source>
+        <translation>1.  Schreibe oben den Befehl des Treibers deines Roboters: ein Programm von dir, das den Roboter bewegt und die Bilder macht oder ertastet, was berührt wird. Eine Vorlage von dreißig Zeilen liegt in docs/examples/drivers.</translation>
     </message>
     <message>
         <source>2.  Connect. The driver says where the robot stands, and the first poses and the ways to them are shown. Nothing moves.</source>
@@ -5898,10 +5898,6 @@
     <message>
         <source>Of this session's robot only the flange's poses are known, and an experiment moves joints.</source>
         <translation>Vom Roboter dieser Sitzung sind nur Flanschposen bekannt, und ein Experiment bewegt Gelenke.</translation>
-    </message>
-    <message>
-        <source>This session is of touches. In the window an experiment looks; handsight-cli experiment touches, and Explain plans which posture on which fixture comes next.</source>
-        <translation>Diese Sitzung besteht aus Berührungen. Im Fenster schaut ein Experiment; handsight-cli experiment berührt, und Erklären plant, welche Haltung an welcher Aufnahme als Nächstes kommt.</translation>
     </message>
     <message>
         <source>An experiment begins with one observation at least: add it, and it goes on from there.</source>
@@ -6366,6 +6362,33 @@
     <message>
         <source>What is left of every point is shown against the noise, which is not known.</source>
         <translation>Was von jedem Punkt übrig ist, wird am Rauschen gemessen, und das ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The robot feels for the fixture and goes back.</source>
+        <translation>Der Roboter ertastet die Aufnahme und fährt zurück.</translation>
+    </message>
+    <message>
+        <source>%1 wherever it can touch (95 %)</source>
+        <translation>%1 überall, wo berührt werden kann (95 %)</translation>
+    </message>
+    <message>
+        <source>The robot moves now and feels for its fixtures: %1 at first, the first move at a tenth of %2 rad/s. Is nobody within its reach, and is the emergency stop at hand?</source>
+        <translation>Der Roboter bewegt sich jetzt und ertastet seine Aufnahmen: zuerst %1, die erste Bewegung mit einem Zehntel von %2 rad/s. Ist niemand in seiner Reichweite, und ist der Not-Halt zur Hand?</translation>
+    </message>
+    <message>
+        <source>touches %1, %2</source>
+        <translation>berührt %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>a collection of %n session(s)</source>
+        <translation>
+            <numerusform>eine Sammlung von %n Sitzung</numerusform>
+            <numerusform>eine Sammlung von %n Sitzungen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9894,6 +9917,22 @@
     <message>
         <source>turn about %1 at %2</source>
         <translation>Drehung um %1 an %2</translation>
+    </message>
+    <message>
+        <source>The bag has several cameras (%1); each has a session in the collection. --camera chooses one of them.</source>
+        <translation>Der Bag hat mehrere Kameras (%1); jede hat eine Sitzung in der Sammlung. --camera wählt eine davon.</translation>
+    </message>
+    <message>
+        <source>The bag has several targets in /tf (%1); each has a session in the collection. --target-frame chooses one of them.</source>
+        <translation>Der Bag hat mehrere Ziele in /tf (%1); jedes hat eine Sitzung in der Sammlung. --target-frame wählt eines davon.</translation>
+    </message>
+    <message>
+        <source>The cameras' frame %1 is on the link %2, which is taken for what carries them (--mount says otherwise).</source>
+        <translation>Das Koordinatensystem der Kameras %1 sitzt am Glied %2; das gilt als ihr Träger (--mount sagt es anders).</translation>
+    </message>
+    <message>
+        <source>That is on the hand %1: the target is taken to stand beside the robot (link %2).</source>
+        <translation>Das ist an der Hand %1: Das Ziel gilt als neben dem Roboter stehend (Glied %2).</translation>
     </message>
 </context>
 <context>

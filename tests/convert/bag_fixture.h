@@ -77,9 +77,9 @@ inline std::string transform(double stamp, const std::string& parent, const std:
       .bytes();
 }
 
-inline std::string camera_info(const Camera& c, const Matrix3& r, double p3) {
+inline std::string camera_info(const Camera& c, const Matrix3& r, double p3, const std::string& frame = "camera") {
   CdrWriter w;
-  w.header(5, "camera").number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));
+  w.header(5, frame).number(static_cast<std::uint32_t>(c.height)).number(static_cast<std::uint32_t>(c.width));
   w.text("plumb_bob").numbers({c.k1, c.k2, c.p1, c.p2, c.k3});
   w.numbers({c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1}, false);
   const Matrix3 by_rows = r.transpose();

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "convert/bag_fixture.h"
+#include "convert/bag_sessions.h"
 #include "convert/own_files.h"
 #include "estimation/fit/fit.h"
 #include "estimation/fit/fit_parts.h"
@@ -102,8 +103,9 @@ class ConvertCollection : public testing::Test {
     return text;
   }
 
-  /// Two pairs of cameras; the robot stands before each of three images.
-  fs::path pairs_in_a_bag() {
+  /// Two pairs of cameras; the robot stands before each of three images. `carrier`: of one camera more, raw and
+  /// compressed, in a frame that /tf hangs from this link.
+  fs::path pairs_in_a_bag(const std::string& carrier = "") {
     fixture::BagWriter bag(folder.path / "pairs");
     const Camera camera = fixture::small_camera();
     const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
@@ -116,6 +118,13 @@ class ConvertCollection : public testing::Test {
         const double apart = side == "/left" ? 0 : pair == "/head" ? -0.12 : -0.3;
         bag.message(info, 0, fixture::camera_info(camera, Matrix3::Identity(), 800 * apart));
       }
+    if (!carrier.empty()) {
+      images.push_back(bag.topic("/wrist/image_raw", "sensor_msgs/msg/Image"));
+      images.push_back(bag.topic("/wrist/image_raw/again", "sensor_msgs/msg/Image"));
+      const int info = bag.topic("/wrist/camera_info", "sensor_msgs/msg/CameraInfo");
+      bag.message(info, 0, fixture::camera_info(camera, Matrix3::Identity(), 0, "wrist_optical"));
+      bag.message(tf, 0, fixture::transform(0, carrier, "wrist_optical", Rigid{}));
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       const double t = 100 + 3 * static_cast<double>(i);
       for (double s = 0; s < 1.5; s += 0.05)
@@ -210,6 +219,75 @@ TEST_F(ConvertCollection, PairsOfCamerasThatAreNotOneRigAreAskedFor) {
   EXPECT_EQ(made.sessions[0].sensor, "/head/left/image_raw, /head/right/image_raw");
   options.sessions[1].target_frame = "tag_l";
   EXPECT_THAT(refusal({bag}), HasSubstr("are two sensors"));
+}
+
+TEST_F(ConvertCollection, ABagWithTwoPairsBecomesACollectionOfItself) {
+  const fs::path bag = pairs_in_a_bag();
+  ConvertOptions one;
+  one.tcp = "left_hand";
+  std::vector<Message> notes;
+  options.sessions = sessions_of_bag({bag, folder.path / "robot.urdf"}, {one}, notes);
+  ASSERT_EQ(options.sessions.size(), 2U);
+  EXPECT_THAT(notes, Contains(HasSubstr("several cameras (/chest/, /head/)")));
+  const ConvertedCollection made = converted({bag});
+  EXPECT_EQ(made.collection.entries[0].folder, "chest");
+  EXPECT_EQ(made.collection.entries[1].folder, "head");
+  EXPECT_NEAR(made.sessions[0].session.rig->at(1).camera_from_first.translation.norm(), 0.3, 1e-9);
+  EXPECT_NEAR(made.sessions[1].session.rig->at(1).camera_from_first.translation.norm(), 0.12, 1e-9);
+  EXPECT_EQ(made.sessions[0].session.observations.size(), 3U);
+  one.camera = "/head/";
+  EXPECT_EQ(sessions_of_bag({bag}, {one}, notes).size(), 1U) << "one was chosen";
+}
+
+TEST_F(ConvertCollection, EachHandOfABagGetsThePairsOfItsOwn) {
+  std::vector<Message> notes;
+  EXPECT_EQ(sessions_of_bag({pairs_in_a_bag()}, options.sessions, notes).size(), 4U);
+}
+
+TEST_F(ConvertCollection, ACameraOnTheHandBesideAPairIsCarriedByItsFramesLink) {
+  const fs::path bag = pairs_in_a_bag("left_hand");
+  ConvertOptions one;
+  one.tcp = "left_hand";
+  one.target = Target{};
+  one.target->kind = TargetKind::chessboard;
+  one.target->columns = 9, one.target->rows = 6, one.target->square = 0.025;
+  std::vector<Message> notes;
+  options.sessions = sessions_of_bag({bag}, {one}, notes);
+  ASSERT_EQ(options.sessions.size(), 3U);
+  const ConvertedCollection made = converted({bag});
+  const auto wrist = std::find_if(made.sessions.begin(), made.sessions.end(),
+                                  [](const Conversion& c) { return c.session.title == "wrist"; });
+  ASSERT_NE(wrist, made.sessions.end());
+  EXPECT_EQ(wrist->session.mount.link, "left_hand");
+  EXPECT_EQ(wrist->session.tcp, robot.links.front().name) << "the target stands beside the robot";
+  EXPECT_EQ(wrist->session.rig->count(), 1);
+  EXPECT_THAT(wrist->notes, Contains(HasSubstr("is on the link \"left_hand\"")));
+}
+
+TEST_F(ConvertCollection, TagsThatNameTheirSideGoToTheirHands) {
+  const fs::path bag = tags_in_a_bag();
+  std::vector<Message> notes;
+  for (ConvertOptions& o : options.sessions) o.mount = "head";
+  options.sessions = sessions_of_bag({bag}, options.sessions, notes);
+  ASSERT_EQ(options.sessions.size(), 2U);
+  EXPECT_EQ(options.sessions[0].target_frame, "tag_l");
+  EXPECT_EQ(options.sessions[1].target_frame, "tag_r");
+  const ConvertedCollection made = converted({bag});
+  EXPECT_EQ(made.collection.entries[0].rig, "head");
+  const Session s = together();
+  const std::vector<FitPart> parts = list_parts(s, fit(s));
+  EXPECT_LT(small_motion_between(left_tag, parts[0].tcp_from_body).norm(), 1e-5);
+  EXPECT_LT(small_motion_between(right_tag, parts[1].tcp_from_body).norm(), 1e-5);
+}
+
+TEST_F(ConvertCollection, SeveralTagsOfTheOnlyHandAreASessionEach) {
+  std::vector<Message> notes;
+  ConvertOptions one;
+  one.tcp = "tool";
+  const auto sessions = sessions_of_bag({tags_in_a_bag()}, {one}, notes);
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[1].target_frame, "tag_r");
+  EXPECT_THAT(notes, Contains(HasSubstr("several targets in /tf (tag_l, tag_r)")));
 }
 
 TEST_F(ConvertCollection, OneRigSeesBothHands) {

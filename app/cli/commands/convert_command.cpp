@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "blunders/mended.h"
 #include "command.h"
+#include "convert/bag_sessions.h"
 #include "convert/convert.h"
 #include "convert/convert_collection.h"
 #include "geometry/angle_kinds.h"
@@ -133,7 +134,9 @@ int run(const ConvertArguments& o) {
     note_input(file);
   }
   o.output.require_places();
-  const std::vector<ConvertOptions> sessions = options_of_sessions(o.sessions, common);
+  std::vector<Message> parted;
+  const std::vector<ConvertOptions> sessions = sessions_of_bag(files, options_of_sessions(o.sessions, common), parted);
+  print_notes(parted);
   if (sessions.size() > 1)
     return make_collection(
         files,

@@ -15,20 +15,6 @@ namespace {
 
 constexpr double moves = 1e-3;  // of a unit direction: less is rounding
 
-/// Directions of the unknowns that no touch tells, orthonormal.
-Eigen::MatrixXd undetermined_directions(const Fit& fit) {
-  const Solution& s = fit.solution;
-  if (s.unobservable == 0) return Eigen::MatrixXd(s.basis.rows(), 0);
-  const InverseParts parts = inverse_parts(s.basis.transpose() * s.normal.information * s.basis);
-  std::vector<Eigen::Index> none;
-  for (Eigen::Index i = 0; i < parts.inverse.size(); ++i)
-    if (!(parts.inverse[i] > 0) && !parts.half.col(i).isZero(0)) none.push_back(i);
-  if (none.empty()) return Eigen::MatrixXd(s.basis.rows(), 0);
-  const Eigen::MatrixXd directions = s.basis * parts.half(Eigen::all, none);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(directions);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(directions.rows(), directions.cols());
-}
-
 /// How many of these numbers the directions move independently.
 int moved_numbers(const Eigen::MatrixXd& rows) {
   if (rows.cols() == 0) return 0;
@@ -48,6 +34,41 @@ std::vector<Eigen::Index> list_numbers(FixtureKind kind) {
       return {0, 1, 2};
   }
   return {};
+}
+
+/// The columns that mean something: of each fixture's small motion only its numbers.
+std::vector<Eigen::Index> list_meaningful(const Session& session, const Fit& fit) {
+  std::vector<char> means(static_cast<std::size_t>(fit.solution.basis.rows()), 1);
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
+    const Eigen::Index column = fit.problem.column_of_mount(static_cast<int>(f));
+    if (column < 0) continue;
+    for (Eigen::Index n = 0; n < 6; ++n) means[static_cast<std::size_t>(column + n)] = 0;
+    for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) means[static_cast<std::size_t>(column + n)] = 1;
+  }
+  std::vector<Eigen::Index> columns;
+  for (std::size_t i = 0; i < means.size(); ++i)
+    if (means[i]) columns.push_back(static_cast<Eigen::Index>(i));
+  return columns;
+}
+
+/// Directions of the unknowns that no touch tells, orthonormal. What means nothing (a plane's turn about its normal) is
+/// left out first: its rounding, scaled up, would hide the rest.
+Eigen::MatrixXd undetermined_directions(const Session& session, const Fit& fit) {
+  const Solution& s = fit.solution;
+  const Eigen::Index rows = s.basis.rows();
+  if (s.unobservable == 0) return Eigen::MatrixXd(rows, 0);
+  const std::vector<Eigen::Index> felt = list_meaningful(session, fit);
+  const Eigen::MatrixXd within = s.basis * s.basis.transpose();
+  const Eigen::MatrixXd information = within * s.normal.information * within;
+  const InverseParts parts = inverse_parts(information(felt, felt));
+  std::vector<Eigen::Index> none;
+  for (Eigen::Index i = 0; i < parts.inverse.size(); ++i)
+    if (!(parts.inverse[i] > 0) && !parts.half.col(i).isZero(0)) none.push_back(i);
+  if (none.empty()) return Eigen::MatrixXd(rows, 0);
+  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(none.size()));
+  directions(felt, Eigen::all) = parts.half(Eigen::all, none);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(directions);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
 }
 
 std::vector<std::string> undetermined_fixtures(const Session& session, const Fit& fit, const Eigen::MatrixXd& untold) {
@@ -110,7 +131,7 @@ bool is_one_plane(const Session& session) {
 std::array<bool, 3> undetermined_tip(const Session& session, const Fit& fit) {
   std::array<bool, 3> is_untold{};
   if (session.fixtures.empty() || fit.problem.marker_count != 1) return is_untold;
-  const Eigen::MatrixXd untold = undetermined_directions(fit);
+  const Eigen::MatrixXd untold = undetermined_directions(session, fit);
   for (Eigen::Index i = 0; i < 3; ++i)
     is_untold[static_cast<std::size_t>(i)] = untold.cols() > 0 && untold.row(i).norm() > moves;
   return is_untold;
@@ -118,7 +139,7 @@ std::array<bool, 3> undetermined_tip(const Session& session, const Fit& fit) {
 
 std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit) {
   std::vector<Message> texts;
-  const Eigen::MatrixXd untold = undetermined_directions(fit);
+  const Eigen::MatrixXd untold = undetermined_directions(session, fit);
   const int tip = moved_numbers(untold.topRows(3 * fit.problem.marker_count));
   if (tip > 0)
     texts.push_back(

@@ -211,14 +211,5 @@ TEST_F(ExperimentInWindow, TheSimulatedRobotIsTriedInASessionOfItsOwn) {
   qputenv("PATH", path);
 }
 
-TEST_F(ExperimentInWindow, OfTouchesItSaysWhyNot) {
-  ASSERT_TRUE(desk.window.open(HANDSIGHT_SOURCE_DIR "/sample_sessions/probe_and_plate"));
-  ASSERT_TRUE(desk.settle());
-  page.open();
-  EXPECT_TRUE(page.said().contains("touches")) << page.said().toStdString();
-  EXPECT_FALSE(desk.find<QAbstractButton>("experiment_begin")->isEnabled());
-  EXPECT_FALSE(desk.find<QAbstractButton>("experiment_try")->isEnabled());
-}
-
 }  // namespace
 }  // namespace handsight::test
