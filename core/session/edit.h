@@ -14,7 +14,7 @@ namespace handsight {
 struct EditableState {
   std::vector<Sighting> sightings;
   Decision decision = Decision::none;
-  std::string reason;
+  Message reason;
 };
 
 EditableState read_state(const Observation& observation);
