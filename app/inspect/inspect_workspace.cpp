@@ -168,7 +168,7 @@ void InspectWorkspace::connect_plots() {
     try_threshold(threshold, {ids.begin(), ids.end()});
   });
   connect(exclude_beyond_, &QPushButton::clicked, this,
-          [this] { workbench_.exclude(beyond_, "beyond the threshold"); });
+          [this] { workbench_.exclude(beyond_, beyond_the_threshold); });
 }
 
 void InspectWorkspace::try_threshold(double threshold, const std::vector<std::int64_t>& beyond) {

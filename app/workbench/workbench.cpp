@@ -3,6 +3,7 @@
 
 #include "diagnosis/verdict/finding.h"
 #include "estimation/online/second_look.h"
+#include "words/core_words.h"
 #include "words/counted.h"
 
 namespace handsight::app {

@@ -9875,6 +9875,14 @@
         <source>turn about %1 at %2</source>
         <translation>Drehung um %1 an %2</translation>
     </message>
+    <message>
+        <source>by the user</source>
+        <translation>vom Benutzer</translation>
+    </message>
+    <message>
+        <source>beyond the threshold</source>
+        <translation>jenseits der Schwelle</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -13098,6 +13106,14 @@
     <message>
         <source>The touches contradict that %1 is %2 mm from %3: by them it is %4 mm, and without known distances %5 mm are left of them in place of %6 mm. Measure it again and put it right in &lt;apart&gt;.</source>
         <translation>Die Berührungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
+    </message>
+    <message>
+        <source>is not known in a message, expected form, verbatim, number or sequence.</source>
+        <translation>ist in einer Nachricht nicht bekannt; erwartet wird form, verbatim, number oder sequence.</translation>
+    </message>
+    <message>
+        <source>stands too deep in a message, expected %1 levels at most.</source>
+        <translation>steht zu tief in einer Nachricht; erwartet werden höchstens %1 Ebenen.</translation>
     </message>
 </context>
 <context>
