@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over core, the command line and the rooms of the window that are clean, where something changed since it last found nothing; findings are errors.
+"""clang-tidy over core, the command line and the rooms of the window that are clean, where something changed since it
+last found nothing; findings are errors.
 
   cmake/tidy.py                looks at everything that it has not passed in this build folder
   cmake/tidy.py widgets/plots  looks at these folders, whatever the list of rooms says: before a room is added to it
-  cmake/tidy.py --seconds 60  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
+  cmake/tidy.py --seconds 60   begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
 
 Needs clang-tidy 14 and a build folder, in which tidy.txt notes what it found nothing in: a digest of each source with its header
 and those headers that it includes which have no source of their own, and of .clang-tidy. Nearly all of the time goes into the

@@ -338,7 +338,7 @@ TEST_F(TwoWriters, In200RoundsNothingDisappearsWithoutAWord) {
       ASSERT_EQ(s.observations[mine].reason, in_window) << round;
       ASSERT_EQ(s.observations[theirs].reason, "there " + name) << round;
     } else {
-      ASSERT_TRUE(s.observations[mine].reason.ends_with(" " + name)) << round;
+      ASSERT_TRUE(s.observations[mine].reason.english().ends_with(" " + name)) << round;
     }
   }
   EXPECT_GT(collisions, 0);
