@@ -28,7 +28,7 @@ root = Path(__file__).resolve().parent.parent
 most_joined = 16  # sources at a time
 roots = [root / "core", root / "app" / "cli", root / "widgets", root / "app"]  # as the compiler finds headers
 rooms = ["core", "app/cli"]  # what is looked at
-window_rooms = ["widgets/base"]  # the same where the window is built; a room is added when nothing is found in it
+window_rooms = []  # the same where the window is built; a room ("widgets/base") is added when nothing is found in it
 
 
 def header(name, beside):
