@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over core and the command line, where something changed since it last found nothing; findings are errors.
+"""clang-tidy over core, the command line and the rooms of the window that are clean, where something changed since it
+last found nothing; findings are errors.
 
   cmake/tidy.py                looks at everything that it has not passed in this build folder
-  cmake/tidy.py --seconds 60  begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
+  cmake/tidy.py widgets/plots  looks at these folders, whatever the list of rooms says: before a room is added to it
+  cmake/tidy.py --seconds 60   begins nothing more after that time: the test Sources.ClangTidy. What was changed last comes first
 
 Needs clang-tidy 14 and a build folder, in which tidy.txt notes what it found nothing in: a digest of each source with its header
 and those headers that it includes which have no source of their own, and of .clang-tidy. Nearly all of the time goes into the
@@ -24,7 +26,9 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 most_joined = 16  # sources at a time
-roots = [root / "core", root / "app" / "cli"]  # as the compiler finds headers
+roots = [root / "core", root / "app" / "cli", root / "widgets", root / "app"]  # as the compiler finds headers
+rooms = ["core", "app/cli"]  # what is looked at
+window_rooms = []  # the same where the window is built; a room ("widgets/base") is added when nothing is found in it
 
 
 def header(name, beside):
@@ -48,9 +52,11 @@ def digest(source):
     return sha.hexdigest()[:24]
 
 
-def now():
-    sources = sorted(p for r in roots for p in r.rglob("*.cpp"))
-    return {str(s.relative_to(root)): digest(s) for s in sources}
+def now(folders, by):
+    """The digest of each source in the folders; of the window's, of those that the build compiles."""
+    sources = sorted(p for f in folders for p in (root / f).rglob("*.cpp"))
+    in_rooms = tuple(str(root / r) + os.sep for r in rooms)
+    return {str(s.relative_to(root)): digest(s) for s in sources if str(s).startswith(in_rooms) or str(s) in by}
 
 
 def by_last_change(sources):
@@ -125,7 +131,7 @@ def findings(paths, how):
         entry = {"directory": how[0], "command": f"{how[1]} {file}", "file": str(file)}
         (Path(folder) / "compile_commands.json").write_text(json.dumps([entry]))
         run = subprocess.run(["clang-tidy", "-p", folder, "--quiet", "--warnings-as-errors=*",
-                              f"--config-file={root / '.clang-tidy'}", str(file)], capture_output=True, text=True)
+                              f"--config-file={root / '.clang-tidy'}", "--header-filter=core/|app/|widgets/", str(file)], capture_output=True, text=True)
     return "" if run.returncode == 0 else run.stdout + run.stderr
 
 
@@ -139,12 +145,12 @@ def told_apart(group):
     return told_apart((paths[:middle], how, None)) + told_apart((paths[middle:], how, None))
 
 
-def look_at(sources, build, heed, seconds):
+def look_at(sources, by, heed, seconds):
     """Calls heed(source, findings) one by one; several groups are looked at side by side (JOBS). Returns how many were
     looked at and how many have findings."""
     bad, done, ends = 0, 0, time.monotonic() + seconds
     with ThreadPoolExecutor(int(os.environ.get("JOBS", os.cpu_count()))) as pool:
-        groups = [pool.submit(lambda g=group: told_apart(g) if time.monotonic() < ends else []) for group in joined(sources, commands(build))]
+        groups = [pool.submit(lambda g=group: told_apart(g) if time.monotonic() < ends else []) for group in joined(sources, by)]
         for group in as_completed(groups):
             for path, found in group.result():
                 done += 1
@@ -156,6 +162,7 @@ def look_at(sources, build, heed, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folders", nargs="*", help="instead of the rooms that are looked at always")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="nothing more is begun after that time")
     parser.add_argument("--build", type=Path, default=root / "build", help="folder of compile_commands.json")
     asked = parser.parse_args()
@@ -163,16 +170,17 @@ def main():
         print("clang-tidy is not installed: nothing was looked at.")
         sys.exit(77)
     record = asked.build / "tidy.txt"
-    current, known = now(), passed(record)
+    by = commands(asked.build)
+    current, known = now(asked.folders or rooms + window_rooms, by), passed(record)
     changed = by_last_change(path for path in current if known.get(path) != current[path])
-    good = {path: value for path, value in known.items() if path in current}
+    good = {path: value for path, value in known.items() if path in current or asked.folders}
 
     def heed(path, found):
         if not found:
             good[path] = current[path]
             write(good, record)
 
-    done, bad = look_at(changed, asked.build, heed, asked.seconds)
+    done, bad = look_at(changed, by, heed, asked.seconds)
     print(f"{done} of {len(current)} sources looked at, {bad} with findings; {len(changed) - done} are left for the next time.")
     sys.exit(1 if bad else 0)
 

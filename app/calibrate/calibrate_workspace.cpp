@@ -44,7 +44,7 @@ PlayedStep decided(const Observation& o) {
   PlayedStep played;
   played.step.id = o.id;
   played.step.accepted = o.decision == Decision::accepted;
-  played.step.reason = looked_up(o.reason);
+  played.step.reason = o.reason;
   return played;
 }
 

@@ -33,6 +33,22 @@ std::string find_key(int camera) {
   return camera == 0 ? "left" : camera == 1 ? "right" : "camera_" + std::to_string(camera);
 }
 
+/// With its parts, so that it is said in the language of who reads it; its form alone where it has no arguments.
+Json message_json(const Message& message) {
+  if (message.kind() == Message::Kind::form && message.arguments().empty()) return message.form();
+  Json arguments = Json::array();
+  for (const Message& argument : message.arguments()) arguments.push_back(message_json(argument));
+  return {{"kind", static_cast<int>(message.kind())}, {"text", message.form()}, {"arguments", arguments}};
+}
+
+Message parse_message_json(const Json& json) {
+  if (json.is_string()) return looked_up(json.get<std::string>());
+  std::vector<Message> arguments;
+  for (const Json& argument : json.at("arguments")) arguments.push_back(parse_message_json(argument));
+  const int kind = std::clamp(json.at("kind").get<int>(), 0, static_cast<int>(Message::Kind::sequence));
+  return {static_cast<Message::Kind>(kind), json.at("text").get<std::string>(), std::move(arguments)};
+}
+
 Json state_json(const EditableState& state) {
   Json sightings = Json::array();
   for (const Sighting& s : state.sightings) {
@@ -47,7 +63,8 @@ Json state_json(const EditableState& state) {
     if (s.point_sigma) one["sigma"] = *s.point_sigma;
     sightings.push_back(std::move(one));
   }
-  return {{"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", state.reason}};
+  return {
+      {"sightings", sightings}, {"decision", static_cast<int>(state.decision)}, {"reason", message_json(state.reason)}};
 }
 
 /// Of all boards of a collection together.
@@ -79,7 +96,7 @@ EditableState parse_state(const Json& json) {
     if (one.contains("sigma")) s.point_sigma = one.at("sigma").get<double>();
   }
   state.decision = static_cast<Decision>(within(json.at("decision"), 0, 3));
-  state.reason = json.at("reason").get<std::string>();
+  state.reason = parse_message_json(json.at("reason"));
   return state;
 }
 
@@ -182,22 +199,6 @@ ModelSettings parse_settings(const Json& json, const Session* session) {
                   parse_terms(json, "estimated", session), parse_terms(json, "held", session)};
   s.by_hand = std::clamp(json.value("by_hand", 0), 0, static_cast<int>(s.estimated.size()));
   return s;
-}
-
-/// With its parts, so that it is said in the language of who reads it; its form alone where it has no arguments.
-Json message_json(const Message& message) {
-  if (message.kind() == Message::Kind::form && message.arguments().empty()) return message.form();
-  Json arguments = Json::array();
-  for (const Message& argument : message.arguments()) arguments.push_back(message_json(argument));
-  return {{"kind", static_cast<int>(message.kind())}, {"text", message.form()}, {"arguments", arguments}};
-}
-
-Message parse_message_json(const Json& json) {
-  if (json.is_string()) return looked_up(json.get<std::string>());
-  std::vector<Message> arguments;
-  for (const Json& argument : json.at("arguments")) arguments.push_back(parse_message_json(argument));
-  const int kind = std::clamp(json.at("kind").get<int>(), 0, static_cast<int>(Message::Kind::sequence));
-  return {static_cast<Message::Kind>(kind), json.at("text").get<std::string>(), std::move(arguments)};
 }
 
 Json reading_json(const std::optional<RobotReading>& reading) {

@@ -283,7 +283,7 @@ bool ExperimentRun::write_down(const Arrived& arrived) {
   const std::int64_t join = document.new_join();
   Observation undecided = arrived.measured;
   undecided.decision = Decision::none;
-  undecided.reason.clear();
+  undecided.reason = {};
   if (!document.perform(
           {.sentence = tr("measured observation %1").arg(undecided.id), .joins = join, .added = {undecided}}))
     return false;

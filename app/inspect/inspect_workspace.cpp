@@ -167,8 +167,7 @@ void InspectWorkspace::connect_plots() {
   connect(histogram_, &HistogramPlot::threshold_set, this, [this](double threshold, const std::vector<qint64>& ids) {
     try_threshold(threshold, {ids.begin(), ids.end()});
   });
-  connect(exclude_beyond_, &QPushButton::clicked, this,
-          [this] { workbench_.exclude(beyond_, "beyond the threshold"); });
+  connect(exclude_beyond_, &QPushButton::clicked, this, [this] { workbench_.exclude(beyond_, beyond_the_threshold); });
 }
 
 void InspectWorkspace::try_threshold(double threshold, const std::vector<std::int64_t>& beyond) {

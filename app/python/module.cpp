@@ -7,12 +7,15 @@
 #include <pybind11/stl.h>
 
 #include "base/error.h"
+#include "compare/comparison.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"
 #include "printing/blunder_output.h"
+#include "printing/comparison_output.h"
 #include "printing/diagnosis_output.h"
+#include "printing/export_output.h"
 #include "printing/fit_output.h"
 #include "printing/improvement_output.h"
 #include "printing/reported_json.h"
@@ -142,6 +145,26 @@ Fitted improvement_of(const Session& session, const Names& effects, bool names_o
                            m.inclusion_probabilities.model_uncertainty)};
 }
 
+std::string comparison_text(const Session& before, const Session& after, const Names& effects) {
+  std::vector<EffectTerm> held, estimated;
+  cli::add_effects(effects, before, held, estimated);
+  if (!held.empty()) throw InputError("effects of compare are estimated; name them without values.");
+  return make_text(cli::comparison_json(compare(before, after, estimated, [](double) { return go_on(); })));
+}
+
+std::string comparison_since(const CalibratedRobot& before, const Session& after) {
+  return make_text(cli::comparison_json(compare(before, after, [](double) { return go_on(); })));
+}
+
+/// What export --json tells, and the file's text.
+std::pair<std::string, std::string> exported(const CalibratedRobot& robot, const std::string& kind,
+                                             const std::string& file) {
+  ExportOptions options;
+  if (!file.empty()) options.file = std::filesystem::absolute(file);
+  const ExportedFile made = exported_file(robot, kind, options);
+  return {make_text(cli::export_json(kind, file, made)), made.text};
+}
+
 CalibratedRobot read_calibrated(const std::string& file, const std::string& robot) {
   return cli::predict_source(file, robot);
 }
@@ -221,6 +244,9 @@ PYBIND11_MODULE(_core, m) {
   m.def("fit", &fitted, without_python);
   m.def("diagnose", &diagnosis_text, without_python);
   m.def("improve", &improvement_of, without_python);
+  m.def("compare", &comparison_text, without_python);
+  m.def("compare_since", &comparison_since, without_python);
+  m.def("export_robot", &exported, without_python);
   m.def("read_calibration", &read_calibrated, arg("path"), arg("robot"));
   m.def("predict", &predicted, without_python);
   m.def("correct", &correction_text, without_python);

@@ -24,7 +24,7 @@ std::vector<FindEntry> session_entries(Workbench& workbench) {
                        }});
   for (const Observation& o : session.observations) {
     const InspectionRow* row = workbench.row(o.id);
-    const QString hint = !o.reason.empty() ? QString::fromStdString(o.reason)
+    const QString hint = !o.reason.empty() ? translated(o.reason)
                          : row && row->rms ? workbench.units.text(measure_size(*row))
                                            : QString();
     entries.push_back({QObject::tr("observation"), QObject::tr("observation %1").arg(o.id), hint,

@@ -100,7 +100,7 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
         return p.value && p.plausible && std::abs(*p.value) > times * *p.plausible;
       });
     };
-    if (is_beyond(3)) shown.note = QObject::tr("More than three times what is usual.");
+    if (is_beyond(largest_plausible)) shown.note = QObject::tr("More than three times what is usual.");
     if (is_beyond(largest_built)) {
       shown.note = QObject::tr("Larger than robots are built. Probably another cause.");
       shown.note_is_warning = true;

@@ -3,6 +3,7 @@
 
 #include "diagnosis/verdict/finding.h"
 #include "estimation/online/second_look.h"
+#include "words/core_words.h"
 #include "words/counted.h"
 
 namespace handsight::app {
@@ -122,7 +123,7 @@ std::vector<widgets::ObservationCell> Workbench::cells() const {
   list.reserve(observations.size());
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const Observation& o = observations[i];
-    widgets::ObservationCell cell{.id = o.id, .state = cell_state(o), .note = QString::fromStdString(o.reason)};
+    widgets::ObservationCell cell{.id = o.id, .state = cell_state(o), .note = translated(o.reason)};
     if (all && i < all->rows.size() && !all->rows[i].markers.empty()) {
       cell.rms_over_sigma = all->rows[i].ratio;
       cell.coordinates = all->rows[i].coordinates;
@@ -150,7 +151,7 @@ void Workbench::try_out(std::optional<double> error, std::unordered_map<std::int
   emit tried();
 }
 
-void Workbench::exclude(const std::vector<std::int64_t>& ids, const std::string& reason) {
+void Workbench::exclude(const std::vector<std::int64_t>& ids, const Message& reason) {
   std::vector<std::pair<std::int64_t, EditableState>> after;
   std::vector<std::int64_t> changed;
   for (const std::int64_t id : ids) {

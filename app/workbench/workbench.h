@@ -74,7 +74,7 @@ class Workbench : public QObject {
   std::optional<std::int64_t> label_wanted;
 
   /// Actions on observations, each one action to undo. Ids that are so already are left out.
-  void exclude(const std::vector<std::int64_t>& ids, const std::string& reason = "by the user");
+  void exclude(const std::vector<std::int64_t>& ids, const Message& reason = by_the_user);
   void include(const std::vector<std::int64_t>& ids);
 
  signals:

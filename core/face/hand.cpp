@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the hand is, and what to command.
+#include "base/files.h"
 #include "handsight/correct.h"
 #include "handsight/handsight.h"
 #include "robot/urdf.h"
@@ -45,6 +46,25 @@ TcpPrediction predict(const CalibratedRobot& robot, const Eigen::VectorXd& posit
   CalibratedRobot moved;
   const CalibratedRobot& hand = hand_of(robot, moved);
   return predict_tcp(pose_at(hand, position), hand.model);
+}
+
+std::vector<TcpPrediction> predict(const CalibratedRobot& robot, const std::vector<Eigen::VectorXd>& positions) {
+  CalibratedRobot moved;
+  const CalibratedRobot& hand = hand_of(robot, moved);
+  std::vector<TcpPrediction> all;
+  all.reserve(positions.size());
+  for (const Eigen::VectorXd& position : positions) all.push_back(predict_tcp(pose_at(hand, position), hand.model));
+  return all;
+}
+
+ExportedFile export_robot(const CalibratedRobot& robot, const std::string& kind, const ExportOptions& options) {
+  return exported_file(robot, kind, options);
+}
+
+ExportedFile save_robot(const std::filesystem::path& file, const CalibratedRobot& robot, const std::string& kind) {
+  ExportedFile written = export_robot(robot, kind, {.file = std::filesystem::absolute(file), .lerobot = {}});
+  replace_file(file, written.text);
+  return written;
 }
 
 Correction correct(const CalibratedRobot& robot, const Eigen::VectorXd& position,

@@ -10,11 +10,15 @@
 
 namespace handsight {
 
+/// Reasons of those that a user leaves out.
+inline constexpr const char* by_the_user = "by the user";
+inline constexpr const char* beyond_the_threshold = "beyond the threshold";
+
 /// What a user can change of one observation.
 struct EditableState {
   std::vector<Sighting> sightings;
   Decision decision = Decision::none;
-  std::string reason;
+  Message reason;
 };
 
 EditableState read_state(const Observation& observation);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/message_xml.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "robot/xml_rigid.h"
@@ -120,12 +121,22 @@ void read_sightings(const XmlNode& node, const Session& session, Observation& ob
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
 }
 
+/// With its parts where they stand beside the text and say the same: another program may have changed the text alone. A
+/// text alone is looked up as it is: sentences without parts are known in each language.
+Message read_reason(const XmlNode& node) {
+  const std::string text = find_text(node, "reason").value_or("");
+  for (const XmlNode& part : children(node))
+    if (part.tag() == "form" || part.tag() == "sequence")
+      if (Message with_parts = read_message(part); with_parts == text) return with_parts;
+  return looked_up(text);
+}
+
 void read_decision(const XmlNode& node, Observation& observation, Ignored& ignored) {
-  note_unknown(ignored, node, {"state", "reason"}, {});
+  note_unknown(ignored, node, {"state", "reason"}, {"form", "sequence"});
   constexpr std::array decisions{Decision::accepted, Decision::rejected, Decision::excluded};
   required_text(node, "state");
   observation.decision = decisions[*find_choice(node, "state", {"accepted", "rejected", "excluded"})];
-  observation.reason = find_text(node, "reason").value_or("");
+  observation.reason = read_reason(node);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/message_xml.h"
 #include "base/numbers.h"
 #include "robot/xml_rigid.h"
 #include "session/observation_xml.h"
@@ -107,6 +108,13 @@ void update_markers(XMLElement& element, const Session& session, const Observati
   for (const auto& [index, gone] : present) element.DeleteChild(gone);
 }
 
+/// The parts of a reason beside its text; what else stands there stays.
+void update_parts(XMLElement& decision, const Message& reason) {
+  for (const char* tag : {"form", "sequence"})
+    while (XMLElement* before = decision.FirstChildElement(tag)) decision.DeleteChild(before);
+  if (has_parts(reason)) write_message(decision, reason);
+}
+
 void update_decision(XMLElement& element, const Observation& observation) {
   XMLElement* decision = element.FirstChildElement("decision");
   if (observation.decision == Decision::none) {
@@ -116,7 +124,8 @@ void update_decision(XMLElement& element, const Observation& observation) {
   if (!decision) decision = element.InsertNewChildElement("decision");
   set_text(*decision, "state", word(observation.decision));
   if (!observation.reason.empty() || decision->Attribute("reason"))
-    set_text(*decision, "reason", observation.reason.c_str());
+    set_text(*decision, "reason", observation.reason.english().c_str());
+  update_parts(*decision, observation.reason);
 }
 
 void write_vector(XMLElement& parent, const char* tag, const Eigen::VectorXd& numbers) {

@@ -113,7 +113,7 @@ struct Observation {
   std::vector<Sighting> sightings;              // in order of marker
   std::optional<Rigid> target_pose;  // sensor_from_target as a pose sensor measured it; `sightings` stand for it
   Decision decision = Decision::none;
-  std::string reason;
+  Message reason;                                       // of the decision, for people
   std::shared_ptr<const PlaceInWhole> whole = nullptr;  // null: the session is no part of another
   int part = 0;                                         // of a joined session: into Session::parts
 };

@@ -9934,6 +9934,14 @@
         <source>That is on the hand %1: the target is taken to stand beside the robot (link %2).</source>
         <translation>Das ist an der Hand %1: Das Ziel gilt als neben dem Roboter stehend (Glied %2).</translation>
     </message>
+    <message>
+        <source>by the user</source>
+        <translation>vom Benutzer</translation>
+    </message>
+    <message>
+        <source>beyond the threshold</source>
+        <translation>jenseits der Schwelle</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -13157,6 +13165,14 @@
     <message>
         <source>The touches contradict that %1 is %2 mm from %3: by them it is %4 mm, and without known distances %5 mm are left of them in place of %6 mm. Measure it again and put it right in &lt;apart&gt;.</source>
         <translation>Die Berührungen widersprechen dem, dass %1 %2 mm von %3 entfernt ist: nach ihnen sind es %4 mm, und ohne bekannte Abstände bleiben von ihnen %5 mm statt %6 mm. Miss ihn neu und berichtige ihn in &lt;apart&gt;.</translation>
+    </message>
+    <message>
+        <source>is not known in a message, expected form, verbatim, number or sequence.</source>
+        <translation>ist in einer Nachricht nicht bekannt; erwartet wird form, verbatim, number oder sequence.</translation>
+    </message>
+    <message>
+        <source>stands too deep in a message, expected %1 levels at most.</source>
+        <translation>steht zu tief in einer Nachricht; erwartet werden höchstens %1 Ebenen.</translation>
     </message>
 </context>
 <context>

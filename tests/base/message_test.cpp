@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/message_xml.h"
 #include "base/text.h"
 
 namespace handsight::test {
@@ -84,6 +85,32 @@ TEST(Message, WhatIsTooLongToShowIsCutAndStaysAsItIs) {
   EXPECT_EQ(at_most(m, 60).form(), "%1 and %2");
   EXPECT_EQ(at_most(m, 8).kind(), Message::Kind::verbatim);
   EXPECT_EQ(at_most(m, 8).english(), "one a...");
+}
+
+TEST(Message, IsReadFromAFileAsItWasWritten) {
+  Message deep = "end";
+  for (int i = 0; i < 3; ++i) deep = message("in {}: {:.2f} {}", deep, 1.5, std::string("<&\"'>"));
+  deep += " and more";
+  tinyxml2::XMLDocument document;
+  tinyxml2::XMLElement* root = document.NewElement("a");
+  document.InsertEndChild(root);
+  write_message(*root, deep);
+  const auto parsed = parse_xml(xml_text(document), "f.xml");
+  const Message back = read_message(children(require_root(*parsed, "f.xml", "a")).front());
+  EXPECT_EQ(back, deep);
+  EXPECT_EQ(back.arguments()[0].arguments()[0].form(), "in %1: %2 %3");
+  EXPECT_EQ(back.arguments()[0].arguments()[2].kind(), Message::Kind::verbatim);
+  EXPECT_FALSE(has_parts("end"));
+  EXPECT_TRUE(has_parts(deep));
+}
+
+TEST(Message, TooDeepInAFileIsRefused) {
+  std::string text;
+  for (int i = 0; i < 9; ++i) text = "<form text=\"%1\">" + text + "</form>";
+  const auto parsed = parse_xml("<a>" + text + "<other/></a>", "f.xml");
+  const auto parts = children(require_root(*parsed, "f.xml", "a"));
+  EXPECT_THROW((void)read_message(parts[0]), InputError);
+  EXPECT_THROW((void)read_message(parts[1]), InputError);
 }
 
 TEST(Message, AnErrorCarriesItsMessage) {

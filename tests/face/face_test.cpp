@@ -2,6 +2,7 @@
 // What other programs call gives what the rooms behind it give.
 #include <gmock/gmock.h>
 
+#include "base/files.h"
 #include "handsight/handsight.h"
 #include "temporary_folder.h"
 
@@ -71,6 +72,42 @@ TEST(Face, PredictsAndCorrectsFromAFileAsFromTheSession) {
   EXPECT_LT((there.root_from_tcp_est.translation - a.root_from_tcp.translation).norm(), 1e-6);
   const Correction to_target = correct(read, position, b.root_from_tcp_est);
   EXPECT_LT((to_target.position - position).norm(), 1e-6);  // it is there already
+}
+
+TEST(Face, PredictsManyPosesAsEach) {
+  const Session session = sample("hidden_1");
+  const CalibratedRobot robot = calibrated_robot(session, fit(session, Model{}), Model{});
+  const std::vector<Eigen::VectorXd> positions{session.observations[1].position, session.observations[4].position};
+  const std::vector<TcpPrediction> all = predict(robot, positions);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[1].root_from_tcp_est.translation, predict(robot, positions[1]).root_from_tcp_est.translation);
+  EXPECT_EQ(all[1].covariance, predict(robot, positions[1]).covariance);
+}
+
+TEST(Face, TakesTheCalibrationToTheRobot) {
+  const TemporaryFolder folder;
+  const Session session = sample("hidden_1");
+  const Model model = named_model(session, {"joint_offset"});
+  const CalibratedRobot robot = calibrated_robot(session, fit(session, model), model);
+  const ExportedFile urdf = save_robot(folder.path / "calibrated.urdf", robot, "urdf");
+  EXPECT_EQ(read_file(folder.path / "calibrated.urdf"), urdf.text);
+  ASSERT_TRUE(urdf.left && urdf.nominal);
+  EXPECT_LT(*urdf.left, 0.1 * *urdf.nominal);  // what the file's hand is off is little of what the robot's was
+  EXPECT_THAT(export_robot(robot, "cpp").text, HasSubstr("hand_pose"));
+  EXPECT_THROW((void)export_robot(robot, "stone tablet"), InputError);
+}
+
+TEST(Face, ComparesACalibrationWithALaterSession) {
+  const Session session = sample("hidden_1");
+  const Model model = named_model(session, {"joint_elasticity"});
+  const CalibratedRobot robot = calibrated_robot(session, fit(session, model), model);
+  Session later = session;
+  for (Observation& o : later.observations) o.position[2] += 0.004;  // the joint's zero is another
+  EXPECT_EQ(compare(robot, session).verdict, ComparisonVerdict::unchanged);
+  const Comparison found = compare(robot, later);
+  EXPECT_NE(found.verdict, ComparisonVerdict::unchanged);
+  ASSERT_FALSE(found.changes.empty());
+  EXPECT_EQ(found.changes.front().id, "joint_offset");
 }
 
 /// The hand is the link that carries the camera, not the board's on the table.

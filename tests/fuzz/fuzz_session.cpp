@@ -45,7 +45,7 @@ void demand_same(const Session& a, const Session& b, const std::string& text) {
 void label(Session& session) {
   Observation& first = session.observations.front();
   first.decision = first.decision == Decision::none ? Decision::excluded : Decision::none;
-  first.reason.clear();
+  first.reason = {};
   Observation& last = session.observations.back();
   Sighting sighting = seen_at(session.marker_count - 1, Vector2(1.5, 1e-300), {}, MarkedBy::hand);
   if (session.is_tracker())

@@ -25,7 +25,7 @@ for header in "$folder"/prefix/include/handsight/*.h; do
     fail "$(basename "$header") does not compile alone"
   count=$((count + 1))
 done
-[ "$count" -ge 12 ] || fail "only $count public headers"
+[ "$count" -ge 13 ] || fail "only $count public headers"
 
 cp -r "$source/docs/examples/cpp" "$folder/example"
 cmake -S "$folder/example" -B "$folder/built" -DCMAKE_PREFIX_PATH="$folder/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
@@ -36,6 +36,7 @@ cd "$folder"
 ./built/correct_a_pose session | tee told.txt || fail "run"
 grep -q "found: " told.txt || fail "nothing was found"
 grep -qE "corrected, \+- 0\.[0-9]+ mm" told.txt || fail "no pose was corrected"
+grep -q "<robot" calibrated.urdf || fail "no URDF was written"
 grep -q "<handsight_calibration" calibration.xml || fail "no calibration was written"
 status=0
 ./built/correct_a_pose nowhere 2>refused.txt || status=$?

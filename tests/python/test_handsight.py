@@ -95,6 +95,31 @@ class Answers(unittest.TestCase):
                                           atol=1e-12)
 
 
+    def test_export(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "calibrated.urdf"
+            made = handsight.export(self.fit, "urdf", file)
+            self.assertEqual(file.read_text(encoding="utf-8"), made.text)
+            self.assertIn("<robot", made.text)
+            self.assertLessEqual(made.left_mm, made.nominal_mm)
+        self.assertIn("def hand_pose", handsight.export(self.fit, "python").text)
+        with self.assertRaisesRegex(handsight.InputError, "stone"):
+            handsight.export(self.fit, "stone tablet")
+
+    def test_compare(self):
+        expected = told("compare", SAMPLES / "hidden_1", SAMPLES / "hidden_1")
+        found = handsight.compare(self.session, self.session)
+        self.assertEqual(found.verdict, expected["verdict"])
+        self.assertEqual(found.reason, expected["reason"])
+        positions = self.session.positions.copy()
+        positions[:, 2] += 0.004  # the joint's zero is another
+        since = handsight.compare(self.fit, six_axis(positions=positions))
+        self.assertNotEqual(since.verdict, "unchanged")
+        self.assertTrue(since.changes)
+        with self.assertRaises(handsight.InputError):
+            handsight.compare(self.fit, self.session, effects=["joint_offset"])
+
+
 class Arrays(unittest.TestCase):
     def test_a_session_of_arrays_is_the_one_on_disk(self):
         read, made = handsight.read(SAMPLES / "hidden_1"), six_axis()

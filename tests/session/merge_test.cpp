@@ -19,7 +19,7 @@ class MergeOfTwo : public testing::Test {
   }
   static void exclude(Session& session, std::size_t index, const std::string& reason) {
     session.observations[index].decision = Decision::excluded;
-    session.observations[index].reason = reason;
+    session.observations[index].reason = looked_up(reason);
   }
   static void move_labels(Session& session, std::size_t index, double pixels) {
     for (Sighting& s : session.observations[index].sightings)
@@ -29,7 +29,7 @@ class MergeOfTwo : public testing::Test {
     Observation o = session.observations.back();
     o.id += 1;
     o.time = time;
-    o.reason = reason;
+    o.reason = looked_up(reason);
     session.observations.push_back(o);
   }
   double end() const { return base.observations.back().time; }

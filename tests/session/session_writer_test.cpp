@@ -105,7 +105,7 @@ TEST(SessionWriter, MarkersAndDecisionsAreBroughtUpToDate) {
   forget(first.sightings[1], 0);                    // and one less
   first.sightings[1].by = MarkedBy::tracker;
   first.decision = Decision::none;
-  first.reason.clear();
+  first.reason = {};
   session.observations[1].sightings = {seen_at(1, Vector2(5, 6), Vector2(7, 8), MarkedBy::hand)};
   session.observations[1].decision = Decision::accepted;
   session.observations[2].sightings.clear();
@@ -114,6 +114,33 @@ TEST(SessionWriter, MarkersAndDecisionsAreBroughtUpToDate) {
   const std::string text = session_text(session);
   EXPECT_THAT(text, Not(HasSubstr("too far")));
   EXPECT_THAT(text, HasSubstr("right=\"0.3333333333333333 2\""));
+}
+
+/// So that a session is read in the language of who reads it.
+TEST(SessionWriter, AReasonKeepsItsParts) {
+  Session session = parse_session(small_session, "session.xml");
+  const Message reason =
+      message("joints moved {:.1f} deg since observation {}", 0.53, 12) + message(" ({})", "blurred");
+  session.observations[0].decision = Decision::rejected;
+  session.observations[0].reason = reason;
+  const std::string text = session_text(session);
+  EXPECT_THAT(text, HasSubstr("reason=\"joints moved 0.5 deg since observation 12 (blurred)\""));
+  const Message back = reread(session).observations[0].reason;
+  EXPECT_EQ(back, reason);
+  ASSERT_EQ(back.arguments().size(), 2U);
+  EXPECT_EQ(back.arguments()[0].form(), "joints moved %1 deg since observation %2");
+  EXPECT_EQ(back.arguments()[0].arguments()[0].kind(), Message::Kind::number);
+  EXPECT_EQ(back.arguments()[1].arguments()[0].kind(), Message::Kind::form);
+  EXPECT_EQ(session_text(parse_session(text, "session.xml")), text);
+
+  std::string changed = text;  // by a program that knows the text alone
+  changed.replace(changed.find("joints moved 0.5"), 16, "joints moved 0.7");
+  const Message theirs = parse_session(changed, "session.xml").observations[0].reason;
+  EXPECT_EQ(theirs, "joints moved 0.7 deg since observation 12 (blurred)");
+  EXPECT_TRUE(theirs.arguments().empty());
+
+  session.observations[0].reason = "blurred";
+  EXPECT_THAT(session_text(session), Not(HasSubstr("<form")));
 }
 
 TEST(SessionWriter, MarkersStandBeforeTheDecision) {

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "command.h"
 #include "export/exported.h"
 #include "options/predict_source.h"
-#include "printing/json_values.h"
+#include "printing/export_output.h"
 #include "printing/outputs.h"
 
 namespace handsight::cli {
@@ -20,18 +19,6 @@ struct ExportArguments {
   std::string kind, file, lerobot;
   Output output;
 };
-
-Json millimetres(const std::optional<double>& m) { return m ? number(1e3 * *m) : Json(nullptr); }
-
-Json export_json(const ExportArguments& o, const ExportedFile& file) {
-  return {{"kind", o.kind},
-          {"file", o.file},
-          {"left_mm", millimetres(file.left)},
-          {"left_max_mm", millimetres(file.largest_left)},
-          {"nominal_mm", millimetres(file.nominal)},
-          {"poses", file.poses},
-          {"notes", file.notes}};
-}
 
 ExportOptions options_of(const ExportArguments& o) {
   if (!o.lerobot.empty() && o.kind != "lerobot")
@@ -56,7 +43,7 @@ int run(const ExportArguments& o) {
   for (const Message& note : robot.notes) Output::note(note);
   const ExportedFile file = exported_file(robot, o.kind, options_of(o));
   for (const Message& note : file.notes) Output::note(note);
-  o.output.json(export_json(o, file));
+  o.output.json(export_json(o.kind, o.file, file));
   if (o.file == "-") {
     std::cout << file.text;
     return done;

@@ -108,7 +108,7 @@ int run(const LabelArguments& options) {
   std::sort(observation.sightings.begin(), observation.sightings.end(),
             [](const Sighting& a, const Sighting& b) { return a.marker < b.marker; });
   observation.decision = Decision::none;
-  observation.reason.clear();
+  observation.reason = {};
   replace_session(session);
   options.output.json(result);
   options.output.line(fmt::format("Saved: observation {} is labelled.", observation.id));

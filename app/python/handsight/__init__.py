@@ -11,9 +11,9 @@ Units are SI and pixels: m, rad, s, kg, N m, px. A motion `b_from_a` is a 4x4 ma
 from ._core import InputError, version as __version__
 from ._results import Result
 from ._session import Session, motion, read, session
-from ._work import Calibration, check, correct, diagnose, fit, improve, predict, read_calibration
+from ._work import Calibration, check, compare, correct, diagnose, export, fit, improve, predict, read_calibration
 
 __all__ = [
-    "Calibration", "InputError", "Result", "Session", "check", "correct", "diagnose", "fit", "improve", "motion",
-    "predict", "read", "read_calibration", "session",
+    "Calibration", "InputError", "Result", "Session", "check", "compare", "correct", "diagnose", "export", "fit",
+    "improve", "motion", "predict", "read", "read_calibration", "session",
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""check, fit, diagnose, improve, predict, correct."""
+"""check, fit, diagnose, improve, compare, predict, correct, export."""
 
 import os
 
@@ -7,6 +7,14 @@ import numpy
 
 from . import _core
 from ._results import result
+
+
+def _replace(path, text):
+    """Writes a file whole or not at all."""
+    beside = os.fspath(path) + ".new"
+    with open(beside, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(beside, path)
 
 
 class Calibration:
@@ -20,10 +28,7 @@ class Calibration:
 
     def save(self, path):
         """Writes the calibration XML, which handsight-cli and the window read."""
-        beside = os.fspath(path) + ".new"
-        with open(beside, "w", encoding="utf-8") as file:
-            file.write(self.text)
-        os.replace(beside, path)
+        _replace(path, self.text)
 
 
 def read_calibration(path, robot):
@@ -58,6 +63,30 @@ def diagnose(session, effects=()):
 def improve(session, effects=(), *, names_only=False):
     """Diagnose, add, refit, again: steps, verdict, all that fit tells of the last model, and `calibration`."""
     return _fitted(_core.improve(session._core, list(effects), names_only))
+
+
+def compare(before, after, effects=()):
+    """What has changed: verdict, reason, changes (best first), numbers, hand_mean_mm ... of `handsight-cli compare`.
+
+    before: a session, or a calibration (what fit, improve or read_calibration returned) against which a few poses are
+    enough. after: a later session. effects: in the model of both sessions, estimated.
+    """
+    if hasattr(before, "_core") and not isinstance(before, Calibration):
+        return result(_core.compare(before._core, after._core, list(effects)))
+    if effects:
+        raise _core.InputError("effects are for two sessions; a calibration has its own.")
+    return result(_core.compare_since(_calibration(before), after._core))
+
+
+def export(calibration, kind, path=None):
+    """The robot as another kind of file ("urdf", "mjcf", "dh", "cpp" ...; docs/formats.md), written to path if one is
+    given: text, left_mm (rms distance of the file's hand from the calibration's), nominal_mm, notes."""
+    told, text = _core.export_robot(_calibration(calibration), kind, "" if path is None else os.fspath(path))
+    found = result(told)
+    found["text"] = text
+    if path is not None:
+        _replace(path, text)
+    return found
 
 
 def _poses(positions):

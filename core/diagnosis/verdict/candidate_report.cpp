@@ -43,7 +43,8 @@ bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
   for (const EffectTerm& term : terms) {
     const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > 3 * prior_sigma(effect.parameters[p], chain))
+      if (!effect.parameters[p].is_choice &&
+          std::abs(term.values[p]) > largest_plausible * prior_sigma(effect.parameters[p], chain))
         return false;
   }
   return true;

@@ -20,6 +20,9 @@ struct StandIn {
 /// by eye and links printed at home are many times what is usual, and true.
 inline constexpr double largest_built = 30;
 
+/// Usual sizes (prior sigmas) up to which a number is plausible.
+inline constexpr double largest_plausible = 3;
+
 /// Is a number of the term that a fit moves larger than robots are built (largest_built)?
 bool is_too_large(const EffectTerm& term, const Chain& chain);
 

@@ -15,7 +15,7 @@ bool moved_enough(const Joint& joint, double change, const OnlineOptions& option
 
 Message excluded_text(const Observation& observation) {
   if (observation.reason.empty()) return "excluded by the user";
-  return message("excluded by the user: {}", looked_up(observation.reason));
+  return message("excluded by the user: {}", observation.reason);
 }
 
 Message motion_refusal(const Chain& chain, const OnlineOptions& options, const Eigen::VectorXd& last,

@@ -223,7 +223,7 @@ std::vector<Unused> unused(const Session& session) {
                                                                           : "no marker is labelled";
   for (const Observation& o : session.observations) {
     if (is_used(o)) continue;
-    const Message why = o.reason.empty() ? "no reason given" : looked_up(o.reason);
+    const Message why = o.reason.empty() ? "no reason given" : o.reason;
     Message reason = shows_nothing;
     if (o.decision == Decision::rejected) reason = message("rejected: {}", why);
     if (o.decision == Decision::excluded) reason = message("excluded: {}", why);

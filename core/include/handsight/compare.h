@@ -15,4 +15,7 @@ namespace handsight {
 Comparison compare(const Session& before, const Session& after, const Model& model,
                    const ComparisonProgress& progress = {});
 
+// Declared beside it, in compare/comparison.h: a calibration and a later session of a few poses (whether camera, hand
+// and arm are as they were), and two calibrations (their numbers, and how far the hand is between them).
+
 }  // namespace handsight

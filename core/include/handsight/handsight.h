@@ -12,6 +12,7 @@
 /// const handsight::Improvement found = handsight::improve(session, handsight::Model{});
 /// const handsight::CalibratedRobot robot = handsight::calibrated_robot(session, found);
 /// const handsight::Correction command = handsight::correct(robot, session.observations[0].position);
+/// handsight::save_robot("calibrated.urdf", robot, "urdf");
 /// @endcode
 /// Everything is in the namespace `handsight`. Lengths are in m, angles in rad, image points in px, times in s; a
 /// motion `a_from_b` carries points from frame b to frame a. Values are plain data; functions change nothing that is
@@ -27,6 +28,7 @@
 #include "handsight/correct.h"
 #include "handsight/diagnose.h"
 #include "handsight/error.h"
+#include "handsight/export.h"
 #include "handsight/fit.h"
 #include "handsight/improve.h"
 #include "handsight/model.h"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "correct/calibrated_robot.h"
 #include "handsight/improve.h"
@@ -31,5 +32,8 @@ void save_calibration(const std::filesystem::path& file, const CalibratedRobot& 
 /// sure that is. Where the sensor rides on the hand, the hand is the sensor's link.
 /// Throws InputError where the number of angles is not that of the joints, or one is not finite.
 TcpPrediction predict(const CalibratedRobot& robot, const Eigen::VectorXd& position);
+
+/// The same for many poses, in their order.
+std::vector<TcpPrediction> predict(const CalibratedRobot& robot, const std::vector<Eigen::VectorXd>& positions);
 
 }  // namespace handsight

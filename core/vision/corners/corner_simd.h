@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__ELF__)
+#if defined(__x86_64__) && defined(__ELF__) && !defined(HANDSIGHT_NO_CLONES)
 #define HANDSIGHT_LANES __attribute__((target_clones("avx2", "default")))
 #define HANDSIGHT_WIDE __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw")))
 #else

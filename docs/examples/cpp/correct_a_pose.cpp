@@ -36,7 +36,14 @@ int main(int argc, char** argv) {
     std::printf("  off by %.3f mm as commanded, %.6f mm corrected, +- %.3f mm\n", 1e3 * command.error_before_m,
                 1e3 * command.error_after_m, 1e3 * command.sigma_m);
 
+    // For the next program, and for other software.
     handsight::save_calibration("calibration.xml", robot);
+    const handsight::ExportedFile urdf = handsight::save_robot("calibrated.urdf", robot, "urdf");
+    std::printf("  calibrated.urdf is %.3f mm from the calibration, the robot as described %.3f mm\n",
+                1e3 * urdf.left.value_or(0), 1e3 * urdf.nominal.value_or(0));
+
+    // Weeks later: is everything as it was? Here the same session stands for the new one.
+    std::printf("  %s\n", handsight::compare(robot, session).sentence.english().c_str());
     return command.reached ? 0 : 1;
   } catch (const handsight::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());

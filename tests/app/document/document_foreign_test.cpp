@@ -26,7 +26,7 @@ class TwoWriters : public testing::Test {
     QObject::connect(&document, &Document::collided, [this] { ++asked; });
   }
   static EditableState decided(const Observation& o, Decision decision, const std::string& reason) {
-    return {o.sightings, decision, reason};
+    return {o.sightings, decision, looked_up(reason)};
   }
   static EditableState moved(const Observation& o, double pixels) {
     EditableState state = read_state(o);
@@ -50,7 +50,7 @@ class TwoWriters : public testing::Test {
   void exclude_there(std::size_t index, const std::string& reason) {
     there([&](Session& s) {
       s.observations[index].decision = Decision::excluded;
-      s.observations[index].reason = reason;
+      s.observations[index].reason = looked_up(reason);
     });
   }
   Session on_disk() const { return read_session(session); }
@@ -338,7 +338,7 @@ TEST_F(TwoWriters, In200RoundsNothingDisappearsWithoutAWord) {
       ASSERT_EQ(s.observations[mine].reason, in_window) << round;
       ASSERT_EQ(s.observations[theirs].reason, "there " + name) << round;
     } else {
-      ASSERT_TRUE(s.observations[mine].reason.ends_with(" " + name)) << round;
+      ASSERT_TRUE(s.observations[mine].reason.english().ends_with(" " + name)) << round;
     }
   }
   EXPECT_GT(collisions, 0);

@@ -254,6 +254,9 @@ TEST(Edits, ReadBackBitForBit) {
   EXPECT_FALSE(read[1].by_distance);
   EXPECT_TRUE(read[2].by_distance);
   EXPECT_EQ(again.settings->after, edit.settings->after);
+  Edit with_parts = edit;
+  with_parts.observations[0].after.reason = message("rejected: {}", "blurred");
+  EXPECT_EQ(parse_edit(edit_text(with_parts)).observations[0].after.reason.form(), "rejected: %1");
   EXPECT_EQ(edit_text(edit).find('\n'), std::string::npos) << "one line";
   EXPECT_THROW(parse_edit("{\"sentence\":1}"), InputError);
 }

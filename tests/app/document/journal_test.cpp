@@ -32,7 +32,7 @@ class JournalTest : public testing::Test {
     const Observation& o = document.session().observations[index];
     EditableState after = read_state(o);
     after.decision = Decision::excluded;
-    after.reason = reason;
+    after.reason = looked_up(reason);
     return document.make_edit(QString("excluded observation %1").arg(o.id), {{o.id, after}});
   }
   TemporaryFolder folder;

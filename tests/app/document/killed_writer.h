@@ -14,7 +14,7 @@ inline app::Edit numbered_action(const app::Document& document, int n) {
   const Observation& o = observations[static_cast<std::size_t>(n) % observations.size()];
   EditableState after = read_state(o);
   after.decision = Decision::excluded;
-  after.reason = "action " + std::to_string(n);
+  after.reason = verbatim("action " + std::to_string(n));
   return document.make_edit("action " + QString::number(n), {{o.id, after}});
 }
 

@@ -20,7 +20,7 @@ TEST_F(Live, ArrivalsAreActionsThatOutliveAKillAndAreSaved) {
     Observation o = one(id);
     o.sightings.clear();
     o.decision = Decision::none;
-    o.reason.clear();
+    o.reason = {};
     return Edit{.sentence = "arrived", .added = {o}};
   };
   const std::string untouched = read_file(home / "session.xml");
