@@ -383,7 +383,8 @@ class Work {
     path = std::move(other_path);
   }
 
-  /// Which effects are nearly the same term on these poses, or too near in evidence.
+  /// Which effects are nearly the same term on these poses, or too near in evidence; never one that the evidence
+  /// clearly prefers, from which the measurements do tell it.
   void tell_apart() {
     for (std::size_t i = 0; i < d_.candidates.size() && i < 12; ++i) {
       DiagnosisCandidate& a = d_.candidates[i];
@@ -392,6 +393,7 @@ class Work {
         if (other.candidate->effect->id == a.id || other.visibility < least_visible_rival) continue;
         const auto b = std::find_if(d_.candidates.begin(), d_.candidates.end(),
                                     [&](const DiagnosisCandidate& c) { return c.id == other.candidate->effect->id; });
+        if (b->ln_bayes_factor > a.ln_bayes_factor + ln_20) continue;
         const bool near = a.ln_bayes_factor >= d_.threshold && b->ln_bayes_factor > a.ln_bayes_factor - ln_20;
         if (near || overlap(a, other) > same_term) a.indistinguishable_from.push_back(b->id);
       }
