@@ -1464,7 +1464,7 @@
     </message>
     <message>
         <source>Error now, noise floor, ratio</source>
-        <translation>Fehler jetzt, Rauschgrenze, Verhältnis</translation>
+        <translation>Fehler jetzt, Grundrauschen, Verhältnis</translation>
     </message>
     <message>
         <source>Error of each observation against the noise (hatched: what noise alone shows)</source>
@@ -1924,7 +1924,7 @@
     </message>
     <message>
         <source>Looking for what is missing</source>
-        <translation>Suche, was fehlt</translation>
+        <translation>Ursachensuche</translation>
     </message>
     <message>
         <source>Looking where %1 would act</source>
@@ -3700,7 +3700,7 @@
     </message>
     <message>
         <source>noise floor</source>
-        <translation>Rauschgrenze</translation>
+        <translation>Grundrauschen</translation>
     </message>
     <message>
         <source>noise unknown</source>
@@ -4530,7 +4530,7 @@
     </message>
     <message>
         <source>adequate</source>
-        <translation>ausreichend</translation>
+        <translation>stimmt</translation>
     </message>
     <message>
         <source>ambiguous</source>
@@ -12277,7 +12277,7 @@
     </message>
     <message>
         <source>One more hour (about %1 poses at %2 s each) would bring the body's place on the hand from +-%3 mm to +-%4 mm, as the model has it.</source>
-        <translation>Eine Stunde mehr (etwa %1 Posen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
+        <translation>Eine Stunde mehr (etwa %1 Stellungen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
     </message>
     <message>
         <source>--until %1: expected hand=0.3mm, odds=20, count=60 or time=30min (um, mm, cm, m; s, min, h), several with | between.</source>
