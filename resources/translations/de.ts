@@ -41,12 +41,12 @@
         <translation>Kein grober Fehler, der sich berichtigen ließe, erklärt diese Sitzung.</translation>
     </message>
     <message>
-        <source>With it the model misses by %1; put right, %2 is left.</source>
-        <translation>Damit liegt das Modell um %1 daneben; berichtigt bleiben %2.</translation>
+        <source>Fitted with it, %1 are left; put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; berichtigt %2.</translation>
     </message>
     <message>
-        <source>With them the model misses by %1; both put right, %2 is left.</source>
-        <translation>Damit liegt das Modell um %1 daneben; beide berichtigt bleiben %2.</translation>
+        <source>Fitted with them, %1 are left; both put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; beide berichtigt %2.</translation>
     </message>
     <message>
         <source>Add it: press the blue button. The fit runs before your eyes.</source>
@@ -813,10 +813,6 @@
     <message>
         <source>: %1</source>
         <translation>: %1</translation>
-    </message>
-    <message>
-        <source>: %1 %</source>
-        <translation>: %1 %</translation>
     </message>
     <message>
         <source>; %1 not shown, without a residual or not used</source>
@@ -8688,8 +8684,8 @@
         <translation>Zwei Kalibrierungen sagen, welche Zahlen sich unterscheiden, nicht warum; was sich geändert hat, sagt ein Vergleich der Sitzungen.</translation>
     </message>
     <message>
-        <source>Joint %1 lost its zero: it stands %2 +- %3 %4 further than it reads</source>
-        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 +- %3 %4 weiter, als es anzeigt</translation>
+        <source>Joint %1 lost its zero: it stands %2 further than it reads</source>
+        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
     </message>
     <message>
         <source>The hand carries %1 +- %2 kg more than it did</source>
