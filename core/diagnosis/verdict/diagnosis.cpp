@@ -25,7 +25,7 @@
 namespace handsight {
 namespace {
 
-constexpr double same_term = 0.98;  // overlap of two effects' signals on these poses
+constexpr double same_term = 0.98;                 // overlap of two effects' signals on these poses
 constexpr double ln_million = 13.815510557964274;  // odds beyond which no overlap makes two causes one
 constexpr double significant_pattern = 1e-3;
 constexpr std::size_t most_patterns = 40;
