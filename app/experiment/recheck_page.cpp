@@ -115,6 +115,7 @@ QWidget* RecheckPage::make_plots() {
   number_->setObjectName("recheck_number");
   number_->setAccessibleName(tr("The number whose history is shown"));
   number_->setMinimumHeight(widgets::control_height);
+  connect(number_, &QComboBox::activated, this, [this] { is_number_chosen_ = true; });
   number_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* right = new QWidget(this);
   auto* column = new QVBoxLayout(right);
@@ -226,7 +227,7 @@ void RecheckPage::show_entries() {
     if (!entries_.empty())
       for (const RecheckNumber& n : entries_.back().numbers)
         number_->addItem(display_name(n), QString::fromStdString(find_key(n)));
-    number_->setCurrentIndex(std::max(0, chosen.isEmpty() ? telling_number() : number_->findData(chosen)));
+    number_->setCurrentIndex(std::max(0, is_number_chosen_ ? number_->findData(chosen) : telling_number()));
     number_->setEnabled(number_->count() > 0);
   }
   show_number();

@@ -45,6 +45,7 @@ class RecheckPage : public QWidget {
   QLabel *said_, *more_;
   widgets::HistoryPlot *e_values_, *history_;
   QComboBox* number_;
+  bool is_number_chosen_ = false;  // by the user: else the one that tells what has changed is shown
   std::vector<RecheckEntry> entries_;
   Jobs jobs_;  // after what its work reports to: it dies first
 };

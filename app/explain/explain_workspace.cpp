@@ -61,14 +61,14 @@ void ExplainWorkspace::make_layout() {
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(columns);
   rows->addWidget(watching_);
-  rows->setStretchFactor(0, 1);
-  rows->setStretchFactor(1, 0);
+  rows->setStretchFactor(0, 3);  // on a large screen the robot grows too
+  rows->setStretchFactor(1, 1);
   rows->setSizes({490, 190});
   rows->setChildrenCollapsible(false);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(0, 0, 0, 0);
   head->addWidget(verdict_, 1);
-  head->addWidget(tour, 0, Qt::AlignTop);
+  head->addWidget(tour, 0, Qt::AlignVCenter);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);

@@ -85,10 +85,17 @@ void FailingPane::make_layout() {
 /// With little height three plots that can be read are more than six that cannot.
 void FailingPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int high_enough = 460, one_row = 108;
-  const int rows = height() < high_enough ? 1 : 2;
-  page_->setMaximumHeight(rows == 1 ? one_row : QWIDGETSIZE_MAX);
-  page_->set_rows(rows);
+  lay_out_page();
+}
+
+/// What one row of plots does not need is the large one's: a proof of three plots leaves no empty row.
+void FailingPane::lay_out_page() {
+  constexpr int high_enough = 460, lowest_row = 108, highest_row = 160;
+  const bool has_room = height() >= high_enough;
+  const bool one_row = !has_room || (shows_proof() && proof_.plots.size() <= 3);
+  const int row = has_room ? std::clamp(height() / 5, lowest_row, highest_row) : lowest_row;
+  page_->setMaximumHeight(one_row ? row : QWIDGETSIZE_MAX);
+  page_->set_rows(one_row ? 1 : 2);
 }
 
 void FailingPane::connect_all() {
@@ -257,6 +264,7 @@ std::vector<widgets::PatternPlot> FailingPane::all_plots(const ModelResiduals& r
 void FailingPane::refill(bool fit_axes) {
   if (!residuals_) return;
   is_proof_drawn_ = shows_proof();
+  lay_out_page();
   if (fit_axes) {
     page_->set_plots(all_plots(*residuals_, nullptr));
   } else {

@@ -69,6 +69,7 @@ class FailingPane : public QWidget {
 
  private:
   void make_layout();
+  void lay_out_page();
   void connect_all();
   void choose_plot(int place);
   void fill_large();

@@ -257,8 +257,11 @@ void ExportWorkspace::refresh_excluded(const ModelVersion& model) {
     const auto pose = std::find_if(fresh.begin(), fresh.end(), [&](const FreshPose& p) { return p.id == u.id; });
     excluded_->setItem(r, 1, new QTableWidgetItem(pose == fresh.end() ? QStringLiteral("-") : fresh_text(*pose)));
   }
-  excluded_->resizeColumnToContents(0);
-  excluded_->resizeColumnToContents(1);
+  constexpr int gap = 12;  // else a text that ends and one that begins read as one
+  for (int column = 0; column < 2; ++column) {
+    excluded_->resizeColumnToContents(column);
+    excluded_->setColumnWidth(column, excluded_->columnWidth(column) + gap);
+  }
   excluded_->resizeRowsToContents();
 }
 

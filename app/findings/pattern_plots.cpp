@@ -128,7 +128,7 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   plot.id = QString::fromStdString(key.residual + " / " + key.variable);
   plot.what = translated(series.name);
   plot.against = translated(variable.name);
-  plot.x_unit = QString::fromStdString(variable.unit);
+  if (variable.unit != "number") plot.x_unit = QString::fromStdString(variable.unit);  // an order has no unit
   plot.y_unit = shown.unit;
   constexpr double weak = 2.5;
   const double usual = median(series.sigmas);

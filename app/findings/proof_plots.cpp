@@ -55,7 +55,7 @@ widgets::PatternPlot proof_plot(const ProofPlot& proof, const Workbench& workben
   plot.id = QString::fromStdString("proof " + proof.of + " " + proof.quantity.english());
   plot.what = number_title(proof.quantity);
   plot.against = translated(proof.against);
-  plot.x_unit = translated(proof.against_unit);
+  if (proof.against_unit != "number") plot.x_unit = translated(proof.against_unit);  // an order has no unit
   plot.y_unit = unit.unit;
   const double noise = unit.scale * proof.noise;
   for (const ProofPoint& p : proof.points) {

@@ -154,8 +154,8 @@ void BlunderBar::refresh() {
   text_->setText(QString::fromUtf8("▲  ") + lines.join('\n'));
   const Blunder& first = found_.front();
   sizes_->setVisible(first.is_by_fit);
-  sizes_->setText((found_.size() == 1 ? tr("With it the model misses by %1; put right, %2 is left.")
-                                      : tr("With them the model misses by %1; both put right, %2 is left."))
+  sizes_->setText((found_.size() == 1 ? tr("Fitted with it, %1 are left; put right, %2.")
+                                      : tr("Fitted with them, %1 are left; both put right, %2."))
                       .arg(size_text(first, first.rms_before), size_text(first, first.rms_after)));
   write_->setEnabled(true);
   QPalette tinted = palette();

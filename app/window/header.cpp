@@ -189,10 +189,18 @@ void Header::refresh_job() {
   progress_->setVisible(shown);
   cancel_->setVisible(shown);
   if (!shown) return job_->clear();
+  const QString share = state.share > 0 ? tr("%1 %").arg(static_cast<int>(100 * state.share)) : QString();
   QString text = state.title;
-  if (state.share > 0) text += tr(": %1 %").arg(static_cast<int>(100 * state.share));
+  if (!share.isEmpty()) text += ": " + share;
+  const QString titled = text;
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
-  job_->setText(job_->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(job_->width() - 4, 40)));
+  // Where there is no room the name stays with its tool tip: a word cut in its middle says nothing.
+  const int room = std::max(job_->width() - 4, 40);
+  const QFontMetrics metrics = job_->fontMetrics();
+  const QString fits = metrics.horizontalAdvance(text) <= room     ? text
+                       : metrics.horizontalAdvance(titled) <= room ? titled
+                                                                   : share;
+  job_->setText(metrics.elidedText(fits.isEmpty() ? text : fits, Qt::ElideMiddle, room));
   job_->setToolTip(text);
   progress_->setRange(0, state.share > 0 ? 1000 : 0);
   progress_->setValue(static_cast<int>(1000 * state.share));

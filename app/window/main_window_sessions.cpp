@@ -90,6 +90,7 @@ bool MainWindow::open_beside(const std::filesystem::path& file) {
       [this](const Read& read) {
         try {
           workbench_.document.open(std::move(*read));
+          read_out_->show_message({});  // it is there: nothing is being opened any more
         } catch (const std::exception& error) {
           show_not_opened(translated_error(error));
         }

@@ -26,13 +26,21 @@ constexpr Kind kinds[] = {{"camera_mount", "camera_mount", false},
                           {"payload", "payload", false},
                           {"joint_elasticity", "joint_elasticity", false}};
 
+/// Sigma in two digits, and the value to the same place.
+Message measured(double value, double sigma, const char* unit) {
+  if (!(sigma > 0)) return message("{:.3g} +- {:.2g} {}", value, sigma, unit);
+  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
+  return message("{} +- {} {}", number(fmt::format("{:.{}f}", value, places)),
+                 number(fmt::format("{:.{}f}", sigma, places)), unit);
+}
+
 /// A length and its sigma along it, of three numbers.
 Message size_text(const std::vector<double>& v, const Eigen::VectorXd& sigma, std::size_t first, double unit,
                   const char* name) {
   const auto i = static_cast<Eigen::Index>(first);
   const Vector3 x(v[first], v[first + 1], v[first + 2]), s(sigma[i], sigma[i + 1], sigma[i + 2]);
   const double length = x.norm(), along = length > 0 ? x.cwiseProduct(s).norm() / length : s.norm();
-  return message("{:.3g} +- {:.2g} {}", length * unit, along * unit, name);
+  return measured(length * unit, along * unit, name);
 }
 
 }  // namespace
@@ -92,8 +100,8 @@ Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms
   if (id == "joint_offset") {
     const bool slides = own_unit == "m";
     const double scale = slides ? 1e3 : degrees;
-    return message("Joint {} lost its zero: it stands {:.3g} +- {:.2g} {} further than it reads", unit.where,
-                   v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees");
+    return message("Joint {} lost its zero: it stands {} further than it reads", unit.where,
+                   measured(v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees"));
   }
   if (id == "payload") return message("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
   if (id == "joint_elasticity")

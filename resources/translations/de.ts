@@ -41,12 +41,12 @@
         <translation>Kein grober Fehler, der sich berichtigen ließe, erklärt diese Sitzung.</translation>
     </message>
     <message>
-        <source>With it the model misses by %1; put right, %2 is left.</source>
-        <translation>Damit liegt das Modell um %1 daneben; berichtigt bleiben %2.</translation>
+        <source>Fitted with it, %1 are left; put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; berichtigt %2.</translation>
     </message>
     <message>
-        <source>With them the model misses by %1; both put right, %2 is left.</source>
-        <translation>Damit liegt das Modell um %1 daneben; beide berichtigt bleiben %2.</translation>
+        <source>Fitted with them, %1 are left; both put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; beide berichtigt %2.</translation>
     </message>
     <message>
         <source>Add it: press the blue button. The fit runs before your eyes.</source>
@@ -815,10 +815,6 @@
         <translation>: %1</translation>
     </message>
     <message>
-        <source>: %1 %</source>
-        <translation>: %1 %</translation>
-    </message>
-    <message>
         <source>; %1 not shown, without a residual or not used</source>
         <translation>; %1 nicht gezeigt, ohne Rest oder nicht benutzt</translation>
     </message>
@@ -1472,7 +1468,7 @@
     </message>
     <message>
         <source>Error now, noise floor, ratio</source>
-        <translation>Fehler jetzt, Rauschgrenze, Verhältnis</translation>
+        <translation>Fehler jetzt, Grundrauschen, Verhältnis</translation>
     </message>
     <message>
         <source>Error of each observation against the noise (hatched: what noise alone shows)</source>
@@ -1932,7 +1928,7 @@
     </message>
     <message>
         <source>Looking for what is missing</source>
-        <translation>Suche, was fehlt</translation>
+        <translation>Ursachensuche</translation>
     </message>
     <message>
         <source>Looking where %1 would act</source>
@@ -3708,7 +3704,7 @@
     </message>
     <message>
         <source>noise floor</source>
-        <translation>Rauschgrenze</translation>
+        <translation>Grundrauschen</translation>
     </message>
     <message>
         <source>noise unknown</source>
@@ -4538,7 +4534,7 @@
     </message>
     <message>
         <source>adequate</source>
-        <translation>ausreichend</translation>
+        <translation>stimmt</translation>
     </message>
     <message>
         <source>ambiguous</source>
@@ -8727,8 +8723,8 @@
         <translation>Zwei Kalibrierungen sagen, welche Zahlen sich unterscheiden, nicht warum; was sich geändert hat, sagt ein Vergleich der Sitzungen.</translation>
     </message>
     <message>
-        <source>Joint %1 lost its zero: it stands %2 +- %3 %4 further than it reads</source>
-        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 +- %3 %4 weiter, als es anzeigt</translation>
+        <source>Joint %1 lost its zero: it stands %2 further than it reads</source>
+        <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
     </message>
     <message>
         <source>The hand carries %1 +- %2 kg more than it did</source>
@@ -12344,7 +12340,7 @@
     </message>
     <message>
         <source>One more hour (about %1 poses at %2 s each) would bring the body's place on the hand from +-%3 mm to +-%4 mm, as the model has it.</source>
-        <translation>Eine Stunde mehr (etwa %1 Posen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
+        <translation>Eine Stunde mehr (etwa %1 Stellungen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
     </message>
     <message>
         <source>--until %1: expected hand=0.3mm, odds=20, count=60 or time=30min (um, mm, cm, m; s, min, h), several with | between.</source>

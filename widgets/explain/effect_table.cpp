@@ -44,8 +44,6 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
   QHeaderView& header = *view_->horizontalHeader();
   header.setHighlightSections(false);
   header.setFixedHeight(control_height);
-  const int widths[] = {150, 176};
-  for (int i = 0; i < 2; ++i) view_->setColumnWidth(i, widths[i]);
   header.setSectionResizeMode(2, QHeaderView::Stretch);
   header.setSectionResizeMode(3, QHeaderView::Stretch);
   header.setMinimumSectionSize(32);
@@ -72,7 +70,24 @@ EffectTable::EffectTable(QWidget* parent) : QWidget(parent) {
 
 void EffectTable::set_rows(std::vector<EffectRow> rows) {
   model_->set_rows(std::move(rows));
+  fit_columns();
   update_summary();
+}
+
+/// Name and verdict are whole; where it is has the rest, and its tool tip.
+void EffectTable::fit_columns() {
+  constexpr int least_name = 150, least_verdict = 176, beside_text = 2 * layout_gap, mark = 24;
+  const QFontMetrics metrics(text_font(TextRole::body));
+  const auto width = [&](int row, int column) {
+    return metrics.horizontalAdvance(model_->index(row, column).data().toString()) + beside_text;
+  };
+  int name = least_name, verdict = least_verdict;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    name = std::max(name, width(row, 0));
+    verdict = std::max(verdict, width(row, 1) + mark);
+  }
+  view_->setColumnWidth(0, name);
+  view_->setColumnWidth(1, verdict);
 }
 
 void EffectTable::set_filter(const QString& text) { text_->setText(text); }

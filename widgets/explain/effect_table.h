@@ -38,6 +38,7 @@ class EffectTable : public QWidget {
 
  private:
   QString id_at(int row) const;
+  void fit_columns();
   void update_summary();
 
   EffectTableModel* model_;

@@ -25,7 +25,8 @@
 namespace handsight {
 namespace {
 
-constexpr double same_term = 0.98;  // overlap of two effects' signals on these poses
+constexpr double same_term = 0.98;                 // overlap of two effects' signals on these poses
+constexpr double ln_million = 13.815510557964274;  // odds beyond which no overlap makes two causes one
 constexpr double significant_pattern = 1e-3;
 constexpr std::size_t most_patterns = 40;
 constexpr double ln_of_idle = 4;   // what places that show little alone must bring together to stay
@@ -383,7 +384,8 @@ class Work {
     path = std::move(other_path);
   }
 
-  /// Which effects are nearly the same term on these poses, or too near in evidence.
+  /// Which effects are nearly the same term on these poses, or too near in evidence; never one that the evidence
+  /// clearly prefers, nor one that it leaves a million to one behind: from these the measurements do tell it.
   void tell_apart() {
     for (std::size_t i = 0; i < d_.candidates.size() && i < 12; ++i) {
       DiagnosisCandidate& a = d_.candidates[i];
@@ -392,6 +394,8 @@ class Work {
         if (other.candidate->effect->id == a.id || other.visibility < least_visible_rival) continue;
         const auto b = std::find_if(d_.candidates.begin(), d_.candidates.end(),
                                     [&](const DiagnosisCandidate& c) { return c.id == other.candidate->effect->id; });
+        if (b->ln_bayes_factor > a.ln_bayes_factor + ln_20 || b->ln_bayes_factor < a.ln_bayes_factor - ln_million)
+          continue;
         const bool near = a.ln_bayes_factor >= d_.threshold && b->ln_bayes_factor > a.ln_bayes_factor - ln_20;
         if (near || overlap(a, other) > same_term) a.indistinguishable_from.push_back(b->id);
       }

@@ -2,6 +2,7 @@
 #include "experiment/loop/experiment_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.h"
 #include "diagnosis/verdict/explanation.h"
@@ -12,6 +13,12 @@ namespace {
 
 constexpr int most_batches_without = 3;  // choices in a row that found no pose
 constexpr int poses_for_limit = 150;
+
+/// Two digits, as the window says them: nobody knows odds better.
+double rounded_odds(double odds) {
+  const double step = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(odds, 1.0))) - 1));
+  return std::round(odds / step) * step;
+}
 
 /// Why everything that was asked for is reached.
 Message reached_text(const Goals& until, const ExperimentResult& result) {
@@ -24,7 +31,7 @@ Message reached_text(const Goals& until, const ExperimentResult& result) {
                             hand)
                       : Message("What was asked for is reached: nothing is missing that these poses could show.");
   const Message odds = result.settled->odds > 1e6 ? Message("more than a million to one")
-                                                  : message("about {:.0f} to 1", result.settled->odds);
+                                                  : message("about {:.0f} to 1", rounded_odds(result.settled->odds));
   const Effect* const effect = find_effect(result.settled->id);
   Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
   if (!result.settled->where.empty()) cause = message("{} ({})", cause, listed_places(result.settled->where));

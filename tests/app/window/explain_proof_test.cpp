@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
+#include <QTableView>
+
 #include "app/window/explain_fixture.h"
 #include "widgets/base/number_text.h"
+#include "widgets/base/theme.h"
+#include "widgets/explain/effect_table.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/plots/scatter_plot.h"
@@ -64,6 +68,35 @@ TEST_F(Explain, TheCardThatIsLookedAtShowsItsProofAndAfterTheAdditionItIsLevel) 
 }
 
 /// Who looks at another card's proof may go there and touch it; elsewhere that of the cause that leads comes again.
+/// Three plots need one row: the large one takes what a second would have had.
+TEST_F(Explain, AProofOfThreePlotsLeavesNoEmptyRow) {
+  open("hidden_3");
+  desk.window.resize(1600, 1000);
+  auto* page = desk.find<widgets::PatternPage>("pattern_page");
+  auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");
+  ASSERT_TRUE(desk.wait([&] { return page->plots().size() == 3 && page->rows() == 1; }));
+  EXPECT_GT(plot->height(), 2 * page->height());
+  desk.press_button("tab_patterns");
+  ASSERT_TRUE(desk.wait([&] { return page->rows() == 2; }));
+}
+
+/// Name and verdict of every effect are whole, at the laptop's width too.
+TEST_F(Explain, WhyNotSaysEachVerdictWhole) {
+  open("hidden_3");
+  desk.window.resize(1366, 768);
+  desk.click(explain.cards()->why_not_button());
+  auto* table = desk.find<widgets::EffectTable>("effect_table");
+  auto* view = table->findChild<QTableView*>();
+  ASSERT_GT(view->model()->rowCount(), 20);
+  const QFontMetrics metrics(widgets::text_font(widgets::TextRole::body));
+  for (int row = 0; row < view->model()->rowCount(); ++row)
+    for (int column = 0; column < 2; ++column) {
+      const QString text = view->model()->index(row, column).data().toString();
+      EXPECT_LT(metrics.horizontalAdvance(text) + (column == 1 ? 24 : 0), view->columnWidth(column))
+          << text.toStdString();
+    }
+}
+
 TEST_F(Explain, TheProofStaysWhileThePointerIsOnIt) {
   open("hidden_3");
   ASSERT_GT(explain.cards()->count(), 1);

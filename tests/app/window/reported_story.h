@@ -129,7 +129,7 @@ struct Told {
 
   void expect_rail() {
     const app::WorkStatus inspect = rail("rail_inspect"), explained = rail("rail_explain");
-    if (story().many_beyond()) EXPECT_NE(inspect.line, "nothing odd") << story().beyond << " of " << story().used;
+    if (story().beyond > 0) EXPECT_NE(inspect.line, "nothing odd") << story().beyond << " of " << story().used;
     EXPECT_EQ(explained.line == "nothing is missing",
               story().state == StoryState::at_the_noise && story().stands_in.empty())
         << explained.line.toStdString();

@@ -43,6 +43,15 @@ TEST_F(SameWords, WhereAllAreBeyondTheNoiseAFewOddOnesAreNotTheWord) {
             QString("%1 of %2 beyond 3 σ").arg(reported.story().beyond).arg(reported.story().used));
 }
 
+/// The histogram beside it counts them: nothing odd would be another word for the same picture.
+TEST_F(SameWords, AFewBeyondTheNoiseAreNotNothing) {
+  open_path(make_copy("hidden_6"));
+  const Story& story = reported.story();
+  ASSERT_GT(story.beyond, 0);
+  ASSERT_FALSE(story.many_beyond());
+  EXPECT_EQ(reported.rail("rail_inspect").line, QString("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used));
+}
+
 TEST_F(SameWords, WhatTheRobotHasNoPlaceForIsNotSaidOfThePoses) {
   open("hidden_2");
   EXPECT_TRUE(explain.verdict().sentence.contains("could not show: base tilt"))

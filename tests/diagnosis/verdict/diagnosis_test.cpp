@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "base/threads.h"
@@ -86,6 +87,25 @@ TEST(Diagnosis, TheBestCandidatesFitCanBeFollowed) {
   for (const EffectTerm& term : best.terms)
     EXPECT_EQ(term.values[0], best.path.back().unknowns.effects[number++]) << "joint " << term.place;
   EXPECT_EQ(number, best.path.back().unknowns.effects.size());
+}
+
+/// What fits far worse is told from the best, whatever they have in common, and the best from it.
+TEST(Diagnosis, WhatTheEvidenceTellsApartIsNotSaidToLookTheSame) {
+  constexpr double ln_20 = 2.995732273553991, ln_million = 13.815510557964274;
+  const Diagnosis d =
+      diagnose(simulated({{"joint_elasticity", 1, {1.5e-4}}, {"joint_elasticity", 2, {1e-4}}}, 7), quick());
+  std::map<std::string, double> evidence;
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (!c.unnamed) evidence[c.id] = c.ln_bayes_factor;
+  int worse = 0;
+  for (const DiagnosisCandidate& c : d.candidates) {
+    worse += !c.unnamed && c.ln_bayes_factor > 1 && c.ln_bayes_factor < d.candidates.front().ln_bayes_factor - ln_20;
+    for (const std::string& other : c.indistinguishable_from) {
+      EXPECT_LE(evidence.at(other), c.ln_bayes_factor + ln_20) << c.id << " and " << other;
+      EXPECT_GE(evidence.at(other), c.ln_bayes_factor - ln_million) << c.id << " and " << other;
+    }
+  }
+  EXPECT_GT(worse, 1) << "else nothing is looked at";
 }
 
 TEST(Diagnosis, IsHonestWhenNothingIsMissing) {
