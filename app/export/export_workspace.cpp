@@ -22,6 +22,7 @@
 #include "base/files.h"
 #include "certify/certificate_pdf.h"
 #include "certify/request.h"
+#include "correct/robot_file.h"
 #include "diagnosis/attribution/fresh_poses.h"
 #include "export/correction_box.h"
 #include "export/exported.h"
@@ -364,14 +365,8 @@ void ExportWorkspace::save_for_others(const std::string& kind) {
   std::filesystem::path file = path();
   file.replace_extension(export_kind(kind).ending);
   try {
-    CalibratedRobot robot =
-        calibrated_robot(calibration_of_hand(*model, hand()), session.robot, urdf.string(), path().string());
-    std::error_code error;
-    if (!session.robot_file.empty() && std::filesystem::exists(urdf, error)) {
-      robot.urdf_text = read_file(urdf);
-      robot.urdf_file = urdf.filename().string();
-      robot.robot_folder = std::filesystem::absolute(urdf).parent_path();
-    }
+    const CalibratedRobot robot = with_robot_file(
+        calibrated_robot(calibration_of_hand(*model, hand()), session.robot, urdf.string(), path().string()), session);
     const ExportedFile made = exported_file(robot, kind, {std::filesystem::absolute(file), ""});
     replace_file(file, made.text);
     QStringList lines{tr("Written: %1").arg(QString::fromStdString(file.string()))};

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "compare/comparison.h"
+#include "correct/robot_file.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
@@ -109,7 +110,7 @@ Fitted fitted(const Session& session, const Names& effects, const std::string& o
   const FitReport reported = report(clean.session, clean.fit, options);
   cli::Json json = cli::fit_json(session, clean.fit, reported, options);
   if (without_wrong_points) json["wrong_points"] = cli::wrong_points_json(clean.wrong, clean.session);
-  return {make_text(json), calibrated_robot(session, clean.fit, reported, options, software)};
+  return {make_text(json), with_robot_file(calibrated_robot(session, clean.fit, reported, options, software), session)};
 }
 
 std::string checked(const Session& session) {
@@ -141,8 +142,9 @@ Fitted improvement_of(const Session& session, const Names& effects, bool names_o
   options.on_progress = [](double) { return go_on(); };
   const Improvement m = improve(session, options);
   return {make_text(cli::improvement_json(session, m)),
-          calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software,
-                           m.inclusion_probabilities.model_uncertainty)};
+          with_robot_file(calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options, software,
+                                           m.inclusion_probabilities.model_uncertainty),
+                          session)};
 }
 
 std::string comparison_text(const Session& before, const Session& after, const Names& effects) {

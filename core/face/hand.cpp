@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the hand is, and what to command.
 #include "base/files.h"
+#include "correct/robot_file.h"
 #include "handsight/correct.h"
 #include "handsight/handsight.h"
 #include "robot/urdf.h"
@@ -30,12 +31,15 @@ ObservationState pose_at(const CalibratedRobot& robot, const Eigen::VectorXd& po
 const char* version() { return HANDSIGHT_VERSION; }
 
 CalibratedRobot calibrated_robot(const Session& session, const Improvement& m) {
-  return calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options,
-                          std::string("handsight ") + version(), m.inclusion_probabilities.model_uncertainty);
+  return with_robot_file(
+      calibrated_robot(session, m.last.model.fit, m.last.report, m.last.model_options,
+                       std::string("handsight ") + version(), m.inclusion_probabilities.model_uncertainty),
+      session);
 }
 
 CalibratedRobot read_calibrated_robot(const std::filesystem::path& calibration, const std::filesystem::path& urdf) {
-  return calibrated_robot(read_calibration(calibration), read_urdf(urdf), urdf.string(), calibration.string());
+  return with_robot_file(
+      calibrated_robot(read_calibration(calibration), read_urdf(urdf), urdf.string(), calibration.string()), urdf);
 }
 
 void save_calibration(const std::filesystem::path& file, const CalibratedRobot& robot) {

@@ -94,7 +94,6 @@ class Answers(unittest.TestCase):
             numpy.testing.assert_allclose(handsight.predict(self.fit, pose).root_from_tcp_est, there.root_from_tcp_est,
                                           atol=1e-12)
 
-
     def test_export(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "calibrated.urdf"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "predict_source.h"
 
-#include "base/files.h"
+#include "correct/robot_file.h"
 #include "estimation/fit/part_fit.h"
 #include "estimation/report/part_report.h"
 #include "options/named_effects.h"
@@ -55,11 +55,7 @@ CalibratedRobot from_session(const std::string& path, const std::string& robot_f
   CalibratedRobot robot = session.parts.empty()
                               ? calibrated_robot(session, fitted, reported, options, "handsight " HANDSIGHT_VERSION)
                               : robot_of_part(session, fitted, reported, options, part_meant(session, part));
-  if (!has_urdf) return robot;
-  robot.urdf_text = read_file(urdf);
-  robot.urdf_file = urdf.filename().string();
-  robot.robot_folder = std::filesystem::absolute(urdf).parent_path();
-  return robot;
+  return has_urdf ? with_robot_file(std::move(robot), urdf) : robot;
 }
 
 /// That of the session that is named; where none is, the first, if all have one hand and one mount.
@@ -78,11 +74,7 @@ CalibratedRobot from_calibration(const std::string& path, const std::string& rob
   if (c.joints == joint_names(poses_robot())) return calibrated_robot(c, poses_robot(), "", path);
   if (robot_file.empty())
     throw InputError(message("{}: a calibration alone has no robot; name its URDF with --robot.", path));
-  CalibratedRobot robot = calibrated_robot(c, read_urdf(robot_file), robot_file, path);
-  robot.urdf_text = read_file(robot_file);
-  robot.urdf_file = std::filesystem::path(robot_file).filename().string();
-  robot.robot_folder = std::filesystem::absolute(robot_file).parent_path();
-  return robot;
+  return with_robot_file(calibrated_robot(c, read_urdf(robot_file), robot_file, path), robot_file);
 }
 
 }  // namespace
