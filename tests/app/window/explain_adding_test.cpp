@@ -57,8 +57,12 @@ TEST_F(Explain, WhatIsAddedCanBeUndoneAndDoneAgainAndComparedWithBefore) {
   EXPECT_GT(desk.find<widgets::CostCurve>("cost")->count(), 2);
   desk.press_button("tab_versions");
   auto* versions = desk.find<widgets::VersionList>("versions");
-  desk.click(versions->view()->viewport(), versions->letter_rect(0, false).center());
-  desk.click(versions->view()->viewport(), versions->letter_rect(1, true).center());
+  const auto press_letter = [&](int row, bool is_b) {
+    versions->view()->scrollTo(versions->view()->model()->index(row, 0));
+    desk.click(versions->view()->viewport(), versions->letter_rect(row, is_b).center());
+  };
+  press_letter(0, false);
+  press_letter(1, true);
   bool is_said = false;
   for (const auto* label : versions->findChildren<QLabel*>())
     is_said = is_said || label->text().contains("A to B: 3.4");
