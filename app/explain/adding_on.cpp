@@ -91,7 +91,7 @@ void AddingOn::look() {
 
 void AddingOn::add_first() {
   if (!is_running_ || is_paused_ || is_waiting()) return;
-  // In the order of `improve`, not of the cards, which put first what robots usually have: both end in one model.
+  // In the order of `improve`, not of the cards, which put first what robots usually have.
   const auto diagnosis = workbench_.diagnosing.diagnosis();
   for (const DiagnosisCandidate* c : candidates_to_try(*diagnosis, true)) {
     const std::string id = find_id(*c);
