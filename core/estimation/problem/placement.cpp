@@ -6,6 +6,7 @@
 #include "base/threads.h"
 #include "estimation/problem/problem.h"
 #include "estimation/problem/robot_scale.h"
+#include "robot/posture_memory.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {
@@ -64,11 +65,14 @@ class MovedSites {
   /// The joint that the last column moves alone, or -1.
   int joint() const { return joint_; }
 
+  PostureMemory& memory() { return memory_; }
+
  private:
   const Problem* problem_;
   std::vector<const Effect*> effects_;  // per term
   std::vector<double> values_;
   Sites all_, unit_;
+  PostureMemory memory_;
   int joint_ = -1;
 };
 
@@ -139,9 +143,11 @@ void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObser
   const ObservationState& c = problem.source->states[static_cast<std::size_t>(o.index)];
   const Chain& chain = *c.chain;
   const Sites& sites = moved.by_all(c);
-  Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives, &o.deflection);
-  if (!posture.converged)  // a start from softer springs may lie beyond what is stable
-    posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, derives);
+  const auto solved = [&](const Deflection* start) -> const Posture& {
+    return moved.memory().solve(chain.robot, c.sensor, sites.robot, chain.gravity, derives, start);
+  };
+  const Posture& posture = solved(&o.deflection);
+  if (!posture.converged) solved(nullptr);  // a start from softer springs may lie beyond what is stable
   o.root_from_tcp = posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)];
   o.root_from_mount = posture.root_from_link[static_cast<std::size_t>(chain.mount_link)];
   o.springs_hold = posture.converged;
@@ -154,7 +160,10 @@ void place(const Problem& problem, bool derives, MovedSites& moved, ProblemObser
     for (const Vector3& m : sites.markers) o.marker_shifts.push_back(problem.slip_frame(chain.body).rotation * m);
   if (derives) set_motion(problem, c, posture, moved, sites, o);
   // What does not bend starts from nothing; of a long session every number counts.
-  o.deflection = is_nothing(posture.deflection) ? Deflection{} : std::move(posture.deflection);
+  if (is_nothing(posture.deflection))
+    o.deflection = Deflection{};
+  else
+    o.deflection = posture.deflection;
 }
 
 /// What the rig's numbers do as a unit of an effect moves the cameras' sites by `d`.

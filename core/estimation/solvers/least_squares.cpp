@@ -113,6 +113,15 @@ void lead_back(const Problem& problem, double damping, bool fixed_body, double b
   normal = std::move(there);
 }
 
+/// What a step must promise to be worth it. An answer that is not asked for exactly is good enough within a thousandth
+/// of its sigma; below, the cost is as rough as the equilibria of the springs are exact.
+double least_gain(const Problem& problem, const NormalEquations& normal, const SolveOptions& options) {
+  constexpr double next_to_nothing = 1e-6;  // of a residual's square
+  if (options.reuse_below == 0 || normal.rows == 0) return options.least_gain;
+  const double usual = std::max(problem.noise * problem.noise, normal.data_cost() / normal.rows);
+  return std::max(options.least_gain, next_to_nothing * usual);
+}
+
 }  // namespace
 
 Solution solve(const Problem& original, const Unknowns& start, const SolveOptions& options) {
@@ -147,7 +156,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     if (size >= options.reuse_below)
       lead_back(original, damping, options.fixed_body, solution.normal.cost, normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
-    const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < options.least_gain;
+    const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < least_gain(original, solution.normal, options);
     const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
     const double kept_promise = (solution.normal.cost - normal.cost) / std::max(gradient.dot(step), 1e-300);
