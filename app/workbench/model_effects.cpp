@@ -95,13 +95,11 @@ widgets::ModelEffect shown_effect(const Effect& e, const Document& document, con
       p.can_hold = !p.is_choice;
       p.is_held = !p.is_choice && (p.is_held || shown.is_held);
     }
-    const auto is_beyond = [&](double times) {
-      return std::any_of(shown.parameters.begin(), shown.parameters.end(), [times](const auto& p) {
-        return p.value && p.plausible && std::abs(*p.value) > times * *p.plausible;
-      });
-    };
-    if (is_beyond(largest_plausible)) shown.note = QObject::tr("More than three times what is usual.");
-    if (is_beyond(largest_built)) {
+    const bool is_unusual = std::any_of(shown.parameters.begin(), shown.parameters.end(), [](const auto& p) {
+      return p.value && p.plausible && std::abs(*p.value) > largest_plausible * *p.plausible;
+    });
+    if (is_unusual) shown.note = QObject::tr("More than three times what is usual.");
+    if (std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return is_too_large(t, chain); })) {
       shown.note = QObject::tr("Larger than robots are built. Probably another cause.");
       shown.note_is_warning = true;
     }

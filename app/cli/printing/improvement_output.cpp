@@ -87,6 +87,11 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   print_inclusion_probabilities(out, m.inclusion_probabilities);
   out.line();
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
+  if (const auto& e = m.held_out_choosing)
+    out.line(fmt::format(
+        "\nExpect {} on new poses: so much is left of poses that took no part in choosing the causes, "
+        "which few poses do by chance, too.",
+        e->rms_pixel ? text_or_unknown(e->rms_pixel, 1, "px") : text_or_unknown(e->mean_m, 1e3, "mm") + " mean"));
 }
 
 Json improvement_json(const Session& session, const Improvement& m) {
@@ -121,6 +126,11 @@ Json improvement_json(const Session& session, const Improvement& m) {
     steps[i]["held_out_session_mean_m"] = number(e.mean_m);
   }
   for (const RefusedStep& r : m.refused) refused.push_back({{"id", r.id}, {"where", r.where}, {"reason", r.reason}});
+  if (m.held_out_choosing) {
+    j["held_out_choosing_pixel"] = number(m.held_out_choosing->rms_pixel);
+    j["held_out_choosing_rms_m"] = number(m.held_out_choosing->rms_m);
+    j["held_out_choosing_mean_m"] = number(m.held_out_choosing->mean_m);
+  }
   j["steps"] = steps;
   j["refused"] = refused;
   j["models"] = {{"tried", m.models}, {"most", m.most_models}, {"spent", m.is_budget_spent}};

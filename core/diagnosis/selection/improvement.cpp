@@ -10,6 +10,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/posture_remainder.h"
 #include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/choosing.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/model_search.h"
@@ -33,7 +34,7 @@ std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& term
     const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
       const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= largest_built * prior_sigma(parameter, chain)) continue;
+      if (parameter.is_choice || std::abs(term.values[p]) <= find_largest_built(term, p, chain)) continue;
       const std::string place = place_name(effect, term.place, chain.robot);
       list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
                                  unit_at(effect, p, term.place, chain.robot)));
@@ -374,6 +375,21 @@ class Improving {
   std::set<std::string> tried_;  // likely names
 };
 
+void try_choosing(const Session& session, const ImprovementOptions& options, Improvement& m) {
+  const bool has_chosen = m.steps.size() > 1 && !m.stopped && m.last.verdict != Verdict::too_few_observations;
+  const Fit& chosen = m.last.model.fit;
+  if (!has_chosen || !session.parts.empty() || has_no_answer(chosen) || !are_few_to_choose_by(chosen)) return;
+  ImprovementOptions quiet = options;
+  quiet.on_step = {};
+  quiet.on_iteration = {};
+  quiet.on_progress = [&options](double) { return !options.on_progress || options.on_progress(0.99); };
+  m.held_out_choosing = error_with_choosing(session, chosen, [&](const Session& part) -> std::optional<Fit> {
+    Improvement without = Improving(part, quiet).run();
+    if (without.stopped) return std::nullopt;
+    return std::move(without.last.model.fit);
+  });
+}
+
 }  // namespace
 
 Improvement improve(const Session& session, const ImprovementOptions& options) {
@@ -382,7 +398,9 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
     check_on_the_others(session, *sample, m.last);
     return m;
   }
-  return Improving(session, options).run();
+  Improvement m = Improving(session, options).run();
+  try_choosing(session, options, m);
+  return m;
 }
 
 }  // namespace handsight

@@ -68,6 +68,9 @@ struct Improvement {
   InclusionProbabilities inclusion_probabilities;  // of the last model's names
   /// Of what was in excess of the noise at the start: what has names, and what curves without a name explain.
   std::optional<double> named_share, unnamed_share;
+  /// Of few observations, of which a model with causes was chosen: the error where each part takes no part in choosing
+  /// either (choosing.h). What is held out otherwise has had its say in what the model holds.
+  std::optional<ErrorSummary> held_out_choosing;
   int models = 0;                // that were fitted and held out
   int most_models = 0;           // ImprovementOptions::most_models
   bool is_budget_spent = false;  // then more may be missing than was looked for

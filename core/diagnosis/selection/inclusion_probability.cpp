@@ -11,6 +11,7 @@
 #include "chain/body_frame.h"
 #include "diagnosis/selection/indistinguishable.h"
 #include "diagnosis/selection/model_posterior.h"
+#include "diagnosis/selection/small_causes.h"
 #include "effects/term_numbers.h"
 #include "estimation/solvers/covariance_factor.h"
 
@@ -296,9 +297,12 @@ void set_names(const ModelSpace& all, const OpenUnits& units, const Weights& wei
                InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
   const std::set<std::string> in_model = all.list_names(all.present());
+  const std::vector<double> small_instead = find_shares_of_small_causes(all);
   for (std::size_t n = 0; n < all.names().size(); ++n) {
     InclusionProbability name{all.names()[n].id, {}, of_name(n, all, units, weights), false};
     name.is_in_model = in_model.contains(name.id);
+    name.probability *= 1 - small_instead[n];
+    name.probability *= 1 - small_instead[n];
     if (!name.is_in_model && name.probability < InclusionProbabilities::least_reported) continue;
     const Chosen where = likely_units(n, all, probability, name.probability);
     name.where = places(where, all, session);

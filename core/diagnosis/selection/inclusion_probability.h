@@ -34,7 +34,8 @@ struct InclusionProbabilities {
 
 /// Of the estimated terms from `first` on, and of all of the catalogue that could stand beside or in the place of them.
 /// To first order about the model's answer; each name has odds of 1 to 20 before the measurements, its places share
-/// them, sizes are those of the evidence (others no larger than plausible). What begins at some observation may
+/// them, sizes are those of the evidence (others no larger than plausible). Names of the model are weighed against
+/// zeros, geometry, springs and eccentricities of all joints, too (small_causes.h). What begins at some observation may
 /// go, but does not come. `goes_on` is asked now and then; false gives nothing, and so does a fit with markers that are
 /// held where no shape is known.
 InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size_t first,

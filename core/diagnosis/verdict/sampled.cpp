@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "diagnosis/verdict/explanation.h"
+#include "estimation/report/mean_error.h"
 
 namespace handsight {
 namespace {
@@ -15,40 +16,8 @@ constexpr int most = 4000, size = 3000;
 constexpr std::size_t at_once = 4000;  // observations whose chains are in memory together
 constexpr double clearly_worse = 1.1;  // times the held-out error
 
-/// Root mean squares of parts as that of all together, each weighing as much as it has observations.
-class Mean {
- public:
-  void add(const ErrorSummary& part, double weight) {
-    weight_ += weight;
-    const auto square = [&](const std::optional<double>& v, double& sum) { sum += v ? weight * *v * *v : 0; };
-    square(part.rms_pixel, pixel_);
-    square(part.rms_m, metre_);
-    square(part.hand_m, hand_);
-    mean_ += part.mean_m ? weight * *part.mean_m : 0;
-    largest_ = std::max(largest_, part.max_m.value_or(0));
-    has_pixel_ = has_pixel_ || part.rms_pixel;
-    has_metre_ = has_metre_ || part.rms_m;
-    has_hand_ = has_hand_ || part.hand_m;
-  }
-  ErrorSummary all() const {
-    ErrorSummary e;
-    if (has_pixel_) e.rms_pixel = std::sqrt(pixel_ / weight_);
-    if (has_metre_) {
-      e.rms_m = std::sqrt(metre_ / weight_);
-      e.mean_m = mean_ / weight_;
-      e.max_m = largest_;
-    }
-    if (has_hand_) e.hand_m = std::sqrt(hand_ / weight_);
-    return e;
-  }
-
- private:
-  double weight_ = 0, hand_ = 0, pixel_ = 0, metre_ = 0, mean_ = 0, largest_ = 0;
-  bool has_pixel_ = false, has_metre_ = false, has_hand_ = false;
-};
-
 ErrorSummary error_on_the_others(const Session& session, const Sample& sample, const Fit& fit) {
-  Mean mean;
+  MeanError mean;
   for (std::size_t first = 0; first < sample.left_out.size(); first += at_once) {
     const std::size_t last = std::min(first + at_once, sample.left_out.size());
     const std::vector<int> some(sample.left_out.begin() + static_cast<std::ptrdiff_t>(first),

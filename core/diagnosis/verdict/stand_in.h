@@ -23,7 +23,11 @@ inline constexpr double largest_built = 30;
 /// Usual sizes (prior sigmas) up to which a number is plausible.
 inline constexpr double largest_plausible = 3;
 
-/// Is a number of the term that a fit moves larger than robots are built (largest_built)?
+/// Up to where a number of a term is built, in its own unit: largest_built times what is usual, and of a spring what
+/// bends by 3 degrees under the heaviest load that its joint can have: light arms have soft bearings and series springs.
+double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain);
+
+/// Is a number of the term that a fit moves larger than robots are built?
 bool is_too_large(const EffectTerm& term, const Chain& chain);
 
 /// Of what the fit estimates (not what the user holds), an entry an effect.
