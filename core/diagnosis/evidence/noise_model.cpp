@@ -5,6 +5,31 @@
 
 namespace handsight {
 
+int unknowns_of_motions(const Fit& fit) {
+  const int of_shape = fit.problem.shape ? 0 : std::max(3 * fit.problem.marker_count - 6, 0);
+  return std::max(fit.unknowns - of_shape, 0);
+}
+
+namespace {
+
+/// Degrees of freedom where the noise is not known: of a tracker's points that are rigid by construction (were they
+/// not, they would tell the noise) no observation says more than where the body is.
+int degrees_left(const Fit& fit) {
+  constexpr int of_a_motion = 6;
+  if (fit.problem.rig || fit.problem.marker_count < 3) return std::max(fit.rows - fit.unknowns, 1);
+  int rows = 0;
+  bool has_more = false;
+  for (const ProblemObservation& o : fit.problem.observations) {
+    int of_observation = 0;
+    for (const Sighting& s : o.sightings) of_observation += row_count(s);
+    has_more = has_more || of_observation > of_a_motion;
+    rows += std::min(of_observation, of_a_motion);
+  }
+  return std::max(has_more ? rows - unknowns_of_motions(fit) : fit.rows - fit.unknowns, 1);
+}
+
+}  // namespace
+
 NoiseModel noise_model(const Fit& fit) {
   constexpr int sure = 30;
   NoiseModel w;
@@ -14,7 +39,7 @@ NoiseModel noise_model(const Fit& fit) {
   } else if (fit.noise && *fit.noise > 0) {
     w.noise = *fit.noise;
   } else {
-    w.knowledge = {false, static_cast<double>(std::max(fit.rows - fit.unknowns, 1))};
+    w.knowledge = {false, static_cast<double>(degrees_left(fit))};
     w.noise = std::max(fit.residual_rms, 1e-12);
   }
   return w;

@@ -17,6 +17,9 @@ struct NoiseModel {
 
 NoiseModel noise_model(const Fit& fit);
 
+/// Unknowns that the body's motions tell: a shape that is not known is determined by the rows beside them.
+int unknowns_of_motions(const Fit& fit);
+
 /// Makes fits as exact as any Bayes factor shows, and no more.
 void set_quick(const NoiseModel& noise_model, FitOptions& options);
 

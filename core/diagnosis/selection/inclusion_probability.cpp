@@ -297,16 +297,19 @@ void set_names(const ModelSpace& all, const OpenUnits& units, const Weights& wei
                InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
   const std::set<std::string> in_model = all.list_names(all.present());
-  const std::vector<double> small_instead = find_shares_of_small_causes(all);
+  const std::vector<SmallCauses> small_instead = find_small_causes(all);
   for (std::size_t n = 0; n < all.names().size(); ++n) {
     InclusionProbability name{all.names()[n].id, {}, of_name(n, all, units, weights), false};
     name.is_in_model = in_model.contains(name.id);
-    name.probability *= 1 - small_instead[n];
-    name.probability *= 1 - small_instead[n];
+    name.probability *= 1 - small_instead[n].share;
     if (!name.is_in_model && name.probability < InclusionProbabilities::least_reported) continue;
     const Chosen where = likely_units(n, all, probability, name.probability);
     name.where = places(where, all, session);
     if (name.is_in_model) name.indistinguishable_from = indistinguishable_from(all, n);
+    for (const std::string& id : small_instead[n].names)
+      if (std::find(name.indistinguishable_from.begin(), name.indistinguishable_from.end(), id) ==
+          name.indistinguishable_from.end())
+        name.indistinguishable_from.push_back(id);
     if (!name.is_in_model && name.probability >= InclusionProbabilities::least_likely)
       inclusion_probabilities.likely.push_back({name, estimated_with(all, where)});
     inclusion_probabilities.names.push_back(std::move(name));

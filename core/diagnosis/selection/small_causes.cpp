@@ -70,9 +70,9 @@ Chosen without_name(const ModelSpace& all, Chosen chosen, std::size_t name) {
 }
 
 /// Names that are spread over their places, one after another, beside a choice of units.
-class SmallCauses {
+class Spreading {
  public:
-  explicit SmallCauses(const ModelSpace& all)
+  explicit Spreading(const ModelSpace& all)
       : all_(all),
         place_of_(static_cast<std::size_t>(all.score().gradient.size()), -1),
         scale_(
@@ -90,13 +90,20 @@ class SmallCauses {
   /// ln of the evidence of a choice less what it costs, with nothing beside it.
   double worth(const Chosen& chosen) const { return worth(beside(chosen), chosen, 0); }
 
-  /// With each of the names that make the choice likelier, and all that were asked about on the way: ln of their sum.
-  /// `first` is there in any case, `never` in none.
-  double total(const Chosen& chosen, std::optional<std::size_t> first, std::optional<std::size_t> never) const {
+  /// All that was asked about on the way to the likeliest.
+  struct Sum {
+    double ln = none;
+    std::vector<std::string> likeliest;  // names
+  };
+
+  /// With each of the names that make the choice likelier, one after another. `first` is there in any case, `never` in
+  /// none.
+  Sum sum(const Chosen& chosen, std::optional<std::size_t> first, std::optional<std::size_t> never) const {
     std::map<std::size_t, Numbers> open = list_open(chosen);
     if (never) open.erase(*never);
     Beside here = beside(chosen);
-    double best = first ? none : worth(here, chosen, 0), total = none;
+    double best = first ? none : worth(here, chosen, 0);
+    Sum sum;
     for (int spread = 1; !open.empty(); ++spread) {
       std::optional<std::pair<std::size_t, double>> next;
       for (const auto& [name, numbers] : open) {
@@ -105,7 +112,7 @@ class SmallCauses {
           const Gain gain = gain_by(here.score, numbers, size);
           const Beside there{{}, here.residual_squares - gain.squares, here.ln_volume + gain.ln_volume};
           const double worth_there = worth(there, chosen, spread);
-          total = ln_sum(total, worth_there);
+          sum.ln = ln_sum(sum.ln, worth_there);
           if (worth_there <= best) continue;
           best = worth_there;
           next = {name, size};
@@ -114,8 +121,9 @@ class SmallCauses {
       if (!next) break;
       here = with(here, open.at(next->first), next->second);
       open.erase(next->first);
+      sum.likeliest.push_back(all_.names()[next->first].id);
     }
-    return total;
+    return sum;
   }
 
  private:
@@ -166,22 +174,25 @@ class SmallCauses {
 
 }  // namespace
 
-std::vector<double> find_shares_of_small_causes(const ModelSpace& all) {
-  std::vector<double> shares(all.names().size(), 0.0);
+std::vector<SmallCauses> find_small_causes(const ModelSpace& all) {
+  constexpr double least_told = 1 / 21.0, largest_share = 0.95;
+  std::vector<SmallCauses> causes(all.names().size());
   const Chosen present = all.present();
-  if (present.empty()) return shares;
-  const SmallCauses small(all);
-  const double alone = small.worth(present), beside = small.total(present, std::nullopt, std::nullopt);
-  for (std::size_t name = 0; name < shares.size(); ++name) {
+  if (present.empty()) return causes;
+  const Spreading spreading(all);
+  const double alone = spreading.worth(present), beside = spreading.sum(present, std::nullopt, std::nullopt).ln;
+  for (std::size_t name = 0; name < causes.size(); ++name) {
     const Chosen fewer = without_name(all, present, name);
     if (fewer.size() == present.size()) continue;
-    const double instead = small.total(fewer, std::nullopt, name);
+    Spreading::Sum instead = spreading.sum(fewer, std::nullopt, name);
     double others = 0;
-    for (const double worth : {alone, beside, small.total(fewer, name, std::nullopt)})
-      others += std::exp(std::min(700.0, worth - instead));
-    shares[name] = 1 / (1 + others);
+    for (const double worth : {alone, beside, spreading.sum(fewer, name, std::nullopt).ln})
+      others += std::exp(std::min(700.0, worth - instead.ln));
+    const double share = 1 / (1 + others);
+    causes[name].share = std::min(share, largest_share);
+    if (share >= least_told) causes[name].names = std::move(instead.likeliest);
   }
-  return shares;
+  return causes;
 }
 
 }  // namespace handsight

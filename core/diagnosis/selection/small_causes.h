@@ -3,15 +3,23 @@
 // joint, as in every robot. Together they may do what one name at one place does.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "diagnosis/selection/model_space.h"
 
 namespace handsight {
 
-/// For each name of a model space, how probable it is that the name is not there at all, because others are there a
-/// little at each of their places: weighed against the model as it is, the model with such others beside it, and this
-/// name a little at each of its own places. 0 for names that are not in the model.
-std::vector<double> find_shares_of_small_causes(const ModelSpace& all);
+/// What may stand in the place of a name of the model.
+struct SmallCauses {
+  /// How probable it is that the name is not there at all. No more than 0.95: what they are is a guess of many numbers.
+  double share = 0;
+  std::vector<std::string> names;  // what is there a little instead, where the odds are not below 1 to 20
+};
+
+/// For each name of a model space what may be there a little at each of its places instead: weighed against the model
+/// as it is, the model with such others beside it, and this name a little at each of its own places. Nothing for names
+/// that are not in the model.
+std::vector<SmallCauses> find_small_causes(const ModelSpace& all);
 
 }  // namespace handsight

@@ -7,6 +7,7 @@
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/finding.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 namespace {
@@ -32,18 +33,20 @@ bool explains_too_little(const DiagnosisCandidate& best, const std::map<std::str
 
 }  // namespace
 
-/// Unknowns that the body's motions tell: a shape that is not known is determined by the rows beside them.
-static Eigen::Index unknowns_of_motions(const Fit& fit) {
-  const int of_shape = fit.problem.shape ? 0 : std::max(3 * fit.problem.marker_count - 6, 0);
-  return std::max(fit.unknowns - of_shape, 0);
+/// What the body's own shape and the cameras leave, whatever the robot does: with the shape that suits it best, for the
+/// fit's has been bent to what the robot leaves.
+static double squares_of_noise(const LinearModel& model) {
+  const Eigen::Index error = model.internal.cols() - 1;
+  const Eigen::MatrixXd information = model.internal.topLeftCorner(model.base, model.base);
+  const Eigen::VectorXd gradient = model.internal.col(error).head(model.base);
+  return model.internal(error, error) - gradient.dot(pseudo_inverse(information) * gradient);
 }
 
 double beyond_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
                                   const NoiseKnowledge& noise) {
   const Repeatability usual{session.repeatability.value_or(usual_repeatability.joints), usual_repeatability.place};
   // The rows that the body's motions reach: of a board the others are many, and noise alone.
-  const double inner = model.internal(model.internal.rows() - 1, model.internal.cols() - 1);
-  const double outer = std::max(whiten(model, usual, noise).residual_squares - inner, 0.0);
+  const double outer = std::max(whiten(model, usual, noise).residual_squares - squares_of_noise(model), 0.0);
   const auto degrees =
       static_cast<double>(std::max(model.external_error.size() - unknowns_of_motions(fit), Eigen::Index{1}));
   const double chance = 1 + quite_sure / std::sqrt(2 * degrees);

@@ -51,8 +51,23 @@ double metres_per_unit(const Problem& points) {
 
 }  // namespace
 
+/// The sigma (m) that writing the points with so many decimals gives them; 0 where they have more than a file would.
+static double find_rounding(const Problem& points) {
+  const auto all_are_multiples = [&](double step) {
+    const auto is_multiple = [step](double x) { return std::abs(x / step - std::round(x / step)) < 1e-3; };
+    return std::all_of(points.observations.begin(), points.observations.end(), [&](const ProblemObservation& o) {
+      return std::all_of(o.sightings.begin(), o.sightings.end(), [&](const Sighting& s) {
+        return s.point && is_multiple(s.point->x()) && is_multiple(s.point->y()) && is_multiple(s.point->z());
+      });
+    });
+  };
+  for (const double step : {1e-3, 1e-4, 1e-5, 1e-6})
+    if (all_are_multiples(step)) return step / std::sqrt(12.0);
+  return 0;
+}
+
 bool are_rigid_by_construction(const Problem& images, const Unknowns& unknowns, const NoiseEstimate& estimate) {
-  if (estimate.sigma > (images.rig ? 1e-3 : 1e-6)) return false;
+  if (estimate.sigma > (images.rig ? 1e-3 : std::max(1e-6, 2 * find_rounding(images)))) return false;
   const auto usual = median_residual(images, unknowns);
   return usual && *usual > 100 * estimate.sigma;
 }

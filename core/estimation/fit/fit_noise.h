@@ -13,8 +13,9 @@ const std::optional<double>& declared_noise(const Session& session);
 /// Of one coordinate (px, m): no sensor on a robot measures finer.
 double finest_noise(const Session& session);
 
-/// Points that stand against each other better than any sensor measures (1e-3 px, 1 um) and a hundred times better than
-/// the model meets them: a tracker's virtual points, computed from one pose. Their scatter says nothing of the noise.
+/// Points that stand against each other better than any sensor measures (1e-3 px, 1 um) or to the last decimal that
+/// they are written with, and a hundred times better than the model meets them: a tracker's virtual points, computed
+/// from one pose. Their scatter says nothing of the noise.
 bool are_rigid_by_construction(const Problem& images, const Unknowns& unknowns, const NoiseEstimate& estimate);
 
 /// What the priors of effects are weighed against, into Problem::noise: the noise, or where nothing is known of it

@@ -8,23 +8,23 @@
 namespace handsight {
 namespace {
 
-/// How probable it is that the only name of a model is not there, where these effects are hidden.
-double share_instead_of(const EffectTerm& model, const std::vector<EffectTerm>& hidden, std::uint64_t seed) {
+/// What may be there instead of the only name of a model, where these effects are hidden.
+SmallCauses instead_of(const EffectTerm& model, const std::vector<EffectTerm>& hidden, std::uint64_t seed) {
   const Session session = simulated(hidden, seed, 60);
   DiagnosisOptions o;
   o.with_held_out = false;
   o.estimated = {model};
   const ModelSpace all(diagnose(session, o), 0, 3);
-  const std::vector<double> shares = find_shares_of_small_causes(all);
-  for (std::size_t n = 0; n < shares.size(); ++n)
-    if (all.names()[n].id == model.id) return shares[n];
-  return -1;
+  const std::vector<SmallCauses> causes = find_small_causes(all);
+  for (std::size_t n = 0; n < causes.size(); ++n)
+    if (all.names()[n].id == model.id) return causes[n];
+  return {-1, {}};
 }
 
 TEST(SmallCauses, DoNotDoWhatALargeOneDoes) {
   for (const std::uint64_t seed : {21U, 22U, 23U}) {
-    EXPECT_LT(share_instead_of({"joint_elasticity", 1, {0}}, {{"joint_elasticity", 1, {1.5e-4}}}, seed), 1e-6) << seed;
-    EXPECT_LT(share_instead_of({"joint_scale", 2, {0}}, {{"joint_scale", 2, {2e-3}}}, seed), 1e-6) << seed;
+    EXPECT_LT(instead_of({"joint_elasticity", 1, {0}}, {{"joint_elasticity", 1, {1.5e-4}}}, seed).share, 1e-6) << seed;
+    EXPECT_LT(instead_of({"joint_scale", 2, {0}}, {{"joint_scale", 2, {2e-3}}}, seed).share, 1e-6) << seed;
   }
 }
 
@@ -35,14 +35,16 @@ TEST(SmallCauses, AreLikelierThanOneNameWhereAllJointsAreALittleOff) {
     std::normal_distribution<double> normal;
     std::vector<EffectTerm> zeros;
     for (int j = 1; j < 6; ++j) zeros.push_back({"joint_offset", j, {3e-4 * normal(random)}});
-    EXPECT_GT(share_instead_of({"joint_scale", 2, {0}}, zeros, seed), 0.9) << seed;
+    const SmallCauses instead = instead_of({"joint_scale", 2, {0}}, zeros, seed);
+    EXPECT_GT(instead.share, 0.9) << seed;
+    EXPECT_EQ(instead.names, std::vector<std::string>{"joint_offset"}) << seed;
   }
 }
 
 TEST(SmallCauses, AreOnlyAskedAboutNamesOfTheModel) {
   const Session session = simulated({{"joint_elasticity", 1, {1.5e-4}}}, 21, 60);
   const ModelSpace all(diagnose(session, {}), 0, 3);
-  for (const double share : find_shares_of_small_causes(all)) EXPECT_EQ(share, 0);
+  for (const SmallCauses& causes : find_small_causes(all)) EXPECT_EQ(causes.share, 0);
 }
 
 }  // namespace

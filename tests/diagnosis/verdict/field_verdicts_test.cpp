@@ -45,6 +45,28 @@ TEST(FieldVerdicts, ABoardsManyRowsDoNotHideARobotsScatter) {
   }
 }
 
+/// The shape of a tracker's body is bent to what the robot leaves; that is no noise that its scatter could hide behind.
+TEST(FieldVerdicts, AFineTrackersBodyDoesNotHideARobotsScatter) {
+  for (const std::uint64_t seed : {3, 4, 5}) {
+    SimulationOptions o;
+    o.observations = 17;
+    o.noise = 5e-6;
+    o.seed = seed;
+    o.effects = {{"link_geometry", 2, {3e-3, 2e-3, 0.01, -0.01}}};
+    Session s = simulate_session(fixture::tracker_session(4), o).session;
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    for (Observation& observation : s.observations)
+      for (double& q : observation.position) q += 3e-3 * normal(random);
+    DiagnosisOptions with_geometry = quick_verdicts();
+    with_geometry.estimated = {{"link_geometry", 2, {0, 0, 0, 0}}};
+    const Diagnosis wild = diagnose(s, with_geometry);
+    ASSERT_TRUE(wild.beyond_repeatability) << seed;
+    EXPECT_GT(*wild.beyond_repeatability, 3) << seed;
+    EXPECT_NE(wild.verdict, Verdict::adequate) << wild.reason;
+  }
+}
+
 /// A tenth of what is usual, everywhere.
 void add_small_deviations(const Chain& chain, std::mt19937_64& random, std::vector<EffectTerm>& terms) {
   std::normal_distribution<double> normal;

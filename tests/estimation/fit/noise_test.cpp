@@ -116,6 +116,32 @@ TEST(RobotFreeNoise, IsNotThatOfPointsThatAreRigidByConstruction) {
   EXPECT_NE(f.notes[0].find("rigid by construction"), std::string::npos);
 }
 
+/// A file of five decimals: what the points seem to scatter by is how they were written.
+Session written_to_10_um(double noise) {
+  SimulationOptions options;
+  options.observations = 60;
+  options.noise = noise;
+  Session session = simulate_session(fixture::tracker_session(4), options).session;
+  session.sigma_point.reset();
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal(0, 1e-3);
+  for (Observation& o : session.observations) {
+    for (double& q : o.position) q += normal(random);
+    for (Sighting& s : o.sightings) s.point = 1e-5 * (1e5 * *s.point).array().round().matrix();
+  }
+  return session;
+}
+
+TEST(RobotFreeNoise, IsNotThatOfWritingPointsDown) {
+  const Fit computed = fit(written_to_10_um(1e-8));
+  EXPECT_FALSE(computed.noise.has_value());
+  ASSERT_FALSE(computed.notes.empty());
+  EXPECT_NE(computed.notes[0].find("rigid by construction"), std::string::npos);
+  const Fit measured = fit(written_to_10_um(2e-5));
+  ASSERT_TRUE(measured.noise.has_value());
+  EXPECT_NEAR(*measured.noise, 2e-5, 2e-6);
+}
+
 TEST(ChiSquaredTail, HasAnAnswerForEverySum) {
   EXPECT_NEAR(chi_squared_tail(3.841459, 1), 0.05, 1e-7);
   EXPECT_NEAR(chi_squared_tail(100, 100), 0.481192, 1e-6);
