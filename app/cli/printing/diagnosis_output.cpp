@@ -179,8 +179,8 @@ const char* next_text(StoryNext next) {
   return "";
 }
 
-Json story_json(const Diagnosis& d) {
-  const Story s = find_story(d);
+Json story_json(const Diagnosis& d, const std::set<std::string>& refused) {
+  const Story s = find_story(d, refused);
   Json causes = Json::array(), stand_ins = Json::array();
   for (const StoryCause& c : s.causes)
     causes.push_back({{"id", c.id}, {"where", c.where}, {"left", number(c.left)}, {"believable", c.believable}});
@@ -251,12 +251,12 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   }
 }
 
-Json diagnosis_json(const Session& session, const Diagnosis& d) {
+Json diagnosis_json(const Session& session, const Diagnosis& d, const std::set<std::string>& refused) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
   Json j{{"verdict", verdict_text(d.verdict)},
          {"reason", d.reason},
-         {"story", story_json(d)},
+         {"story", story_json(d, refused)},
          {"observations", d.report.observations},
          {"used", d.report.used},
          {"rms_pixel", number(d.report.fitted.rms_pixel)},

@@ -13,6 +13,6 @@ void print_diagnosis(const Output& output, const Session& session, const Diagnos
 Json lone_json(const std::vector<LoneObservation>& lone);
 Json flipped_json(const std::vector<FlippedTarget>& flipped);
 Json wrong_points_json(const std::vector<WrongPoint>& wrong, const Session& session);
-Json diagnosis_json(const Session& session, const Diagnosis& diagnosis);
+Json diagnosis_json(const Session& session, const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 }  // namespace handsight::cli

@@ -59,6 +59,12 @@ Json inclusion_probabilities_json(const InclusionProbabilities& inclusion_probab
 
 }  // namespace
 
+static std::set<std::string> list_refused(const Improvement& m) {
+  std::set<std::string> ids;
+  for (const RefusedStep& r : m.refused) ids.insert(r.id);
+  return ids;
+}
+
 void print_improvement(const Output& out, const Session& session, const Improvement& m) {
   const bool tracker = session.is_tracker();
   out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  where", "step", "added", "fitted", "held out",
@@ -79,7 +85,8 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   out.line(fmt::format("     models tried: {} of at most {}{}", m.models, m.most_models,
                        m.is_budget_spent ? ", which are spent: what else may be missing was not looked for" : ""));
   out.line();
-  out.line(fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(find_story(m.last), m.last)));
+  out.line(
+      fmt::format("{}: {}", verdict_text(m.last.verdict), story_text(find_story(m.last, list_refused(m)), m.last)));
   if (m.named_share && m.unnamed_share)
     out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
                          whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
@@ -136,7 +143,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
   j["models"] = {{"tried", m.models}, {"most", m.most_models}, {"spent", m.is_budget_spent}};
   j["verdict"] = verdict_text(m.last.verdict);
   j["reason"] = m.last.reason;
-  j["left"] = diagnosis_json(session, m.last);
+  j["left"] = diagnosis_json(session, m.last, list_refused(m));
   j["left"]["named_share"] = number(m.named_share);
   j["left"]["unnamed_share"] = number(m.unnamed_share);
   // As it was called before the bill came; for one version more.

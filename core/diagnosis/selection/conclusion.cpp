@@ -77,7 +77,12 @@ void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refu
   if (d.verdict == Verdict::too_few_observations) return;
   m.bill = make_bill(d.model.fit);
   set_shares(excess, m);
-  const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous;
+  const bool is_refused = !d.candidates.empty() && std::any_of(refused.begin(), refused.end(), [&](const auto& r) {
+    return r.id == d.candidates.front().id && d.candidates.front().ln_bayes_factor >= d.threshold;
+  });
+  // What was tried and not taken explains nothing, not a part either.
+  const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous ||
+                      (d.verdict == Verdict::unexplained && is_refused);
   if (passes) judge_what_is_left(noise_model(d.model.fit).knowledge.known, d);
   const Message curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
   if (!curves.empty()) {

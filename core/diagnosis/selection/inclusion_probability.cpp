@@ -12,6 +12,7 @@
 #include "diagnosis/selection/indistinguishable.h"
 #include "diagnosis/selection/model_posterior.h"
 #include "diagnosis/selection/small_causes.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "effects/term_numbers.h"
 #include "estimation/solvers/covariance_factor.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr double cost_of_a_name = 3;      // ln: odds of 1 to 20, as often as trials with many small causes have them
 constexpr double largest_of_others = 1;   // prior sigmas: more would be known of them
 constexpr double least_of_others = 0.02;  // probability
+constexpr double likeliest_odd = 0.05;    // probability of what no robot is built like: it stands in for another cause
 
 /// Second moments of the open numbers (prior sigmas) about the model's, beside those of the model's own numbers.
 class Moments {
@@ -293,15 +295,18 @@ std::vector<EffectTerm> estimated_with(const ModelSpace& all, const Chosen& unit
   return estimated;
 }
 
-void set_names(const ModelSpace& all, const OpenUnits& units, const Weights& weights, const Session& session,
-               InclusionProbabilities& inclusion_probabilities) {
+void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, const Weights& weights,
+               const Session& session, InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
   const std::set<std::string> in_model = all.list_names(all.present());
   const std::vector<SmallCauses> small_instead = find_small_causes(all);
+  std::set<std::string> odd;
+  for (const StandIn& s : stand_ins(fit)) odd.insert(s.id);
   for (std::size_t n = 0; n < all.names().size(); ++n) {
     InclusionProbability name{all.names()[n].id, {}, of_name(n, all, units, weights), false};
     name.is_in_model = in_model.contains(name.id);
     name.probability *= 1 - small_instead[n].share;
+    if (odd.contains(name.id)) name.probability = std::min(name.probability, likeliest_odd);
     if (!name.is_in_model && name.probability < InclusionProbabilities::least_reported) continue;
     const Chosen where = likely_units(n, all, probability, name.probability);
     name.where = places(where, all, session);
@@ -336,7 +341,7 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
   const OpenScore score = open_score(all, units);
   const Weights weights = model_posterior(all, units, score, goes_on);
   if (!goes_on()) return c;
-  set_names(all, units, weights, model.model.session, c);
+  set_names(model.model.fit, all, units, weights, model.model.session, c);
   if (units.open.empty()) return c;
 
   const std::vector<double> probability = of_units(all, units, weights);

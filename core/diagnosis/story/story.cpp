@@ -185,8 +185,9 @@ Story find_story(const StoryBasis& b) {
   return s;
 }
 
-Story find_story(const Diagnosis& d) {
-  Story s = find_story(StoryBasis{.fit = d.model.fit, .report = d.report, .attribution = {}, .diagnosis = &d});
+Story find_story(const Diagnosis& d, const std::set<std::string>& refused) {
+  Story s = find_story(
+      StoryBasis{.fit = d.model.fit, .report = d.report, .attribution = {}, .diagnosis = &d, .refused = refused});
   s.attribution = d.attribution;
   return s;
 }

@@ -113,7 +113,8 @@ struct StoryBasis {
 Story find_story(const StoryBasis& basis);
 
 /// Of a diagnosis alone, as the command line has it (its blame is already told in the light of what was found).
-Story find_story(const Diagnosis& diagnosis);
+/// `refused`: as in StoryBasis.
+Story find_story(const Diagnosis& diagnosis, const std::set<std::string>& refused = {});
 
 /// "3.4 px", "23 mm": an error as every place tells it, to two digits. From px or m.
 Message story_size_text(double error, bool in_pixels);
