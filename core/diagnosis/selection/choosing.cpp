@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/choosing.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -16,6 +17,11 @@ bool are_few_to_choose_by(const Fit& fit) {
   constexpr std::size_t few = 40;
   const std::vector<int> same_pose = first_of_same_pose(fit.problem);
   return std::set<int>(same_pose.begin(), same_pose.end()).size() <= few;
+}
+
+bool is_cheap_to_choose(const Fit& fit, int models) {
+  constexpr int most_rows = 20000;  // of all models together: a few seconds
+  return fit.rows <= most_rows / std::max(models, 1);
 }
 
 std::optional<ErrorSummary> error_with_choosing(const Session& session, const Fit& chosen,

@@ -48,6 +48,16 @@ std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
   return {all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end()};
 }
 
+/// A curve that hardly curves over the poses is a shift, and a shift of the hand is the hand's own place: then both
+/// grow without bound, and TCP->Body is lost.
+bool plays_against_what_rests(const Fit& before, const Diagnosis& after, std::size_t terms) {
+  constexpr double far_less_sure = 100;  // times the variance
+  const Fit& fit = after.model.fit;
+  if (implausible_numbers(last_group(after, terms), fit.problem.source->chain).empty()) return false;
+  const auto variance_of_place = [](const Fit& f) { return f.covariance.topLeftCorner<3, 3>().trace(); };
+  return variance_of_place(fit) > far_less_sure * variance_of_place(before);
+}
+
 void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
   ImprovementStep step = find_step(next);
   step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
@@ -125,6 +135,13 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   if (next.stopped) return change;
   if (has_no_answer(next.model.fit)) {
     change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
+    return change;
+  }
+  if (candidate.unnamed && plays_against_what_rests(model.model.fit, next, candidate.terms.size())) {
+    change.refused.push_back(
+        {id, candidate.where,
+         "it is larger than robots are built, and the hand's place would be known ten times worse: "
+         "it plays against what never moves"});
     return change;
   }
   if (held_out_error(next) >= before) {
@@ -378,7 +395,9 @@ class Improving {
 void try_choosing(const Session& session, const ImprovementOptions& options, Improvement& m) {
   const bool has_chosen = m.steps.size() > 1 && !m.stopped && m.last.verdict != Verdict::too_few_observations;
   const Fit& chosen = m.last.model.fit;
-  if (!has_chosen || !session.parts.empty() || has_no_answer(chosen) || !are_few_to_choose_by(chosen)) return;
+  if (!has_chosen || !session.parts.empty() || has_no_answer(chosen) || !are_few_to_choose_by(chosen) ||
+      !is_cheap_to_choose(chosen, m.models))
+    return;
   ImprovementOptions quiet = options;
   quiet.on_step = {};
   quiet.on_iteration = {};
