@@ -120,7 +120,7 @@ void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best
   if (!is_usual_for(flange) || !is_usual_for(target))
     throw InputError(
         message("No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
-                "is one of them inverted? If they do, {}.",
+                "is one of them inverted, is the robot's file of this robot? If they do, {}.",
                 at_most(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
   take_usual_turns(flange, notes);
   take_usual_turns(target, notes);
