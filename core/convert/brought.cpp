@@ -135,7 +135,8 @@ void bring_what_stands_beside(const std::vector<Table>& tables, const PoseTableO
 /// What stands in a table without a header, where joints may be among it, and how to say it.
 Message unnamed_columns(const Table& table, const Robot& robot) {
   return message(
-      "{}: has {} columns and no header, so that nobody can say which are the joints; name them in a first line, or with "
+      "{}: has {} columns and no header, so that nobody can say which are the joints; name them in a first line, or "
+      "with "
       "--table-columns \"{} x y z\" (a name each; - is left out; joint[deg], x[mm] say the unit).",
       table.file, table.width(), shortened(fmt::format("{}", fmt::join(joint_names(robot), " ")), 150));
 }
@@ -190,8 +191,8 @@ void bring_cameras(const fs::path& path, const std::string& file, FileKind kind,
   }
 }
 
-void bring_one(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot,
-               const TableOptions& o, Brought& b, Waiting& waiting) {
+void bring_one(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, const TableOptions& o,
+               Brought& b, Waiting& waiting) {
   switch (kind) {
     case FileKind::robot:
       throw InputError(message("{}: is a second robot; name one URDF, with --robot or among the files.", file));

@@ -102,8 +102,8 @@ NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
 double largest_turn(const std::vector<Rigid>& poses) {
   double largest = 0;
   for (const Rigid& pose : poses)
-    largest = std::max(
-        largest, vector_from_rotation(Matrix3(poses.front().rotation.transpose() * pose.rotation)).norm());
+    largest =
+        std::max(largest, vector_from_rotation(Matrix3(poses.front().rotation.transpose() * pose.rotation)).norm());
   return largest;
 }
 

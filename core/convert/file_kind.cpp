@@ -122,7 +122,9 @@ FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* r
 
 [[noreturn]] void refuse_columns(const fs::path& path, const Table& table, const Robot* robot) {
   if (!table.has_header)
-    refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header, or name the columns "
+    refuse_kind(path,
+                "is a table whose columns are neither joints of the robot nor places (x y z); write a header, or name "
+                "the columns "
                 "with --table-columns");
   std::vector<std::string> names;
   for (const TableColumn& column : table.columns) names.push_back(column.name);
