@@ -275,10 +275,29 @@ bool are_known_fixtures(const std::vector<std::string>& words) {
          std::all_of(words.begin(), words.end(), [](const std::string& w) { return kind_by_name(w); });
 }
 
+/// A table of joint readings and nothing else.
+bool holds_joints_alone(const fs::path& file, const Robot& robot) {
+  if (!fs::is_regular_file(file) || is_bag(file)) return false;
+  const auto table = parse_touch_table(read_text(file), shown_path(file.filename()), &robot, {});
+  if (!table) return false;
+  return table->has_header ? list_joint_columns(*table, robot).size() == table->width()
+                           : table->width() == joint_names(robot).size();
+}
+
+/// Files of joint readings alone, each named after a fixture: socket_1.csv, front/hole_0.csv.
+bool are_named_after_fixtures(const std::vector<fs::path>& files, const Robot& robot) {
+  if (files.empty() || !are_known_fixtures(fixtures_of_files(files))) return false;
+  try {
+    return std::all_of(files.begin(), files.end(), [&](const fs::path& f) { return holds_joints_alone(f, robot); });
+  } catch (const InputError&) {
+    return false;  // what it is, and what is wrong in it, is said where it is read
+  }
+}
+
 }  // namespace
 
 bool are_touches(const std::vector<fs::path>& files, const Robot* robot, const ConvertOptions& o) {
-  if (!o.fixtures.empty()) return true;
+  if (!o.fixtures.empty() || (robot && are_named_after_fixtures(files, *robot))) return true;
   return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
     if (!fs::is_regular_file(file) || is_bag(file)) return false;
     const std::string extension = file.extension().string();
