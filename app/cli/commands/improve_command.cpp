@@ -4,6 +4,7 @@
 #include "command.h"
 #include "estimation/report/export.h"
 #include "options/named_effects.h"
+#include "printing/blunder_output.h"
 #include "printing/fit_output.h"
 #include "printing/improvement_output.h"
 
@@ -29,7 +30,11 @@ int run(const ImproveArguments& o) {
   };
   const Improvement m = improve(session, options);
   print_improvement(o.output, session, m);
-  o.output.json(improvement_json(session, m));
+  const std::vector<Blunder> blunders = list_blunders(m.last.model.session, m.last.model.fit);
+  print_blunders(o.output, o.session, blunders);
+  Json result = improvement_json(session, m);
+  result["blunders"] = blunders_json(blunders);
+  o.output.json(result);
   if (!o.output.export_file.empty())
     o.output.calibration(make_calibration(session, m.last.model.fit, m.last.report, m.last.model_options,
                                           "handsight " HANDSIGHT_VERSION, m.inclusion_probabilities.model_uncertainty));
