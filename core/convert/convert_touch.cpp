@@ -173,6 +173,14 @@ std::vector<std::string> fixtures_of_files(const std::vector<fs::path>& files) {
   return names;
 }
 
+/// As sentences call the file: behind its folder where several have its name.
+std::string shown_among(const fs::path& file, const std::vector<fs::path>& files) {
+  const auto has_its_name = [&](const fs::path& other) { return other.filename() == file.filename(); };
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path().filename();
+  return shown_path(std::count_if(files.begin(), files.end(), has_its_name) == 1 ? file.filename()
+                                                                                 : folder / file.filename());
+}
+
 /// The tables among the files, each under its name; InputError where one is something else.
 std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& files, const Robot& robot,
                                                   const ConvertOptions& o, std::vector<Message>& notes) {
@@ -180,7 +188,7 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
   for (const fs::path& file : files) {
     std::optional<Table> table;
     if (fs::is_regular_file(file))
-      table = parse_touch_table(read_text(file), shown_path(file.filename()), &robot, o.columns);
+      table = parse_touch_table(read_text(file), shown_among(file, files), &robot, o.columns);
     if (!table)
       throw InputError(message(
           "{}: is no table of touches; a session of touches is made of tables (CSV) of joint angles, fixture and "

@@ -90,6 +90,7 @@ TEST_F(TouchTables, FilesOfOneNameInTwoFoldersAreTwoFixturesAndNeedNoHeader) {
   EXPECT_EQ(c.session.fixtures[0].id, "left_hole_0");
   EXPECT_EQ(c.session.fixtures[1].id, "right_hole_0");
   EXPECT_EQ(c.session.fixtures[1].kind, FixtureKind::point);
+  EXPECT_THAT(c.took, Contains(HasSubstr("right/hole_0.csv: a table of touches")));
   EXPECT_THAT(c.notes, Contains(HasSubstr("its columns are taken for a1 a2 a3 a4 a5 a6")));
   EXPECT_LT(fit(c.session).residual_rms, 1e-4);
 }

@@ -18,6 +18,15 @@ struct ImproveArguments {
   Output output;
 };
 
+/// Mistakes explain most of what is wrong: where effects did, none is left to look for.
+std::vector<Blunder> blunders_of_what_is_left(const Improvement& m) {
+  constexpr double most = 0.2;  // of the error at the start
+  const Fit& last = m.last.model.fit;
+  const bool is_explained =
+      m.last.verdict == Verdict::adequate || last.residual_rms < most * m.steps.front().fitted.rms;
+  return is_explained ? std::vector<Blunder>() : list_blunders(m.last.model.session, last);
+}
+
 int run(const ImproveArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   ImprovementOptions options;
@@ -30,7 +39,7 @@ int run(const ImproveArguments& o) {
   };
   const Improvement m = improve(session, options);
   print_improvement(o.output, session, m);
-  const std::vector<Blunder> blunders = list_blunders(m.last.model.session, m.last.model.fit);
+  const std::vector<Blunder> blunders = blunders_of_what_is_left(m);
   print_blunders(o.output, o.session, blunders);
   Json result = improvement_json(session, m);
   result["blunders"] = blunders_json(blunders);
