@@ -18,13 +18,16 @@ struct ImproveArguments {
   Output output;
 };
 
+double fitted_rms(const ImprovementStep& step) {
+  return step.fitted.rms_pixel ? *step.fitted.rms_pixel : step.fitted.rms_m.value_or(0);
+}
+
 /// Mistakes explain most of what is wrong: where effects did, none is left to look for.
 std::vector<Blunder> blunders_of_what_is_left(const Improvement& m) {
   constexpr double most = 0.2;  // of the error at the start
-  const Fit& last = m.last.model.fit;
-  const bool is_explained =
-      m.last.verdict == Verdict::adequate || last.residual_rms < most * m.steps.front().fitted.rms;
-  return is_explained ? std::vector<Blunder>() : list_blunders(m.last.model.session, last);
+  const bool is_explained = m.last.verdict == Verdict::adequate || m.steps.empty() ||
+                            fitted_rms(m.steps.back()) < most * fitted_rms(m.steps.front());
+  return is_explained ? std::vector<Blunder>() : list_blunders(m.last.model.session, m.last.model.fit);
 }
 
 int run(const ImproveArguments& o) {
