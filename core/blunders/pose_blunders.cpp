@@ -85,13 +85,19 @@ BlunderKind pose_inverted() {
           "The target's poses are inverted: they say where the sensor is in the target's frame, where the target in "
           "the sensor's is expected; or the sensor is on {} and the target on {}, which is the same to these numbers.",
           s.tcp, s.mount.link);
+    const char* const other_side = s.tcp == "base"
+                                       ? ", or the sensor stands beside the robot and the flange carries the target"
+                                       : ", or the flange carries the sensor and the target stands beside the robot";
+    if (where == "target" && s.robot.is_of_poses)
+      return message(
+          "The target's poses are inverted: they say where the sensor is in the target's frame, where the target in "
+          "the sensor's is expected{}, which is the same to these numbers.",
+          other_side);
     if (where == "target")
       return Message(
           "The target's poses are inverted: they say where the sensor is in the target's frame, where the "
           "target in the sensor's is expected.");
-    return message("The flange's poses are inverted: they say where the base is in the flange's frame{}.",
-                   s.tcp == "base" ? ", or the sensor stands beside the robot and the flange carries the target"
-                                   : ", or the flange carries the sensor and the target stands beside the robot");
+    return message("The flange's poses are inverted: they say where the base is in the flange's frame{}.", other_side);
   };
   k.fix = [](const std::string& where, const Session& s) {
     if (where == "target" && !s.robot.is_of_poses && s.mount.estimate)
@@ -99,12 +105,18 @@ BlunderKind pose_inverted() {
           "Invert each <target_pose> in {} (each pose in the table of the target that it was made of), or convert with "
           "--mount {} --tcp {}.",
           session_name(s), s.tcp, s.mount.link);
+    const char* const as_it_was_not = s.tcp == "base" ? "with" : "without";
+    if (where == "target" && s.robot.is_of_poses)
+      return message(
+          "Convert {} --eye-on-base, or invert each <target_pose> in {} (each pose in the table of the target that it "
+          "was made of).",
+          as_it_was_not, session_name(s));
     if (where == "target")
       return message("Invert each <target_pose> in {} (each pose in the table of the target that it was made of).",
                      session_name(s));
     return message(
         "Invert each <flange_pose> in {} (each pose in the table of the flange), or convert {} --eye-on-base.",
-        session_name(s), s.tcp == "base" ? "with" : "without");
+        session_name(s), as_it_was_not);
   };
   return k;
 }

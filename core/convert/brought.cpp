@@ -54,8 +54,18 @@ bool is_list_of_poses(const std::string& text, const std::string& file) {
   }
 }
 
-void bring_poses(const fs::path& path, const std::string& file, const Robot* robot, const PoseTableOptions& o,
-                 Brought& b) {
+/// What who brings tables says of them.
+struct TableOptions {
+  PoseTableOptions poses;
+  std::vector<std::string> columns;  // of a table without a header
+};
+
+Table table_of_file(const fs::path& path, const std::string& file, const Robot* robot, const TableOptions& o) {
+  return *parse_measured_table(read_text(path), file, robot ? joint_names(*robot) : std::vector<std::string>(),
+                               o.columns);
+}
+
+void bring_poses(const fs::path& path, const std::string& file, const Robot* robot, const TableOptions& o, Brought& b) {
   if (fs::is_directory(path)) return add_poses(read_pose_files(pose_files_in(path), file, b.notes), file, b);
   const std::string text = read_text(path);
   if (is_storage_text(text)) {
@@ -63,9 +73,9 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
   } else if (is_list_of_poses(text, file)) {
     add_poses(read_pose_list(parse_yaml(text, file), file, b.notes), file, b);
   } else {
-    const Table table = *parse_measured_table(text, file, robot ? joint_names(*robot) : std::vector<std::string>());
+    const Table table = table_of_file(path, file, robot, o);
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
-    add_poses(read_pose_table(table, robot != nullptr, o, b.notes), file, b);
+    add_poses(read_pose_table(table, robot != nullptr, o.poses, b.notes), file, b);
   }
 }
 
@@ -86,32 +96,55 @@ bool is_of_robot(const std::string& role) {
          has("tool0") || has("base_");
 }
 
-/// Where nothing else was measured: poses or points in the table of joint readings itself.
-void bring_what_stands_beside(const std::vector<Table>& tables, const PoseTableOptions& o, Brought& b) {
-  const bool is_measured = !b.poses.empty() || b.points || !b.image_folders.empty() || b.samples || !b.bag.empty();
-  if (is_measured || tables.size() != 1 || !tables.front().has_header) return;
-  const Table& table = tables.front();
+/// Of a table of joint readings what is no joint and nothing else either.
+void say_what_is_left_out(const Table& table, Brought& b) {
+  const auto others = table.width() - find_column(table, {"time", "timestamp", "t", "stamp"}).has_value();
+  if (table.has_header && others > 0)
+    b.notes.push_back(message("{}: {} columns are no joints of the robot and are left out.", table.file, others));
+}
+
+/// Poses or points in the table of joint readings itself; false: there are none.
+bool bring_places(const Table& table, const PoseTableOptions& o, Brought& b) {
   if (is_pose_table(table, true)) {
     std::vector<Message> notes;
     std::vector<ReadPoses> read = read_pose_table(table, true, o, notes);
     std::erase_if(read, [](const ReadPoses& one) { return is_of_robot(one.role); });
-    if (read.empty()) return;
+    if (read.empty()) return false;
     b.notes.insert(b.notes.end(), notes.begin(), notes.end());
     add_poses(std::move(read), table.file, b);
   } else if (is_point_table(table)) {
     b.points = read_point_table(table, b.notes);
   } else {
-    return;
+    return false;
   }
   b.notes.push_back(
       message("{}: the places in it are taken for what a sensor measured of the hand; where they are the controller's "
               "own they measure nothing.",
               table.file));
+  return true;
 }
 
-void bring_table(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, bool degrees,
-                 Waiting& waiting, Brought& b) {
-  Table table = *parse_measured_table(read_text(path), file, robot ? joint_names(*robot) : std::vector<std::string>());
+/// Where nothing else was measured it may stand beside the joint readings.
+void bring_what_stands_beside(const std::vector<Table>& tables, const PoseTableOptions& o, Brought& b) {
+  const bool is_measured = !b.poses.empty() || b.points || !b.image_folders.empty() || b.samples || !b.bag.empty();
+  const bool may_be = !is_measured && tables.size() == 1 && tables.front().has_header;
+  if (may_be && bring_places(tables.front(), o, b)) return;
+  for (const Table& table : tables) say_what_is_left_out(table, b);
+}
+
+/// What stands in a table without a header, where joints may be among it, and how to say it.
+Message unnamed_columns(const Table& table, const Robot& robot) {
+  return message(
+      "{}: has {} columns and no header, so that nobody can say which are the joints; name them in a first line, or "
+      "with "
+      "--table-columns \"{} x y z\" (a name each; - is left out; joint[deg], x[mm] say the unit).",
+      table.file, table.width(), shortened(fmt::format("{}", fmt::join(joint_names(robot), " ")), 150));
+}
+
+void bring_table(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot,
+                 const TableOptions& o, Waiting& waiting, Brought& b) {
+  Table table = table_of_file(path, file, robot, o);
+  bool degrees = o.poses.degrees;
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
     require_new(!b.joints, file, kind);
@@ -120,6 +153,7 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
     b.joints = read_joint_table(std::move(table), *robot, degrees, b.notes);
   } else {
     require_new(!b.points, file, kind);
+    if (robot && !table.has_header) b.unnamed_columns = unnamed_columns(table, *robot);
     b.points = read_point_table(std::move(table), b.notes);
   }
 }
@@ -157,8 +191,8 @@ void bring_cameras(const fs::path& path, const std::string& file, FileKind kind,
   }
 }
 
-void bring_one(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot,
-               const PoseTableOptions& o, Brought& b, Waiting& waiting) {
+void bring_one(const fs::path& path, const std::string& file, FileKind kind, const Robot* robot, const TableOptions& o,
+               Brought& b, Waiting& waiting) {
   switch (kind) {
     case FileKind::robot:
       throw InputError(message("{}: is a second robot; name one URDF, with --robot or among the files.", file));
@@ -196,25 +230,26 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
     case FileKind::servos:
       return;  // known before any table is read
     case FileKind::mocap:
-      return bring_mocap(path, file, o, b);
+      return bring_mocap(path, file, o.poses, b);
     case FileKind::pose:
       waiting.single_poses[path.parent_path()].push_back(path);
       return;
     case FileKind::joints:
     case FileKind::points:
-      return bring_table(path, file, kind, robot, o.degrees, waiting, b);
+      return bring_table(path, file, kind, robot, o, waiting, b);
   }
 }
 
 }  // namespace
 
-Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degrees, const std::string& angles) {
+Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degrees, const std::string& angles,
+              const std::vector<std::string>& columns) {
   Brought b;
   Waiting waiting;
   if (!angles.empty()) named_angle_kind(angles);  // refused before anything is read
   std::vector<FileKind> kinds;
   for (const fs::path& path : files) {
-    kinds.push_back(file_kind(path, robot));
+    kinds.push_back(file_kind(path, robot, columns));
     const std::string name = shown_path(path.filename());
     if (kinds.back() == FileKind::servos) b.servos = read_lerobot_calibration(parse_yaml(read_text(path), name), name);
   }
@@ -223,7 +258,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     const FileKind kind = kinds[i];
     const std::string file = shown_path(path.filename().empty() ? path.parent_path().filename() : path.filename());
     if (kind != FileKind::pose) b.took.push_back(message("{}: {}", file, kind_text(kind)));
-    bring_one(path, file, kind, robot, {angles, degrees}, b, waiting);
+    bring_one(path, file, kind, robot, {{angles, degrees}, columns}, b, waiting);
   }
   for (const auto& [folder, poses] : waiting.single_poses) {
     b.took.push_back(message("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));

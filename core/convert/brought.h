@@ -37,11 +37,13 @@ struct Brought {
   std::optional<Target> target;
   std::vector<Servo> servos;         // what the readings of joints mean
   std::vector<Message> took, notes;  // what each was taken for; what else is to be said
+  Message unnamed_columns;           // of a table without a header: what it has; empty: there is none
 };
 
-/// Reads all files; `robot` null: none was named. InputError where one is wrong, or two say the same.
+/// Reads all files; `robot` null: none was named. `columns` are the names of those of a table without a header
+/// (parse_measured_table). InputError where one is wrong, or two say the same.
 Brought bring(const std::vector<std::filesystem::path>& files, const Robot* robot, bool degrees,
-              const std::string& angles = {});
+              const std::string& angles = {}, const std::vector<std::string>& columns = {});
 
 /// Which of two series is the flange's, which the target's: by what their files or columns call them. InputError where
 /// these do not say.

@@ -12,6 +12,7 @@ namespace handsight {
 namespace {
 
 constexpr double well = 0.15;      // rad: what is left of motions that go together, however noisy
+constexpr double at_all = 0.4;     // rad: of robots that err by degrees, where nothing else comes near
 constexpr double as_well = 3;      // times the best
 constexpr double as_exact = 0.01;  // rad
 constexpr double degree = std::numbers::pi / 180;
@@ -120,7 +121,7 @@ void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best
   if (!is_usual_for(flange) || !is_usual_for(target))
     throw InputError(
         message("No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
-                "is one of them inverted? If they do, {}.",
+                "is one of them inverted, is the robot's file of this robot? If they do, {}.",
                 at_most(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
   take_usual_turns(flange, notes);
   take_usual_turns(target, notes);
@@ -138,6 +139,15 @@ Message next_best(const std::vector<Trial>& trials, const Trial& chosen) {
   return "";
 }
 
+/// Do the motions go together by the best, be it that they are noisy and no other reading comes near?
+bool goes_together(const std::vector<Trial>& trials) {
+  const Trial& best = trials.front();
+  if (best.misfit.size() <= well) return true;
+  return best.misfit.size() <= at_all && std::all_of(trials.begin(), trials.end(), [&](const Trial& other) {
+           return other.misfit.size() > as_well * best.misfit.size() || are_alike(other, best, best.misfit.size());
+         });
+}
+
 }  // namespace
 
 bool is_open(const NamedPoses& poses) { return poses.turns.readings.size() > 1; }
@@ -150,7 +160,7 @@ void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std:
     take_usual_turns(target, notes);
     return;
   }
-  if (trials.front().misfit.size() > well) {  // as if one table were inverted
+  if (!goes_together(trials)) {  // as if one table were inverted
     std::vector<Trial> inverted = trials_of(flange, target, !eye_in_hand);
     if (inverted.empty() || inverted.front().misfit.size() > well)
       return without_agreement(flange, target, trials.front(), notes);

@@ -26,7 +26,7 @@ struct ConvertOptions {
   std::string camera;                        // of a bag: stands in the topics of the images to take; empty: all
   std::vector<std::string> fixtures;         // of tables of touches: "plane table sigma=2e-5" (convert_touch.cpp)
   std::vector<std::string> apart;            // and their distances: "socket_1 socket_2 by=0.05 sigma=1e-5"
-  std::vector<std::string> columns;          // of tables of touches without a header; "-": left out
+  std::vector<std::string> columns;          // of tables without a header; "-": left out
   bool estimate_lag = false;
   PairingOptions pairing;
   std::function<bool()> goes_on;  // asked from time to time before session.xml is written: is it still wanted?

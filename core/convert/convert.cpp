@@ -98,6 +98,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
     return from_flange_images(b, o, std::move(c));
   if (!robot) throw InputError("There is no robot; name its URDF with --robot, or a table of its flange's poses.");
   if (!b.image_folders.empty()) return from_images(*robot, b, o, std::move(c));
+  if (!b.joints && !b.unnamed_columns.empty()) throw InputError(b.unnamed_columns);
   if (!b.joints) throw InputError("There are no joint readings; name a table (CSV) of them, a column a joint.");
   if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));
   if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0], o, std::move(c));
@@ -127,7 +128,7 @@ Conversion converted(const std::vector<fs::path>& given, ConvertOptions o) {
   if (robot) c.notes.insert(c.notes.end(), robot->notes.begin(), robot->notes.end());
   leave_out_unknown(files, opened.found, robot ? &robot->robot : nullptr, c.notes);
   if (are_touches(files, robot ? &robot->robot : nullptr, o)) return from_touches(robot, files, o, std::move(c));
-  Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles);
+  Brought b = bring(files, robot ? &robot->robot : nullptr, o.degrees, o.angles, o.columns);
   choose_target(b, o.target_frame);
   c.took.insert(c.took.end(), b.took.begin(), b.took.end());
   c.notes.insert(c.notes.end(), b.notes.begin(), b.notes.end());

@@ -98,6 +98,21 @@ NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
   return hand;
 }
 
+/// The largest turn between the first of these poses and another, rad.
+double largest_turn(const std::vector<Rigid>& poses) {
+  double largest = 0;
+  for (const Rigid& pose : poses)
+    largest =
+        std::max(largest, vector_from_rotation(Matrix3(poses.front().rotation.transpose() * pose.rotation)).norm());
+  return largest;
+}
+
+/// Turns that never change while the hand turns: the device measures places alone, and writes numbers for the rest.
+bool tells_no_turn(const NamedPoses& target, const std::vector<Rigid>& hand) {
+  constexpr double exact = 1e-9, turned = 0.1;  // rad
+  return target.series.poses.size() > 2 && largest_turn(target.series.poses) < exact && largest_turn(hand) > turned;
+}
+
 }  // namespace
 
 Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPoses target, const ConvertOptions& o,
@@ -110,11 +125,18 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
   parts.joints = {joints.names, {}, p.positions};
   target = take_rows(target, p.events);
   if (c.sensor.empty()) c.sensor = target.file, c.target = target.role.empty() ? target.file : target.role;
-  if (is_open(target)) {
-    NamedPoses hand = hand_of(robot, parts);
-    choose_turns(hand, target, false, c.notes);
-  }
   parts.times = target.series.times;
+  NamedPoses hand = hand_of(robot, parts);
+  if (tells_no_turn(target, hand.series.poses)) {
+    for (const Rigid& pose : target.series.poses) parts.points.push_back({pose.translation});
+    c.notes.push_back(
+        message("{}: the turn of its poses is the same in every row, though the hand turns: the device measures places "
+                "alone, and they are taken for points of one marker.",
+                target.file));
+    c.session = write_measured_session(parts, o);
+    return c;
+  }
+  if (is_open(target)) choose_turns(hand, target, false, c.notes);
   parts.target_poses = target.series.poses;
   c.notes.push_back(sensor_note(o));
   c.session = write_measured_session(parts, o);

@@ -42,7 +42,7 @@ void set_attribute(tinyxml2::XMLElement& element, const std::string& word, const
 
 /// What a fixture of that name is likely to be, where nobody says; null: it does not tell.
 const char* kind_by_name(const std::string& id) {
-  if (says(id, {"socket", "point", "cone", "ball", "nest"})) return "point";
+  if (says(id, {"socket", "point", "cone", "ball", "nest", "hole"})) return "point";
   if (says(id, {"plane", "plate", "table", "wall", "floor", "face"})) return "plane";
   return nullptr;
 }
@@ -151,19 +151,50 @@ class Fixtures {
   std::map<std::string, double> values_;
 };
 
+/// As many columns without a header as the robot has joints are these, in its order.
+void name_joints(Table& table, const Robot& robot, std::vector<Message>& notes) {
+  const std::vector<std::string> names = joint_names(robot);
+  if (table.has_header || table.width() != names.size()) return;
+  for (std::size_t c = 0; c < names.size(); ++c) table.columns[c].name = names[c];
+  table.has_header = true;
+  notes.push_back(message("{}: has no header; its columns are taken for {}{}.", table.file, "",
+                          shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
+}
+
+/// What each file's touches are of where it does not say: its name, behind that of its folder where several have it.
+std::vector<std::string> fixtures_of_files(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) {
+    const auto has_its_name = [&](const fs::path& other) { return other.stem() == file.stem(); };
+    const bool is_alone = std::count_if(files.begin(), files.end(), has_its_name) == 1;
+    const std::string folder = fs::absolute(file).lexically_normal().parent_path().filename().string();
+    names.push_back(is_alone || folder.empty() ? file.stem().string() : folder + "_" + file.stem().string());
+  }
+  return names;
+}
+
+/// As sentences call the file: behind its folder where several have its name.
+std::string shown_among(const fs::path& file, const std::vector<fs::path>& files) {
+  const auto has_its_name = [&](const fs::path& other) { return other.filename() == file.filename(); };
+  const fs::path folder = fs::absolute(file).lexically_normal().parent_path().filename();
+  return shown_path(std::count_if(files.begin(), files.end(), has_its_name) == 1 ? file.filename()
+                                                                                 : folder / file.filename());
+}
+
 /// The tables among the files, each under its name; InputError where one is something else.
 std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& files, const Robot& robot,
-                                                  const ConvertOptions& o) {
+                                                  const ConvertOptions& o, std::vector<Message>& notes) {
   std::vector<std::pair<fs::path, Table>> tables;
   for (const fs::path& file : files) {
     std::optional<Table> table;
     if (fs::is_regular_file(file))
-      table = parse_touch_table(read_text(file), shown_path(file.filename()), &robot, o.columns);
+      table = parse_touch_table(read_text(file), shown_among(file, files), &robot, o.columns);
     if (!table)
       throw InputError(message(
           "{}: is no table of touches; a session of touches is made of tables (CSV) of joint angles, fixture and "
           "reading, and of the robot.",
           shown_path(file)));
+    name_joints(*table, robot, notes);
     if (!table->has_header)
       throw InputError(
           message("{}: has no header; name its columns in a first line, or with --table-columns \"a1 a2 ... "
@@ -252,10 +283,29 @@ bool are_known_fixtures(const std::vector<std::string>& words) {
          std::all_of(words.begin(), words.end(), [](const std::string& w) { return kind_by_name(w); });
 }
 
+/// A table of joint readings and nothing else.
+bool holds_joints_alone(const fs::path& file, const Robot& robot) {
+  if (!fs::is_regular_file(file) || is_bag(file)) return false;
+  const auto table = parse_touch_table(read_text(file), shown_path(file.filename()), &robot, {});
+  if (!table) return false;
+  return table->has_header ? list_joint_columns(*table, robot).size() == table->width()
+                           : table->width() == joint_names(robot).size();
+}
+
+/// Files of joint readings alone, each named after a fixture: socket_1.csv, front/hole_0.csv.
+bool are_named_after_fixtures(const std::vector<fs::path>& files, const Robot& robot) {
+  if (files.empty() || !are_known_fixtures(fixtures_of_files(files))) return false;
+  try {
+    return std::all_of(files.begin(), files.end(), [&](const fs::path& f) { return holds_joints_alone(f, robot); });
+  } catch (const InputError&) {
+    return false;  // what it is, and what is wrong in it, is said where it is read
+  }
+}
+
 }  // namespace
 
 bool are_touches(const std::vector<fs::path>& files, const Robot* robot, const ConvertOptions& o) {
-  if (!o.fixtures.empty()) return true;
+  if (!o.fixtures.empty() || (robot && are_named_after_fixtures(files, *robot))) return true;
   return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
     if (!fs::is_regular_file(file) || is_bag(file)) return false;
     const std::string extension = file.extension().string();
@@ -278,10 +328,12 @@ Conversion from_touches(const std::optional<FieldUrdf>& robot, const std::vector
   Fixtures fixtures(o, c.notes);
   std::vector<TouchTable> tables;
   std::vector<std::string> names;
-  for (auto& [file, table] : tables_of(files, robot->robot, o)) {
+  const std::vector<std::string> fixtures_of = fixtures_of_files(files);
+  for (auto& [file, table] : tables_of(files, robot->robot, o, c.notes)) {
     c.took.push_back(message("{}: a table of touches", table.file));
     names.push_back(table.file);
-    const std::string fixture = fixtures.only().empty() || files.size() > 1 ? file.stem().string() : fixtures.only();
+    const std::string fixture =
+        fixtures.only().empty() || files.size() > 1 ? fixtures_of[names.size() - 1] : fixtures.only();
     tables.push_back(read_touch_table(std::move(table), robot->robot, fixture, o.degrees, c.notes));
     for (const TouchRow& row : tables.back().rows) fixtures.require(row.fixture, names.back());
   }

@@ -122,7 +122,10 @@ FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* r
 
 [[noreturn]] void refuse_columns(const fs::path& path, const Table& table, const Robot* robot) {
   if (!table.has_header)
-    refuse_kind(path, "is a table whose columns are neither joints of the robot nor places (x y z); write a header");
+    refuse_kind(path,
+                "is a table whose columns are neither joints of the robot nor places (x y z); write a header, or name "
+                "the columns "
+                "with --table-columns");
   std::vector<std::string> names;
   for (const TableColumn& column : table.columns) names.push_back(column.name);
   const std::string columns = shortened(fmt::format("{}", fmt::join(names, " ")), 150);
@@ -177,7 +180,7 @@ bool has_images(const fs::path& folder) {
   return false;
 }
 
-FileKind file_kind(const fs::path& path, const Robot* robot) {
+FileKind file_kind(const fs::path& path, const Robot* robot, const std::vector<std::string>& columns) {
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(message("{}: is not there; name a file or folder.", shown_path(path)));
   if (fs::is_directory(path)) {
@@ -202,7 +205,7 @@ FileKind file_kind(const fs::path& path, const Robot* robot) {
   if (begin.starts_with("{")) return json_kind(path, text, robot);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
   if (looks_like_yaml(text)) return yaml_kind(path, text, robot);
-  if (const auto table = parse_measured_table(text, shown_path(path.filename()), list_names(robot)))
+  if (const auto table = parse_measured_table(text, shown_path(path.filename()), list_names(robot), columns))
     return table_kind(path, *table, robot);
   if (text.find_first_of("\r\n", static_cast<std::size_t>(begin.data() + begin.size() - text.data())) ==
           std::string::npos ||

@@ -32,7 +32,7 @@ enum class FileKind {
 
 /// What a file or folder is, without the robot: a table of joints is one whose columns name no place. InputError where
 /// it is nothing that a session is made from: the sentence says what it looks like and what to do.
-FileKind file_kind(const std::filesystem::path& path, const Robot* robot);
+FileKind file_kind(const std::filesystem::path& path, const Robot* robot, const std::vector<std::string>& columns = {});
 
 /// Does it hold the numbers of one camera (of a left and a right one)?
 bool is_one_camera(FileKind kind);

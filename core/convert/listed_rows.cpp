@@ -295,6 +295,23 @@ void spread_lists(Table& table, const std::vector<std::string>& joints) {
   }
 }
 
+constexpr char left_out[] = "left_out_";
+
+/// Where the text is a table without a header that has as many columns; those that are left out are gone.
+std::optional<Table> named_table(const std::string& text, const std::string& file,
+                                 const std::vector<std::string>& joints, const std::vector<std::string>& columns) {
+  if (text.find_first_of("0123456789") == std::string::npos || looks_like_yaml(text)) return std::nullopt;
+  const auto bare = parse_table(text, file, joints);
+  if (!bare || bare->has_header || bare->width() != columns.size()) return std::nullopt;
+  auto table = parse_headed_table(text, file, joints, columns);
+  for (std::size_t c = columns.size(); table && c-- > 0;) {
+    if (columns[c] != "-") continue;
+    table->columns.erase(table->columns.begin() + static_cast<std::ptrdiff_t>(c));
+    for (auto& row : table->rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(c));
+  }
+  return table;
+}
+
 }  // namespace
 
 std::optional<Table> parse_listed_rows(const std::string& text, const std::string& file,
@@ -312,8 +329,23 @@ std::optional<Table> parse_printed_rows(const std::string& text, const std::stri
   return rows_of_brackets(text, file);
 }
 
+std::optional<Table> parse_headed_table(const std::string& text, const std::string& file,
+                                        const std::vector<std::string>& joints,
+                                        const std::vector<std::string>& columns) {
+  const char separator = cell_separator(std::string_view(text).substr(0, text.find('\n')));
+  std::string header;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    header += (c > 0 ? std::string(1, separator) : "") +
+              (columns[c] == "-" ? fmt::format("{}{}", left_out, c + 1) : columns[c]);
+  auto table = parse_table(header + "\n" + text, file, joints);
+  for (std::size_t i = 0; table && i < table->lines.size(); ++i) --table->lines[i];  // as they stand in the file
+  return table;
+}
+
 std::optional<Table> parse_measured_table(const std::string& text, const std::string& file,
-                                          const std::vector<std::string>& joints) {
+                                          const std::vector<std::string>& joints,
+                                          const std::vector<std::string>& columns) {
+  if (auto table = columns.empty() ? std::nullopt : named_table(text, file, joints, columns)) return table;
   const std::string_view begin = first_line(text);
   if (!begin.starts_with("p["))
     if (auto table = parse_printed_rows(text, file)) return table;

@@ -20,8 +20,15 @@ std::optional<Table> parse_listed_rows(const std::string& text, const std::strin
 /// these.
 std::optional<Table> parse_printed_rows(const std::string& text, const std::string& file);
 
+/// Text with separators and without a header, its columns named by `columns` ("joint_1[deg]"; "-": left_out_N).
+std::optional<Table> parse_headed_table(const std::string& text, const std::string& file,
+                                        const std::vector<std::string>& joints,
+                                        const std::vector<std::string>& columns);
+
 /// The table that a text is, in whatever form: one of these, or of text with separators (parse_recorded_table).
+/// `columns` name those of a table that has no header and as many ("-": left out).
 std::optional<Table> parse_measured_table(const std::string& text, const std::string& file,
-                                          const std::vector<std::string>& joints);
+                                          const std::vector<std::string>& joints,
+                                          const std::vector<std::string>& columns = {});
 
 }  // namespace handsight

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "convert/listed_rows.h"
 #include "readers/pose_files.h"
 #include "readers/texts/cells.h"
 
@@ -90,15 +91,7 @@ std::optional<Table> parse_touch_table(const std::string& text, const std::strin
                                        const std::vector<std::string>& columns) {
   const std::vector<std::string> names = robot ? joint_names(*robot) : std::vector<std::string>();
   if (columns.empty()) return parse_table(text, file, names);
-  const std::string_view line = std::string_view(text).substr(0, text.find('\n'));
-  const char separator = cell_separator(line);
-  std::string header;
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    header +=
-        (c > 0 ? std::string(1, separator) : "") + (columns[c] == "-" ? fmt::format("left_out_{}", c + 1) : columns[c]);
-  auto table = parse_table(header + "\n" + text, file, names);
-  for (std::size_t i = 0; table && i < table->lines.size(); ++i) --table->lines[i];  // as they stand in the file
-  return table;
+  return parse_headed_table(text, file, names, columns);
 }
 
 bool names_fixtures(const Table& table) {

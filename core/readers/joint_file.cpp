@@ -140,15 +140,11 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
                             shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
     return all;
   }
-  int ignored = 0;
   bool are_numbered = false;
   const std::vector<int> joints = joints_of_columns(t, robot, are_numbered);
   for (std::size_t c = 0; c < t.width(); ++c) {
     const int joint = joints[c];
-    if (joint < 0) {
-      ++ignored;
-      continue;
-    }
+    if (joint < 0) continue;
     for (const Placed& p : all)
       if (p.joint == joint)
         refuse(t.file, 1,
@@ -163,9 +159,6 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
   if (all.empty())
     throw InputError(message("{}: no column has the name of a joint of the robot, which has: {}.", t.file,
                              shortened(fmt::format("{}", fmt::join(names, " ")), 300)));
-  const int others = ignored - static_cast<int>(find_column(t, {"time", "timestamp", "t", "stamp"}).has_value());
-  if (others > 0)
-    notes.push_back(message("{}: {} columns are no joints of the robot and are left out.", t.file, others));
   return all;
 }
 

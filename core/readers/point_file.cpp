@@ -19,10 +19,22 @@ struct Triple {
   std::size_t column[3];
 };
 
-/// The name before "_x", ".x", " x", "x"; nothing where the column ends in no axis.
+/// The number behind "x1", "x_1", "x[1]"; nothing where that is not what it is.
+std::optional<std::pair<std::string, int>> numbered_axis_of(const std::string& name) {
+  const std::size_t axis = std::string("xyz").find(name.front()), digit = name.find_first_of("0123456789");
+  if (axis == std::string::npos || digit == std::string::npos) return std::nullopt;
+  const std::size_t end = name.find_first_not_of("0123456789", digit);
+  const std::string before = name.substr(1, digit - 1), after = end == std::string::npos ? "" : name.substr(end);
+  if (before.find_first_not_of("_.[( -") != std::string::npos || after.find_first_not_of("])") != std::string::npos)
+    return std::nullopt;
+  return std::pair(name.substr(digit, end - digit), static_cast<int>(axis));
+}
+
+/// The name before "_x", ".x", " x", "x", or the number behind "x1"; nothing where the column is of no axis.
 std::optional<std::pair<std::string, int>> axis_of(std::string name) {
   if (name.empty()) return std::nullopt;
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (auto numbered = numbered_axis_of(name)) return numbered;
   const std::size_t axis = std::string("xyz").find(name.back());
   if (axis == std::string::npos) return std::nullopt;
   name.pop_back();

@@ -17,6 +17,26 @@ namespace {
 
 using Names = std::vector<std::string>;
 
+/// "x1", "phiy2": a part of a pose and its number, as programs of identification call them.
+bool is_numbered_part(const std::string& letters) {
+  for (const char* axis : {"x", "y", "z"})
+    for (const char* before : {"", "t", "p", "r", "phi", "rv"})
+      if (letters == before + std::string(axis)) return true;
+  for (const char* part : {"qx", "qy", "qz", "qw", "roll", "pitch", "yaw"})
+    if (letters == part) return true;
+  return false;
+}
+
+/// "x1" in two words: "1" and "x".
+void split_number(Names& words) {
+  const std::string last = words.empty() ? "" : words.back();
+  const std::size_t digit = last.find_first_of("0123456789");
+  if (digit == std::string::npos || last.find_first_not_of("0123456789", digit) != std::string::npos) return;
+  if (!is_numbered_part(last.substr(0, digit))) return;
+  words.back() = last.substr(digit);
+  words.push_back(last.substr(0, digit));
+}
+
 Names list_words(const std::string& name) {
   Names words{""};
   for (const char c : name) {
@@ -26,6 +46,7 @@ Names list_words(const std::string& name) {
       words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   std::erase(words, "");
+  split_number(words);
   return words;
 }
 
@@ -56,7 +77,7 @@ std::string component_of(const std::string& before, const std::string& last) {
   if (is_one_of(last, {"qx",  "qy", "qz", "qw", "q0", "q1", "q2", "q3", "q4", "rx", "ry", "rz",    "roll", "pitch",
                        "yaw", "a",  "b",  "c",  "w",  "p",  "r",  "o",  "t",  "u",  "v",  "alpha", "beta", "gamma"}))
     return last;
-  if (is_one_of(last, {"rvx", "rvy", "rvz"})) return last;
+  if (is_one_of(last, {"rvx", "rvy", "rvz", "phix", "phiy", "phiz"})) return last;
   if (last == "wx" || last == "ax" || last == "ox") return "rvx";
   if (last == "wy" || last == "ay" || last == "oy") return "rvy";
   if (last == "wz" || last == "az" || last == "oz") return "rvz";
@@ -123,6 +144,7 @@ const std::vector<Way>& ways() {
       {{"rvx", "rvy", "rvz"}, {K::rotation_vector}, true, false},
       {{"roll", "pitch", "yaw"}, {K::rpy}, true, false},
       {{"rx", "ry", "rz"}, {K::rotation_vector, K::rpy, K::moving_xyz}, false, false},
+      {{"phix", "phiy", "phiz"}, {K::rpy, K::rotation_vector, K::moving_xyz}, false, false},
       {{"w", "p", "r"}, {K::rpy}, true, true},
       {{"o", "a", "t"}, {K::zyz}, true, true},
       {{"a", "b", "c"}, {K::zyx, K::rpy, K::zyz, K::moving_xyz}, true, true},

@@ -9942,6 +9942,14 @@
         <source>beyond the threshold</source>
         <translation>jenseits der Schwelle</translation>
     </message>
+    <message>
+        <source>The target's poses are inverted: they say where the sensor is in the target's frame, where the target in the sensor's is expected%1, which is the same to these numbers.</source>
+        <translation>Die Posen des Ziels sind invertiert: sie sagen, wo der Sensor im System des Ziels ist, erwartet wird das Ziel in dem des Sensors%1, was für diese Zahlen dasselbe ist.</translation>
+    </message>
+    <message>
+        <source>Convert %1 --eye-on-base, or invert each &lt;target_pose&gt; in %2 (each pose in the table of the target that it was made of).</source>
+        <translation>Wandle %1 --eye-on-base um, oder kehre jede &lt;target_pose&gt; in %2 um (jede Pose der Tabelle des Ziels, aus der sie gemacht wurde).</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -10499,8 +10507,8 @@
         <translation>ist YAML einer unbekannten Art</translation>
     </message>
     <message>
-        <source>is a table whose columns are neither joints of the robot nor places (x y z); write a header</source>
-        <translation>ist eine Tabelle, deren Spalten weder Gelenke des Roboters noch Orte (x y z) sind; schreibe eine Kopfzeile</translation>
+        <source>is a table whose columns are neither joints of the robot nor places (x y z); write a header, or name the columns with --table-columns</source>
+        <translation>ist eine Tabelle, deren Spalten weder Gelenke des Roboters noch Orte (x y z) sind; schreibe eine Kopfzeile oder nenne die Spalten mit --table-columns</translation>
     </message>
     <message>
         <source>holds a session already, use it as it is</source>
@@ -11363,8 +11371,8 @@
         <translation>%1, oder %2: beides passt gleich gut zu den anderen Posen; %3.</translation>
     </message>
     <message>
-        <source>No reading of %1 makes the motions of both agree (the best leaves %2): do the rows belong together, is one of them inverted? If they do, %3.</source>
-        <translation>Keine Lesart von %1 bringt die Bewegungen beider zur Übereinstimmung (die beste lässt %2): gehören die Zeilen zusammen, ist eine invertiert? Wenn sie zusammengehören: %3.</translation>
+        <source>No reading of %1 makes the motions of both agree (the best leaves %2): do the rows belong together, is one of them inverted, is the robot's file of this robot? If they do, %3.</source>
+        <translation>Keine Lesart von %1 bringt die Bewegungen beider zur Übereinstimmung (die beste lässt %2): gehören die Zeilen zusammen, ist eine invertiert, ist die Roboterdatei die dieses Roboters? Wenn sie zusammengehören: %3.</translation>
     </message>
     <message>
         <source>However they are read, the motions of the flange and of the target do not agree (the best leaves %1); see what fit says.</source>
@@ -13173,6 +13181,14 @@
     <message>
         <source>stands too deep in a message, expected %1 levels at most.</source>
         <translation>steht zu tief in einer Nachricht; erwartet werden höchstens %1 Ebenen.</translation>
+    </message>
+    <message>
+        <source>%1: has %2 columns and no header, so that nobody can say which are the joints; name them in a first line, or with --table-columns "%3 x y z" (a name each; - is left out; joint[deg], x[mm] say the unit).</source>
+        <translation>%1: hat %2 Spalten und keinen Kopf, sodass niemand sagen kann, welche die Gelenke sind; nenne sie in einer ersten Zeile oder mit --table-columns "%3 x y z" (je ein Name; - wird weggelassen; gelenk[deg], x[mm] sagen die Einheit).</translation>
+    </message>
+    <message>
+        <source>%1: the turn of its poses is the same in every row, though the hand turns: the device measures places alone, and they are taken for points of one marker.</source>
+        <translation>%1: die Drehung seiner Posen ist in jeder Zeile dieselbe, obwohl die Hand sich dreht: das Gerät misst nur Orte, und sie werden als Punkte eines Markers genommen.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ using fixture::six_axes;
 using fixture::turned;
 using fixture::with_joint;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
@@ -103,6 +104,14 @@ TEST(FindBlunders, InvertedPoses) {
               ElementsAre("pose_inverted:target"));
   EXPECT_THAT(blunders_in(fixture::with_flange_poses(s, [](const Rigid& p) { return inverse(p); })),
               ElementsAre("pose_inverted:flange"));
+}
+
+TEST(FindBlunders, InvertedPosesAreSaidToBeTheOtherSideToo) {
+  const Session wrong = fixture::with_target_poses(fixture::pose_session(1), [](const Rigid& p) { return inverse(p); });
+  const std::vector<Blunder> found = find_blunders(wrong, fit(wrong));
+  ASSERT_FALSE(found.empty());
+  EXPECT_THAT(found.front().text.english(), HasSubstr("the sensor stands beside the robot"));
+  EXPECT_THAT(found.front().fix.english(), HasSubstr("Convert with --eye-on-base"));
 }
 
 Rigid read_as_rpy(const Rigid& p) { return {rotation_from_rpy(vector_from_rotation(p.rotation)), p.translation}; }

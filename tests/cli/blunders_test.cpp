@@ -41,6 +41,12 @@ class Blunders : public testing::Test {
   TemporaryFolder folder;
 };
 
+TEST_F(Blunders, OfWhatImproveLeavesAreNamedToo) {
+  const auto blunders = run({"improve", at("wrong"), "--names-only", "--json", "-"}).json()["blunders"];
+  ASSERT_EQ(blunders.size(), 1u);
+  EXPECT_EQ(blunders[0]["id"], "joint_sense");
+}
+
 TEST_F(Blunders, AreNamedByThreeCommands) {
   for (const char* command : {"check", "fit", "diagnose"}) {
     const auto blunders = run({command, at("wrong"), "--json", "-"}).json()["blunders"];
@@ -58,7 +64,7 @@ TEST_F(Blunders, AreNamedByThreeCommands) {
 }
 
 TEST_F(Blunders, OfAGoodSessionTheListIsEmpty) {
-  for (const char* command : {"check", "fit", "diagnose"}) {
+  for (const char* command : {"check", "fit", "diagnose", "improve"}) {
     const auto json = run({command, at("good"), "--json", "-"}).json();
     ASSERT_TRUE(json.contains("blunders") && json["blunders"].is_array()) << command;
     EXPECT_THAT(json["blunders"], IsEmpty()) << command;

@@ -140,6 +140,18 @@ TEST_F(HandEyeTables, RowsThatDoNotBelongTogetherAreNotReadToFit) {
       AllOf(HasSubstr("No reading"), HasSubstr("rows belong together")));
 }
 
+TEST_F(HandEyeTables, ARobotThatErrsByDegreesIsReadWhereNoOtherReadingComesNear) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const auto drawn = [&](double sigma) {
+    return Vector3(sigma * normal(random), sigma * normal(random), sigma * normal(random));
+  };
+  for (Rigid& p : target) p = p * Rigid{rotation_from_vector<double>(drawn(0.05)), drawn(0.03)};
+  const Conversion c = converted(
+      {write("flange.csv", table("x,y,z,rx,ry,rz", flange, vector)), write("target.csv", quaternions(target))});
+  EXPECT_THAT(c.notes, Contains(HasSubstr("read as rotation vectors")));
+}
+
 TEST_F(HandEyeTables, InvertedPosesDoNotLeadToAWrongReading) {
   for (Rigid& p : target) p = inverse(p);
   const Conversion c = converted(

@@ -77,6 +77,24 @@ TEST_F(TouchTables, ATableAFixtureIsNamedAfterItsFile) {
   expect_as_made(converted(files).session);
 }
 
+TEST_F(TouchTables, FilesOfOneNameInTwoFoldersAreTwoFixturesAndNeedNoHeader) {
+  const auto joints = [&](int fixture) {
+    std::string text;
+    for (const Observation& o : made.observations)
+      if (o.part == fixture) text += fmt::format("{:.18e}\n", fmt::join(o.position, ","));
+    return text;
+  };
+  options_.apart.clear();
+  const Conversion c = converted({write("left/hole_0.csv", joints(3)), write("right/hole_0.csv", joints(4))});
+  ASSERT_EQ(c.session.fixtures.size(), 2u);
+  EXPECT_EQ(c.session.fixtures[0].id, "left_hole_0");
+  EXPECT_EQ(c.session.fixtures[1].id, "right_hole_0");
+  EXPECT_EQ(c.session.fixtures[1].kind, FixtureKind::point);
+  EXPECT_THAT(c.took, Contains(HasSubstr("right/hole_0.csv: a table of touches")));
+  EXPECT_THAT(c.notes, Contains(HasSubstr("its columns are taken for a1 a2 a3 a4 a5 a6")));
+  EXPECT_LT(fit(c.session).residual_rms, 1e-4);
+}
+
 TEST_F(TouchTables, LinesOfOneTouchCountOnce) {
   std::string text = "pose,a1,a2,a3,a4,a5,a6,fixture\n";
   for (const Observation& o : made.observations)

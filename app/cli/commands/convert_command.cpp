@@ -182,7 +182,8 @@ Command add_convert(const CommandLine& program) {
                  "axis=0,1,0\", also sigma=, mount=, place_sigma=, value= (m)");
   command.option("--apart", o->convert.apart, "Of touches: \"socket_1 socket_2 by=0.05 sigma=1e-5\" (m)");
   command.option("--table-columns", o->columns,
-                 "Of tables of touches without a header: \"a1 a2 - fixture value[mm]\"; - is left out");
+                 "Of tables without a header: \"a1[deg] a2[deg] - x[mm] y[mm] z[mm]\", of touches \"a1 a2 - fixture "
+                 "value[mm]\"; - is left out");
   command.option("--lag", o->convert.pairing.lag, "s: how much later the sensor's times are than the joints'")
       .within(-100, 100);
   command.flag("--estimate-lag", o->convert.estimate_lag, "Find the lag from movements that both show");

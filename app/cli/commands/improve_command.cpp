@@ -4,6 +4,7 @@
 #include "command.h"
 #include "estimation/report/export.h"
 #include "options/named_effects.h"
+#include "printing/blunder_output.h"
 #include "printing/fit_output.h"
 #include "printing/improvement_output.h"
 
@@ -17,6 +18,18 @@ struct ImproveArguments {
   Output output;
 };
 
+double fitted_rms(const ImprovementStep& step) {
+  return step.fitted.rms_pixel ? *step.fitted.rms_pixel : step.fitted.rms_m.value_or(0);
+}
+
+/// Mistakes explain most of what is wrong: where effects did, none is left to look for.
+std::vector<Blunder> blunders_of_what_is_left(const Improvement& m) {
+  constexpr double most = 0.2;  // of the error at the start
+  const bool is_explained = m.last.verdict == Verdict::adequate || m.steps.empty() ||
+                            fitted_rms(m.steps.back()) < most * fitted_rms(m.steps.front());
+  return is_explained ? std::vector<Blunder>() : list_blunders(m.last.model.session, m.last.model.fit);
+}
+
 int run(const ImproveArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   ImprovementOptions options;
@@ -29,7 +42,11 @@ int run(const ImproveArguments& o) {
   };
   const Improvement m = improve(session, options);
   print_improvement(o.output, session, m);
-  o.output.json(improvement_json(session, m));
+  const std::vector<Blunder> blunders = blunders_of_what_is_left(m);
+  print_blunders(o.output, o.session, blunders);
+  Json result = improvement_json(session, m);
+  result["blunders"] = blunders_json(blunders);
+  o.output.json(result);
   if (!o.output.export_file.empty())
     o.output.calibration(make_calibration(session, m.last.model.fit, m.last.report, m.last.model_options,
                                           "handsight " HANDSIGHT_VERSION, m.inclusion_probabilities.model_uncertainty));
