@@ -9938,6 +9938,18 @@
         <source>beyond the threshold</source>
         <translation>jenseits der Schwelle</translation>
     </message>
+    <message>
+        <source>To find where tip and fixtures are takes at least so many touches more, each with the hand turned otherwise: %1.</source>
+        <translation>Um zu finden, wo Spitze und Vorrichtungen sind, braucht es mindestens so viele Berührungen mehr, jede mit anders gedrehter Hand: %1.</translation>
+    </message>
+    <message>
+        <source>As many numbers were read as are asked for: how exact they are cannot be known. Touch more, or say how exactly a touch tells (sigma).</source>
+        <translation>Es wurden so viele Zahlen gelesen, wie gefragt sind: wie genau sie sind, lässt sich nicht erkennen. Berühre öfter, oder sage, wie genau eine Berührung ist (sigma).</translation>
+    </message>
+    <message>
+        <source>Touch the same fixtures more often, with the hand turned about more than one axis.</source>
+        <translation>Berühre dieselben Vorrichtungen öfter, mit um mehr als eine Achse gedrehter Hand.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -13169,6 +13181,10 @@
     <message>
         <source>stands too deep in a message, expected %1 levels at most.</source>
         <translation>steht zu tief in einer Nachricht; erwartet werden höchstens %1 Ebenen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 touches do not determine where the tip sits on the hand (%3 of its %4 numbers), and so no place of a fixture. %5</source>
+        <translation>%1: %2 Berührungen bestimmen nicht, wo die Spitze an der Hand sitzt (%3 ihrer %4 Zahlen), und so keinen Ort einer Vorrichtung. %5</translation>
     </message>
 </context>
 <context>
