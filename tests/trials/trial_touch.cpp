@@ -185,7 +185,7 @@ std::optional<EffectTerm> hidden(const Session& like, const char* id, int touche
 
 /// ln of the Bayes factor of an effect at a place, its noise known and nothing else beside it: Laplace's, with the
 /// priors that the diagnosis has.
-double oracle_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
+double judged_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
   FitOptions o;
   o.estimated = {zero};
   const Fit f = fit(s, o);
@@ -227,7 +227,7 @@ Judgement judge(const Session& s) {
   for (const Effect& effect : catalogue())
     for (const int place : effect_places(effect, make_chain(s))) {
       try {
-        const double ln = oracle_ln_bayes_factor(s, without, term_of(effect, place));
+        const double ln = judged_ln_bayes_factor(s, without, term_of(effect, place));
         const auto [at, is_new] = judgement.emplace(effect.id, ln);
         if (!is_new) at->second = std::max(at->second, ln);
       } catch (const std::exception&) {

@@ -2,8 +2,7 @@
 #include "diagnosis/verdict/finding.h"
 
 #include <algorithm>
-
-#include "diagnosis/verdict/judging.h"
+#include <cmath>
 
 namespace handsight {
 namespace {
@@ -66,7 +65,8 @@ bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
 /// A curve follows chance too: odds below 20 do not set it before a name that explains most of the same.
 static bool is_name_for(const DiagnosisCandidate& curve, const DiagnosisCandidate& c) {
   constexpr double most = 0.8;  // of what is explained
-  return curve.unnamed && is_believable(c) && c.ln_bayes_factor > curve.ln_bayes_factor - ln_20 &&
+  const double lead = curve.ln_bayes_factor - c.ln_bayes_factor;
+  return curve.unnamed && is_believable(c) && lead < std::log(20) &&
          c.explained.value_or(0) >= most * curve.explained.value_or(1);
 }
 
