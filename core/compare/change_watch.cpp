@@ -5,7 +5,7 @@
 
 namespace handsight {
 
-ChangeWatch::ChangeWatch(CalibratedRobot before, WatchOptions options) : parts_(std::make_unique<Parts>()) {
+ChangeWatch::ChangeWatch(CalibratedRobot before, WatchOptions options) : parts_(std::make_unique<WatchParts>()) {
   parts_->before = std::move(before);
   parts_->options = options;
 }
@@ -15,7 +15,7 @@ ChangeWatch& ChangeWatch::operator=(ChangeWatch&&) noexcept = default;
 
 std::optional<WatchStep> ChangeWatch::add(const Session& session, const Observation& observation) {
   if (observation.sightings.empty() || observation.decision == Decision::excluded) return std::nullopt;
-  Parts& p = *parts_;
+  WatchParts& p = *parts_;
   Matrix6 repeatability;
   Recent one;
   one.sums = p.sums_of(session, observation, repeatability);

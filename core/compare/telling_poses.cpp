@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "compare/change_watch.h"
 #include "compare/watch_parts.h"
 
 namespace handsight {
@@ -31,7 +32,7 @@ std::vector<std::size_t> telling_poses(const CalibratedRobot& before, const Sess
   Session by_points = session;
   by_points.rig.reset();
   by_points.sigma_point = 1e-4;
-  ChangeWatch::Parts parts;
+  WatchParts parts;
   parts.before = before;
   std::vector<Normal> normals;
   for (const Eigen::VectorXd& q : positions) {

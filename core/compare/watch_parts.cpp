@@ -20,7 +20,7 @@ constexpr double least_coordinate = 0.25;  // half of the noise: what shape and 
 
 }  // namespace
 
-PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
+PoseSums WatchParts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
   Session one = without_observations(session);
   one.observations = {observation};
   one.observations[0].decision = Decision::none;
@@ -67,7 +67,7 @@ PoseSums ChangeWatch::Parts::sums_of(const Session& session, const Observation& 
   return sums_of_rows(o, single, problem.rig ? 2 * problem.rig->count() : 3, problem.marker_count);
 }
 
-std::size_t ChangeWatch::Parts::locate(const Eigen::VectorXd& position, const Matrix6& repeatability) {
+std::size_t WatchParts::locate(const Eigen::VectorXd& position, const Matrix6& repeatability) {
   for (std::size_t p = 0; p < poses.size(); ++p)
     if ((poses[p].position - position).cwiseAbs().maxCoeff() < same_pose) return p;
   poses.push_back({position, repeatability, {}, {}});
@@ -75,7 +75,7 @@ std::size_t ChangeWatch::Parts::locate(const Eigen::VectorXd& position, const Ma
 }
 
 /// By group, the mean over its places, with what it is likely beforehand.
-std::map<std::string, double> ChangeWatch::Parts::by_group(const std::vector<double>& evidence) const {
+std::map<std::string, double> WatchParts::by_group(const std::vector<double>& evidence) const {
   std::map<std::string, std::vector<double>> groups;
   for (std::size_t u = 0; u < units.size(); ++u) groups[units[u].group].push_back(evidence[u]);
   std::map<std::string, double> ln_of;
@@ -84,7 +84,7 @@ std::map<std::string, double> ChangeWatch::Parts::by_group(const std::vector<dou
 }
 
 /// The mean over the groups.
-double ChangeWatch::Parts::mixture(const std::vector<double>& evidence) const {
+double WatchParts::mixture(const std::vector<double>& evidence) const {
   std::vector<double> of_groups;
   double weights = 0;
   for (const auto& [group, ln] : by_group(evidence)) {
@@ -94,7 +94,7 @@ double ChangeWatch::Parts::mixture(const std::vector<double>& evidence) const {
   return ln_mean_exp(of_groups) + std::log(static_cast<double>(of_groups.size()) / weights);
 }
 
-ChangeWatch::Parts::Start ChangeWatch::Parts::start_at(double ln_weight, const Normal& n) const {
+WatchParts::Start WatchParts::start_at(double ln_weight, const Normal& n) const {
   const Eigen::Index changes = n.gradient.size() - base;
   const Eigen::LLT<Eigen::MatrixXd> llt(n.information.topLeftCorner(base, base) + known);
   const Eigen::MatrixXd cross = llt.solve(n.information.topRightCorner(base, changes));
@@ -112,7 +112,7 @@ ChangeWatch::Parts::Start ChangeWatch::Parts::start_at(double ln_weight, const N
   return start;
 }
 
-std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
+std::vector<WatchParts::Start> WatchParts::starts() const {
   std::vector<PoseSums> sums;
   std::vector<Normal> normals;
   Normal total, from_first;
@@ -143,7 +143,7 @@ std::vector<ChangeWatch::Parts::Start> ChangeWatch::Parts::starts() const {
 }
 
 /// Its numbers and their sigmas, each held at three prior sigmas.
-WatchedChange ChangeWatch::Parts::measure_size(std::size_t unit, const Start& start) const {
+WatchedChange WatchParts::measure_size(std::size_t unit, const Start& start) const {
   const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
   Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
   information.diagonal().array() += 1 / (change_scale * change_scale);
@@ -159,7 +159,7 @@ WatchedChange ChangeWatch::Parts::measure_size(std::size_t unit, const Start& st
   return change;
 }
 
-WatchStep ChangeWatch::Parts::reported(const std::vector<Start>& all) const {
+WatchStep WatchParts::reported(const std::vector<Start>& all) const {
   WatchStep step;
   std::vector<double> weighed;
   std::size_t best = 0;

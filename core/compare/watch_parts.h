@@ -7,9 +7,10 @@
 #include <optional>
 
 #include "compare/change_candidates.h"
-#include "compare/change_watch.h"
 #include "compare/pose_sums.h"
 #include "compare/watch_rounds.h"
+#include "compare/watch_step.h"
+#include "correct/calibrated_robot.h"
 
 namespace handsight {
 
@@ -26,7 +27,7 @@ struct Recent {
   PoseSums sums;
 };
 
-struct ChangeWatch::Parts {
+struct WatchParts {
   CalibratedRobot before;
   WatchOptions options;
   std::vector<WatchedPose> poses;
