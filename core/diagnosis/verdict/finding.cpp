@@ -64,10 +64,10 @@ bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
 
 /// A curve follows chance too: odds below 20 do not set it before a name that explains most of the same.
 static bool is_name_for(const DiagnosisCandidate& curve, const DiagnosisCandidate& c) {
-  constexpr double most = 0.8;  // of what is explained
+  constexpr double most = 0.8;  // of what is explained, where that is known
   const double lead = curve.ln_bayes_factor - c.ln_bayes_factor;
   return curve.unnamed && is_believable(c) && lead < std::log(20) &&
-         c.explained.value_or(0) >= most * curve.explained.value_or(1);
+         c.explained.value_or(0) >= most * curve.explained.value_or(c.explained ? 1 : 0);
 }
 
 bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
