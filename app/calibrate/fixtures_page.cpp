@@ -20,6 +20,7 @@ QString in_mm(std::optional<double> metres) {
 
 /// Where its frame's origin is on its link; of what has no place along itself, how far out it is.
 QString place_text(const Session& s, const SessionPart& part, const FitPart& found) {
+  if (!found.place_is_determined) return QObject::tr("not determined");
   const Rigid& m = found.mount_from_sensor;
   const FixtureKind kind = s.fixtures[static_cast<std::size_t>(part.fixture)].kind;
   const Vector3 z = m.rotation.col(2);

@@ -225,7 +225,8 @@ std::vector<widgets::ModelParameter> place_of_fixture(FixtureKind kind, const Ri
   const auto in_mm = [](const QString& name, double value, double variance) {
     widgets::ModelParameter p{.name = name, .unit = "mm"};
     p.value = 1e3 * value;
-    p.sigma = 1e3 * std::sqrt(std::max(variance, 0.0));
+    constexpr double unknown = 1;  // m: of more nothing is known, as of a pose (UndeterminedMotions)
+    p.sigma = variance > unknown ? std::nan("") : 1e3 * std::sqrt(std::max(variance, 0.0));
     return p;
   };
   const Vector3 z = place.rotation.col(2);

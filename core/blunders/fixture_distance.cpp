@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "estimation/fit/fit_parts.h"
+#include "estimation/fit/touch_counts.h"
 
 namespace handsight {
 namespace {
@@ -24,6 +25,7 @@ std::optional<DistanceDoubt> doubtful_distance(const Session& session, const Fit
   if (!session.is_touch() || session.distances.empty()) return std::nullopt;
   Session without = session;
   without.distances.clear();
+  if (touches_lacking_text(without)) return std::nullopt;  // nothing would be left to contradict it
   const Fit free = fit(without, options);
   DistanceDoubt doubt{0, 0, reading_rms(given), reading_rms(free), {}};
   if (!free.converged() || !(doubt.rms_before > times_better * doubt.rms_after)) return std::nullopt;

@@ -4,36 +4,12 @@
 
 #include <memory>
 
-#include "base/message.h"
-#include "compare/comparison_result.h"
+#include "compare/watch_step.h"
 #include "correct/calibrated_robot.h"
 
 namespace handsight {
 
-/// By how much something would have changed if it alone had.
-struct WatchedChange {
-  std::string what, where;  // as in WatchStep
-  std::vector<EffectTerm> terms;
-  Eigen::VectorXd sigma;
-};
-
-/// What is said after one more observation.
-struct WatchStep {
-  double ln_e_value = 0;  // ln of the e-value: evidence that something has changed, at some time so far
-  bool changed = false;   // an e-value of 1000 or more has been reached, now or before
-  std::string what;       // id of the likeliest change, as compare names it
-  std::string where;      // joint or marker; empty: it has no place
-  std::vector<std::string> indistinguishable_from;  // other ids that explain it nearly as well (odds below 20)
-  std::vector<EffectTerm> terms;                    // with its size
-  Eigen::VectorXd sigma;                            // of the numbers that are no choices, in their order
-  Message text;                                     // "The camera turned by ... on its mount"
-  std::vector<WatchedChange> each;                  // of all changes, from when the likeliest may have come
-};
-
-struct WatchOptions {
-  double chance = 1e-3;     // of ever saying that something has changed where nothing has
-  std::size_t window = 60;  // observations back to which a change may have come (and the very first one)
-};
+struct WatchParts;
 
 /// A sequential test by an e-process: the ratio of the likelihoods of all that was measured, with a change (one of
 /// those that compare knows, of any prior sigma, from any observation on) and without one, mean over the changes and
@@ -55,10 +31,8 @@ class ChangeWatch {
   /// the session is not of this robot.
   std::optional<WatchStep> add(const Session& session, const Observation& observation);
 
-  struct Parts;
-
  private:
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<WatchParts> parts_;
 };
 
 /// Places in `positions` of those poses, at most `count`, that would show best what is most likely to move: the

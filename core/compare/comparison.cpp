@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "compare/change_verdict.h"
 #include "compare/number_changes.h"
+#include "compare/touch_numbers.h"
 #include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 
@@ -62,10 +63,14 @@ ComparedSide side_of(const Fit& f) {
   return {f.problem, 1 / w.noise, is_estimated ? f.noise_estimate->degrees : 0.0};
 }
 
-std::vector<NumberChange> list_numbers(const Session& session, const Fit& a, const Fit& b) {
+std::vector<NumberChange> list_numbers(const Session& session, const Session& second, const Fit& a, const Fit& b) {
   std::vector<NumberChange> all;
-  add_motion(all, "tcp_from_body", a.tcp_from_body, b.tcp_from_body, a.covariance + b.covariance);
-  if (session.mount.estimate) {
+  const bool are_touches = session.is_touch() && second.is_touch();
+  if (are_touches)
+    all = list_touch_numbers(session, second, a, b);
+  else
+    add_motion(all, "tcp_from_body", a.tcp_from_body, b.tcp_from_body, a.covariance + b.covariance);
+  if (session.mount.estimate && !are_touches) {
     const auto block = [](const Fit& f) -> Matrix6 {
       return f.parameter_covariance.block<6, 6>(f.problem.mount_column(), f.problem.mount_column());
     };
@@ -111,7 +116,7 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   sides.after = side_of(clean_b.fit);
   sides.start = estimate(clean_a.fit);
   sides.progress = progress;
-  c.numbers = list_numbers(a, clean_a.fit, clean_b.fit);
+  c.numbers = list_numbers(a, b, clean_a.fit, clean_b.fit);
   judge(sides, c);
   if (!c.model_fits)
     c.notes.emplace_back(

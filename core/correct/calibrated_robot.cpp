@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
-#include "estimation/fit/undetermined.h"
+#include "estimation/fit/touch_unknown.h"
 #include "estimation/report/hand_end.h"
 
 namespace handsight {
@@ -46,7 +46,7 @@ CalibratedRobot calibrated_robot(const Session& session, const Fit& fit, const F
     if (is_used(o)) robot.positions.push_back(o.position);
   robot.calibration = make_calibration(session, fit, reported, options, software, model_uncertainty);
   robot.rig = moved_cameras(robot.chain, robot.model);
-  robot.notes = undetermined_texts(fit);
+  robot.notes = unknown_texts(session, fit);
   if (robot.model.repeatability.observations < 3)
     robot.notes.emplace_back(
         "Fewer than three observations show three markers: how the real TCP scatters about the model is not known, and "

@@ -9950,6 +9950,18 @@
         <source>Convert %1 --eye-on-base, or invert each &lt;target_pose&gt; in %2 (each pose in the table of the target that it was made of).</source>
         <translation>Wandle %1 --eye-on-base um, oder kehre jede &lt;target_pose&gt; in %2 um (jede Pose der Tabelle des Ziels, aus der sie gemacht wurde).</translation>
     </message>
+    <message>
+        <source>To find where tip and fixtures are takes at least so many touches more, each with the hand turned otherwise: %1.</source>
+        <translation>Um zu finden, wo Spitze und Vorrichtungen sind, braucht es mindestens so viele Berührungen mehr, jede mit anders gedrehter Hand: %1.</translation>
+    </message>
+    <message>
+        <source>As many numbers were read as are asked for: how exact they are cannot be known. Touch more, or say how exactly a touch tells (sigma).</source>
+        <translation>Es wurden so viele Zahlen gelesen, wie gefragt sind: wie genau sie sind, lässt sich nicht erkennen. Berühre öfter, oder sage, wie genau eine Berührung ist (sigma).</translation>
+    </message>
+    <message>
+        <source>Touch the same fixtures more often, with the hand turned about more than one axis.</source>
+        <translation>Berühre dieselben Vorrichtungen öfter, mit um mehr als eine Achse gedrehter Hand.</translation>
+    </message>
 </context>
 <context>
     <name>errors</name>
@@ -13189,6 +13201,10 @@
     <message>
         <source>%1: the turn of its poses is the same in every row, though the hand turns: the device measures places alone, and they are taken for points of one marker.</source>
         <translation>%1: die Drehung seiner Posen ist in jeder Zeile dieselbe, obwohl die Hand sich dreht: das Gerät misst nur Orte, und sie werden als Punkte eines Markers genommen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 touches do not determine where the tip sits on the hand (%3 of its %4 numbers), and so no place of a fixture. %5</source>
+        <translation>%1: %2 Berührungen bestimmen nicht, wo die Spitze an der Hand sitzt (%3 ihrer %4 Zahlen), und so keinen Ort einer Vorrichtung. %5</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,66 @@ TEST_F(TouchCommands, NoFigureStandsBesideWhatTheyDoNotDetermine) {
   EXPECT_NE(r.output.find("not determined, left at its start"), std::string::npos) << r.output;
 }
 
+TEST_F(TouchCommands, WhatIsToBeTouchedNextIsSaidWhereTheTipIsNotDetermined) {
+  const auto made = run({"simulate", "--like", (samples / "rigs" / "six_axis_touch").string(), "--out", at("six"),
+                         "--seed", "3", "--observations", "6"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  for (const char* command : {"fit", "diagnose"}) {
+    const CliResult r = run({command, at("six")});
+    EXPECT_EQ(r.exit_code, 2);
+    EXPECT_NE(r.errors.find("2 of its 3 numbers"), std::string::npos) << r.errors;
+    EXPECT_NE(r.errors.find("plate_left (+2)"), std::string::npos) << r.errors;
+  }
+  EXPECT_NE(run({"check", at("six")}).output.find("plate_left (+2)"), std::string::npos);
+}
+
+TEST_F(TouchCommands, APlateTouchedTwiceHasNoFigures) {
+  const auto made = run({"simulate", "--like", (samples / "rigs" / "six_axis_touch").string(), "--out", at("twice"),
+                         "--seed", "3", "--observations", "12"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const CliResult r = run({"fit", at("twice"), "--json", "-"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  const Json json = r.json();
+  const Json& left = json["fixtures"][1];
+  EXPECT_EQ(left["title"], "plate_left");
+  EXPECT_TRUE(left["place"].is_null());
+  EXPECT_TRUE(left["held_out_rms_m"].is_null()) << "without the fold nothing says where it stands";
+  EXPECT_TRUE(json["fixtures"][0]["place"].is_object());
+  const Json& named = json["undetermined"].back();
+  EXPECT_EQ(named["of"], "plate_left");
+  const std::string text = run({"fit", at("twice")}).output;
+  EXPECT_NE(text.find("plate_left is not determined by these touches"), std::string::npos) << text;
+  EXPECT_NE(text.find("plate_left (+1)"), std::string::npos) << text;
+}
+
+TEST_F(TouchCommands, AZeroThatTouchesCannotTellHasNoFigure) {
+  const CliResult r = run({"fit", at("touches"), "--effects", "joint_offset", "--json", "-"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  for (const Json& parameter : r.json()["effects"][0]["parameters"]) {
+    const bool is_hidden = parameter["of"] == "axis_1" || parameter["of"] == "axis_6";
+    EXPECT_EQ(parameter["value"].is_null(), is_hidden) << parameter;
+    EXPECT_EQ(parameter["sigma"].is_null(), is_hidden) << parameter;
+  }
+  const std::string text = run({"fit", at("touches"), "--effects", "joint_offset"}).output;
+  EXPECT_NE(text.find("not determined by these touches"), std::string::npos) << text;
+  EXPECT_NE(text.find("The zero of axis_1 and axis_6 cannot be known"), std::string::npos) << text;
+}
+
+TEST_F(TouchCommands, AsManyNumbersAsAreAskedForTellNoAccuracy) {
+  std::ifstream all(samples / "probe_and_plate" / "touches.csv");
+  std::string table, line;
+  for (int i = 0; i < 7 && std::getline(all, line); ++i) table += line + "\n";
+  write_text(folder.path / "six.csv", table);
+  ASSERT_EQ(run({"convert", at("six.csv"), "--robot", (samples / "robots" / "six_axis.urdf").string(), "--tcp", "hand",
+                 "--fixture", "plane plate_front", "--out", at("six")})
+                .exit_code,
+            0);
+  const CliResult r = run({"fit", at("six")});
+  EXPECT_EQ(r.output.find("+- 0.000"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("how exactly is not known"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("unknown mean held out"), std::string::npos) << r.output;
+}
+
 TEST_F(TouchCommands, PlanNamesTheFixture) {
   const CliResult r = run({"plan", at("touches"), "--count", "3", "--effects", "joint_offset:axis_2", "--json", "-"});
   ASSERT_EQ(r.exit_code, 0) << r.errors;

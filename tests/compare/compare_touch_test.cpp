@@ -2,6 +2,8 @@
 // What has changed between touches of one day and of another.
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "compare/comparison.h"
 #include "fixtures/touch_session.h"
 
@@ -60,6 +62,29 @@ TEST_F(CompareTouches, AFixtureThatWasMoved) {
   EXPECT_EQ(c.changes.front().id, "camera_mount");
   EXPECT_THAT(c.changes.front().where, testing::ElementsAre("socket_left"));
   EXPECT_THAT(c.sentence.english(), HasSubstr("The fixture socket_left"));
+}
+
+/// What has no meaning (a plane's shift along itself, how one tip is turned) is no number of the comparison.
+TEST_F(CompareTouches, NumbersAreThoseThatTouchesTell) {
+  Session moved = like;
+  moved.other_mounts[2].mount_from_sensor.translation.x() += 4e-4;  // socket_left
+  moved.mount.mount_from_sensor.translation.z() += 3e-4;            // plate_front
+  moved.distances.clear();
+  Session before = june;
+  before.distances.clear();
+  const Comparison c = compare(before, later(moved), {}, {});
+  std::map<std::string, NumberChange> numbers;
+  for (const NumberChange& n : c.numbers) {
+    EXPECT_GT(n.sigma, 1e-7) << n.name;
+    EXPECT_LT(n.sigma, 1e-3) << n.name;
+    numbers[n.name] = n;
+  }
+  ASSERT_EQ(numbers.size(), 3U + 3 * 3 + 2 * 3);
+  const NumberChange &along = numbers.at("socket_left x"), &height = numbers.at("plate_front height");
+  EXPECT_NEAR(along.after - along.before, 4e-4, 5 * along.sigma);
+  EXPECT_NEAR(height.after - height.before, 3e-4, 5 * height.sigma);
+  EXPECT_LT(std::abs(numbers.at("tip x").in_sigmas()), 5);
+  EXPECT_LT(std::abs(numbers.at("plate_left rx").in_sigmas()), 5);
 }
 
 }  // namespace

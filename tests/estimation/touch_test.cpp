@@ -7,6 +7,8 @@
 #include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
+#include "estimation/fit/touch_counts.h"
+#include "estimation/fit/touch_unknown.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/two_arms.h"
 #include "session/touch_xml.h"
@@ -203,6 +205,34 @@ TEST(Touch, TwoSocketsOfKnownDistanceTellTheRobotsScale) {
   const bool says_so = std::any_of(without.notes.begin(), without.notes.end(),
                                    [](const std::string& n) { return n.find("tells a length") != std::string::npos; });
   EXPECT_TRUE(says_so) << "one metre must come from somewhere";
+}
+
+/// A plate touched in many postures tells the tip: what means nothing, its turn about its own normal, must not pass
+/// for something that is not known of the tip.
+TEST(Touch, ATipThatIsDeterminedIsNotSaidNotToBe) {
+  Bench b = workbench();
+  const std::array<Rigid, 3> places{at({0.45, 0, 0.25}), at({0.4, 0.3, 0.4}, {0.6, 0.2, 0}),
+                                    at({0.6, -0.2, 0.5}, {0, -0.9, 0})};
+  for (std::size_t f = 0; f < 3; ++f) {
+    add(b, FixtureKind::plane, "plate_" + std::to_string(f), places[f], std::nullopt);
+    touch(b, f, 8, 10 + f);
+    const Fit found = fit(b.session, {});
+    ASSERT_TRUE(found.converged());
+    EXPECT_EQ(undetermined_tip(b.session, found), (std::array<bool, 3>{})) << f + 1 << " plates";
+    for (const char untold : undetermined_fixtures(b.session, found)) EXPECT_FALSE(untold) << f + 1 << " plates";
+    for (Eigen::Index i = 0; i < 3; ++i) EXPECT_LT(found.parameter_covariance(i, i), 1e-4);
+  }
+}
+
+TEST(Touch, WhatNothingTellsHasAnUnknownSigma) {
+  Bench b = workbench();
+  add(b, FixtureKind::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
+  touch(b, 0, 2, 5);  // the hand turned about one axis: along it the tip may be anywhere
+  const Fit found = fit(b.session, {});
+  const std::array<bool, 3> untold = undetermined_tip(b.session, found);
+  EXPECT_TRUE(untold[0] || untold[1] || untold[2]);
+  EXPECT_GT((found.parameter_covariance.topLeftCorner<3, 3>().trace()), 1);
+  EXPECT_EQ(touches_lacking(b.session), (std::vector<int>{1}));
 }
 
 TEST(Touch, WhatIsHiddenIsNamed) {

@@ -185,7 +185,7 @@ std::optional<EffectTerm> hidden(const Session& like, const char* id, int touche
 
 /// ln of the Bayes factor of an effect at a place, its noise known and nothing else beside it: Laplace's, with the
 /// priors that the diagnosis has.
-double oracle_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
+double judged_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
   FitOptions o;
   o.estimated = {zero};
   const Fit f = fit(s, o);
@@ -215,79 +215,141 @@ double oracle_ln_bayes_factor(const Session& s, double cost_without, const Effec
   return gain + std::log(std::max(sum, 1e-300)) - 300;
 }
 
-/// The effect that a program would name that knows the noise and fits each effect at each place.
-std::string oracle_name(const Session& s) {
+/// What a judge says of a session who knows the noise, that one cause is hidden, and how large each usually is: ln of
+/// the Bayes factor of each effect, where it does best.
+bool with_candidates = false;  // --candidates
+
+using Judgement = std::map<std::string, double>;
+
+Judgement judge(const Session& s) {
   const double without = fit(s, {}).solution.normal.cost;
-  std::string name;
-  double best = 0;
+  Judgement judgement;
   for (const Effect& effect : catalogue())
     for (const int place : effect_places(effect, make_chain(s))) {
       try {
-        const double ln = oracle_ln_bayes_factor(s, without, term_of(effect, place));
-        if (ln > best) best = ln, name = effect.id;
+        const double ln = judged_ln_bayes_factor(s, without, term_of(effect, place));
+        const auto [at, is_new] = judgement.emplace(effect.id, ln);
+        if (!is_new) at->second = std::max(at->second, ln);
       } catch (const std::exception&) {
       }
     }
-  return name;
+  return judgement;
 }
 
-void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed,
-            const trials::TableOutput& output) {
-  fmt::print("{}\n", kind);
-  trials::Table table(
-      {{.heading = "hidden", .width = 16}, {"sessions in which it shows"}, {"first"}, {"first or tied"}, {"oracle"}},
-      output);
-  for (const auto& [id, title] : {std::pair{"joint_offset", "joint zero"},
-                                  {"joint_scale", "joint scale"},
-                                  {"link_geometry", "geometry"},
-                                  {"joint_elasticity", "elasticity"},
-                                  {"encoder_eccentricity", "eccentricity"},
-                                  {"backlash", "backlash"}}) {
-    int shown = 0, first = 0, equal = 0, unseen = 0, by_oracle = 0;
-    for (int i = 0; i < seeds; ++i) {
-      const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-      const Session like = setting(kind);
-      const auto term = hidden(like, id, touches, seed);
-      if (!term) {
-        ++unseen;
-        continue;
-      }
-      Session s = fixture::simulated_touches(like, touches, seed, {*term}).session;
-      std::mt19937_64 random(seed);
-      blur_places(s, random);
-      const Diagnosis d = diagnose(s);
-      ++shown;
-      const std::string oracle = oracle_name(s);
-      by_oracle += oracle == id;
-      if (d.candidates.empty()) {
-        fmt::print("  {} seed {}: nothing is named\n", id, seed);
-        continue;
-      }
-      const DiagnosisCandidate* const leading = finding_of(d);  // what every sentence names first
-      const DiagnosisCandidate& best = leading ? *leading : d.candidates.front();
-      const bool is_it = best.id == id;
-      const auto& twins = best.indistinguishable_from;
-      const bool is_twin = std::find(twins.begin(), twins.end(), id) != twins.end();
-      first += is_it;
-      equal += !is_it && is_twin;
-      if (!is_it)
-        fmt::print("  {} at {} seed {}: {} is first{}; all told: {}\n", id,
-                   like.robot.joints[static_cast<std::size_t>(term->place)].name, seed, best.id,
-                   is_twin ? ", said to be the same here" : "", oracle);
-      std::fflush(stdout);
-    }
-    table.print({title, shown, first, first + equal, by_oracle});
+/// The effect with the most evidence beside this one.
+std::pair<std::string, double> find_rival(const Judgement& judgement, const std::string& id) {
+  std::pair<std::string, double> best{"nothing", 0};
+  for (const auto& [name, ln] : judgement)
+    if (name != id && ln > best.second) best = {name, ln};
+  return best;
+}
+
+double evidence_of(const Judgement& judgement, const std::string& id) {
+  const auto at = judgement.find(id);
+  return at == judgement.end() ? 0 : at->second;
+}
+
+/// Of the sessions with one cause: in how many it is named, and in how many it could be.
+struct Score {
+  int shown = 0, unseen = 0;
+  int first = 0, tied = 0;       // named first; another is, and said to be the same here
+  int judged = 0;                // the judge has it first
+  int sure = 0, first_sure = 0;  // the judge has it first by odds of 20; of these, named first or tied
+
+  void add(const Score& o) {
+    shown += o.shown, unseen += o.unseen, first += o.first, tied += o.tied;
+    judged += o.judged, sure += o.sure, first_sure += o.first_sure;
+  }
+  void print(trials::Table& table, const char* title) const {
+    table.print({title, shown, first, first + tied, judged, fmt::format("{} of {}", first_sure, sure)});
     if (unseen > 0) fmt::print("  {} cannot show\n", unseen);
+  }
+};
+
+/// The first candidates of a diagnosis, for whoever wants to know why another is named.
+void print_candidates(const Diagnosis& d) {
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, d.candidates.size()); ++i) {
+    const DiagnosisCandidate& c = d.candidates[i];
+    fmt::print("    {:<22} {:<10} ln BF {:7.2f} of {:.2f}, explains {:.3f}{}{}{}\n", c.unnamed ? "a curve" : c.id,
+               fmt::join(c.where, "+"), c.ln_bayes_factor, d.threshold, c.explained.value_or(0),
+               is_believable(c) ? "" : ", not believable", c.too_large ? ", too large" : "",
+               c.refitted ? "" : ", not refitted");
+  }
+}
+
+void score_session(const std::string& kind, const char* id, int touches, std::uint64_t seed, Score& score) {
+  const Session like = setting(kind);
+  const auto term = hidden(like, id, touches, seed);
+  score.unseen += !term;
+  if (!term) return;
+  Session s = fixture::simulated_touches(like, touches, seed, {*term}).session;
+  std::mt19937_64 random(seed);
+  blur_places(s, random);
+  const Diagnosis d = diagnose(s);
+  const Judgement judgement = judge(s);
+  const auto rival = find_rival(judgement, id);
+  const double margin = evidence_of(judgement, id) - rival.second;
+  const DiagnosisCandidate* const leading = finding_of(d);  // what every sentence names first
+  const std::string named = !leading ? "nothing" : leading->unnamed ? "a curve" : leading->id;
+  const bool is_it = named == id;
+  const bool is_twin = leading && !is_it &&
+                       std::find(leading->indistinguishable_from.begin(), leading->indistinguishable_from.end(), id) !=
+                           leading->indistinguishable_from.end();
+  const bool is_sure = margin > std::log(20);
+  ++score.shown;
+  score.first += is_it;
+  score.tied += is_twin;
+  score.judged += margin > 0;
+  score.sure += is_sure;
+  score.first_sure += is_sure && (is_it || is_twin);
+  if (!is_it)
+    fmt::print("  {}: {} at {} seed {}: {} is first{}; judge: {:.1f} for it against {:.1f} for {}, {:.1f} for {}\n",
+               kind, id, like.robot.joints[static_cast<std::size_t>(term->place)].name, seed, named,
+               is_twin ? ", said to be the same here" : "", evidence_of(judgement, id), rival.second, rival.first,
+               evidence_of(judgement, named), named);
+  if (!is_it && with_candidates) print_candidates(d);
+  std::fflush(stdout);
+}
+
+trials::Table scores_table(const trials::TableOutput& output) {
+  return trials::Table({{.heading = "hidden", .width = 16},
+                        {"sessions in which it shows"},
+                        {"first"},
+                        {"first or tied"},
+                        {"judge"},
+                        {.heading = "of those the judge is sure of", .width = 12}},
+                       output);
+}
+
+constexpr std::pair<const char*, const char*> all_causes[] = {
+    {"joint_offset", "joint zero"},     {"joint_scale", "joint scale"},           {"link_geometry", "geometry"},
+    {"joint_elasticity", "elasticity"}, {"encoder_eccentricity", "eccentricity"}, {"backlash", "backlash"}};
+using Scores = std::array<Score, std::size(all_causes)>;
+
+void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed,
+            const trials::TableOutput& output, Scores& sums) {
+  fmt::print("{}\n", kind);
+  trials::Table table = scores_table(output);
+  for (std::size_t c = 0; c < std::size(all_causes); ++c) {
+    Score score;
+    for (int i = 0; i < seeds; ++i)
+      score_session(kind, all_causes[c].first, touches, first_seed + static_cast<std::uint64_t>(i), score);
+    score.print(table, all_causes[c].second);
+    std::fflush(stdout);
+    sums[c].add(score);
   }
 }
 
 }  // namespace
 }  // namespace handsight
 
-/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [--markdown]
+/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [--markdown] [--candidates]
 int main(int argc, char** argv) {
   using namespace handsight;
   const trials::TableOutput output = trials::take_table_output(argc, argv);
+  with_candidates = std::string(argv[argc - 1]) == "--candidates";
+  argc -= with_candidates;
   const std::string what = argc > 1 ? argv[1] : "both";
   const int seeds = argc > 2 ? std::atoi(argv[2]) : 500, touches = argc > 3 ? std::atoi(argv[3]) : 120;
   const std::string only = argc > 4 ? argv[4] : "";
@@ -297,10 +359,15 @@ int main(int argc, char** argv) {
                        {.heading = "bias in sigmas", .width = 18},
                        {.heading = "within 95 %", .width = 16}},
                       output);
+  Scores sums;
   for (const Fixtures& fixtures : all_fixtures) {
     if (!only.empty() && only != fixtures.kind) continue;
     if (what != "causes") coverage(fixtures, seeds, touches, first, table);
-    if (what != "coverage") causes(fixtures.kind, seeds, touches, first, output);
+    if (what != "coverage") causes(fixtures.kind, seeds, touches, first, output, sums);
   }
+  if (what == "coverage" || !only.empty()) return 0;
+  fmt::print("every kind of fixtures\n");
+  trials::Table all = scores_table(output);
+  for (std::size_t c = 0; c < std::size(all_causes); ++c) sums[c].print(all, all_causes[c].second);
   return 0;
 }

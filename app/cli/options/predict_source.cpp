@@ -3,6 +3,8 @@
 
 #include "correct/robot_file.h"
 #include "estimation/fit/part_fit.h"
+#include "estimation/fit/touch_unknown.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/report/part_report.h"
 #include "options/named_effects.h"
 #include "printing/outputs.h"
@@ -33,7 +35,14 @@ CalibratedRobot robot_of_part(const Session& joined, const Fit& fitted, const Fi
                               const FitOptions& options, int part) {
   const PartFit own = fit_of_part(joined, fitted, part);
   const FitReport report_of_it = make_report(part_reports(joined, fitted, reported)[static_cast<std::size_t>(part)]);
-  return calibrated_robot(own.session, own.fit, report_of_it, options, "handsight " HANDSIGHT_VERSION);
+  CalibratedRobot robot = calibrated_robot(own.session, own.fit, report_of_it, options, "handsight " HANDSIGHT_VERSION);
+  if (joined.is_touch()) {  // by itself a fixture looks like a sensor that moves with the hand
+    const auto of_it = static_cast<std::ptrdiff_t>(undetermined_texts(own.fit).size());
+    robot.notes.erase(robot.notes.begin(), robot.notes.begin() + of_it);
+    const std::vector<Message> of_all = touch_unknown_texts(joined, fitted);
+    robot.notes.insert(robot.notes.begin(), of_all.begin(), of_all.end());
+  }
+  return robot;
 }
 
 CalibratedRobot from_session(const std::string& path, const std::string& robot_file,

@@ -15,7 +15,7 @@
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/own_effect.h"
 #include "effects/units.h"
-#include "estimation/fit/undetermined.h"
+#include "estimation/fit/touch_unknown.h"
 #include "fit_output.h"
 #include "json_values.h"
 #include "reported_json.h"
@@ -220,7 +220,7 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
     out.line(fmt::format("Due to    robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
                          whole_percent(d.attribution.robot), whole_percent(d.attribution.body),
                          whole_percent(d.attribution.cameras)));
-  for (const Message& text : undetermined_texts(d.model.fit)) out.line("Note      " + text);
+  for (const Message& text : unknown_texts(d.model.session, d.model.fit)) out.line("Note      " + text);
   print_odd_observations(out, d, d.model.session.rig ? &*d.model.session.rig : nullptr);
   if (!d.model.lone.empty()) out.line("Left out  " + lone_text(d.model.lone, tracker));
   if (!d.model.wrong.empty()) out.line(fmt::format("Left out  {} wrong points", d.model.wrong.size()));
@@ -277,7 +277,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d, const std::set<s
          {"place_scatter_m", d.repeatability.place},  // its older name
          {"threshold_ln_bayes_factor", d.threshold},
          {"lack_of_fit_p", number(d.lack_of_fit_p)}};
-  j["undetermined"] = undetermined_texts(d.model.fit);
+  j["undetermined"] = unknown_texts(d.model.session, d.model.fit);
   Json candidates = Json::array(), patterns = Json::array();
   for (const DiagnosisCandidate& c : d.candidates) candidates.push_back(candidate_json(session, c));
   for (const DiagnosisPattern& p : d.patterns)

@@ -9,6 +9,7 @@
 
 #include "base/degrees.h"
 #include "effects/units.h"
+#include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/fit/touch_unknown.h"
 #include "estimation/fit/undetermined.h"
@@ -23,7 +24,7 @@ std::string with_sigma(const char* name, double value, double sigma, const char*
 
 /// Place and turns of a pose with their sigmas; where nothing is known of a number, no figure stands beside it.
 void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance, bool rotation_is_observed,
-                const std::array<bool, 3>& is_untold = {}) {
+                const std::array<bool, 3>& is_untold = {}, bool accuracy_is_known = true) {
   const UndeterminedMotions unknown = undetermined_motions(covariance);
   const Vector6 sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   const Vector3 rpy = degrees * rpy_from_rotation(pose.rotation);
@@ -31,7 +32,9 @@ void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance,
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
     const double value = is_place ? 1e3 * pose.translation[i] : rpy[i - 3];
-    if (unknown.numbers[static_cast<std::size_t>(i)] || (is_place && is_untold[static_cast<std::size_t>(i)]))
+    if (is_place && !accuracy_is_known && !is_untold[static_cast<std::size_t>(i)])
+      out.line(fmt::format("  {:<6} {:>11.4f} mm, how exactly is not known", names[i], value + 0.0));
+    else if (unknown.numbers[static_cast<std::size_t>(i)] || (is_place && is_untold[static_cast<std::size_t>(i)]))
       out.line(fmt::format("  {:<6} {:>11.4f}    {}, left at its start", names[i], value + 0.0,
                            is_place || rotation_is_observed ? "not determined" : "not observed"));
     else
@@ -43,26 +46,30 @@ std::string text_or_unknown(const std::optional<double>& value, double scale, co
   return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
 }
 
-Json parameters_json(const Session& session, const std::vector<FittedEffect>& effects, const std::string& id) {
+Json parameters_json(const Session& session, const Fit& fit, const std::string& id) {
   Json list = Json::array();
-  for (const FittedEffect& e : effects) {
+  for (std::size_t t = 0; t < fit.effects.size(); ++t) {
+    const FittedEffect& e = fit.effects[t];
     if (e.term.id != id) continue;
     const Effect* effect = &term_effect(e.term);
-    for (std::size_t p = 0; p < effect->parameters.size(); ++p)
+    for (std::size_t p = 0; p < effect->parameters.size(); ++p) {
+      const bool is_told = !is_left_at_prior(session, fit, t, p);
       list.push_back(
           {{"of", e.term.place >= 0 ? Json(place_name(*effect, e.term.place, session.robot)) : Json(nullptr)},
            {"name", effect->parameters[p].name},
-           {"value", e.term.values[p]},
-           {"sigma", number(e.sigmas[p])},
+           {"value", is_told ? Json(e.term.values[p]) : Json(nullptr)},
+           {"sigma", is_told ? number(e.sigmas[p]) : Json(nullptr)},
            {"unit", unit_at(*effect, p, e.term.place, session.robot)}});
+    }
   }
   return list;
 }
 
-Json effects_json(const Session& session, const std::vector<FittedEffect>& effects) {
+Json effects_json(const Session& session, const Fit& fit) {
+  const std::vector<FittedEffect>& effects = fit.effects;
   Json list = Json::array();
   const auto add = [&](const std::string& id, const EffectDefinition* definition) {
-    Json parameters = parameters_json(session, effects, id);
+    Json parameters = parameters_json(session, fit, id);
     if (parameters.empty()) return;
     list.push_back({{"id", id}, {"parameters", parameters}});
     if (definition) list.back()["definition"] = effect_definition_text(*definition);
@@ -84,14 +91,20 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
   if (fit.effects.empty()) return;
   out.line();
   out.line("Effects in the model");
-  for (const FittedEffect& e : fit.effects) {
+  for (std::size_t t = 0; t < fit.effects.size(); ++t) {
+    const FittedEffect& e = fit.effects[t];
     const Effect& effect = term_effect(e.term);
     const std::string place = place_name(effect, e.term.place, session.robot);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      out.line(fmt::format("  {:<22} {:<12} {:<11} {:>11.4g}{} {}", e.term.id, place, effect.parameters[p].name,
-                           e.term.values[p],
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
+      const std::string name = fmt::format("  {:<22} {:<12} {:<11}", e.term.id, place, effect.parameters[p].name);
+      if (is_left_at_prior(session, fit, t, p)) {
+        out.line(name + " not determined by these touches");
+        continue;
+      }
+      out.line(fmt::format("{} {:>11.4g}{} {}", name, e.term.values[p],
                            e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
                            unit_at(effect, p, e.term.place, session.robot)));
+    }
   }
 }
 
@@ -129,10 +142,25 @@ void add_undetermined(const char* of, const std::string& frame, const Matrix6& c
                     {"turn", numbers(Vector3(motions.directions.col(i).tail<3>()))}});
 }
 
+/// Fixtures by name: along which axes a place is not determined has no meaning of a plane, say.
+void add_undetermined_fixtures(const Session& session, const Fit& fit, Json& list) {
+  const std::vector<char> are = undetermined_fixtures(session, fit);
+  for (std::size_t f = 0; f < are.size(); ++f)
+    if (are[f])
+      list.push_back({{"of", session.fixtures[f].id},
+                      {"in", find_mount(session, static_cast<int>(f)).link},
+                      {"shift", nullptr},
+                      {"turn", nullptr}});
+}
+
 Json undetermined_json(const Session& session, const Fit& fit) {
   Json list = Json::array();
   if (has_no_answer(fit)) return list;
   add_undetermined("tcp_from_body", session.tcp, body_covariance_at_origin(fit), list);
+  if (session.is_touch()) {
+    add_undetermined_fixtures(session, fit, list);
+    return list;
+  }
   if (session.mount.estimate)
     add_undetermined("mount_from_sensor", session.mount.link, mount_covariance_at_origin(fit), list);
   return list;
@@ -171,7 +199,8 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
   out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
   print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed,
-             undetermined_tip(session, fit));
+             undetermined_tip(session, fit), !is_accuracy_unknown(fit));
+  if (is_accuracy_unknown(fit)) return;
   out.line(fit.covariance_kind == CovarianceKind::noise ? "  (sigmas from the noise; rotations about the TCP's x, y, z)"
            : fit.noise ? "  (sigmas from how the observations differ: the model does not agree with them to the noise)"
                        : "  (sigmas from how the observations differ: the noise is not known)");
@@ -239,7 +268,7 @@ Json fit_json(const Session& session, const Fit& fit, const FitReport& reported,
     markers.push_back(fit.problem.marker_is_seen[m] ? numbers(fit.markers_in_body[m]) : null);
   result["markers"] = markers;
   result["mount_from_sensor"] = motion(estimate(fit).mount_from_sensor);
-  result["effects"] = effects_json(session, fit.effects);
+  result["effects"] = effects_json(session, fit);
   result["per_observation"] = observations_json(fit, reported);
   if (!session.parts.empty()) {
     result["held_out_session_pixel"] = number(reported.held_out_session.rms_pixel);

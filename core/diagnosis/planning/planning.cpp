@@ -9,6 +9,7 @@
 #include "diagnosis/planning/model_discrimination.h"
 #include "diagnosis/planning/touch_pool.h"
 #include "diagnosis/ranking/refitting.h"
+#include "estimation/fit/touch_unknown.h"
 #include "estimation/fit/undetermined.h"
 
 namespace handsight {
@@ -285,7 +286,7 @@ class Planner {
   }
 
   void add_notes(Plan& plan) const {
-    const std::vector<Message> unknown = undetermined_texts(base_);
+    const std::vector<Message> unknown = unknown_texts(session_, base_);
     plan.notes.insert(plan.notes.begin(), unknown.begin(), unknown.end());
     if (static_cast<int>(plan.poses.size()) < options_.count)
       plan.notes.push_back(

@@ -2,6 +2,7 @@
 #include "diagnosis/verdict/finding.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handsight {
 namespace {
@@ -61,12 +62,21 @@ bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
   return best.unnamed || (!best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best));
 }
 
+/// A curve follows chance too: odds below 20 do not set it before a name that explains most of the same.
+static bool is_name_for(const DiagnosisCandidate& curve, const DiagnosisCandidate& c) {
+  constexpr double most = 0.8;  // of what is explained, where that is known
+  const double lead = curve.ln_bayes_factor - c.ln_bayes_factor;
+  return curve.unnamed && is_believable(c) && lead < std::log(20) &&
+         c.explained.value_or(0) >= most * curve.explained.value_or(c.explained ? 1 : 0);
+}
+
 bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
   constexpr double about_as_much = 0.5;  // of the evidence
   constexpr double nearly = 0.99;        // of what is explained
   if (&c == &best || c.unnamed || !c.refitted) return false;
   const bool is_of_target = c.id == "target_scale" || c.id == "target_bend";
   if (is_of_target && c.plausible && c.ln_bayes_factor > about_as_much * best.ln_bayes_factor) return true;
+  if (is_name_for(best, c)) return true;
   return may_stand_in(best, c) && c.explained.value_or(0) >= nearly * best.explained.value_or(1);
 }
 

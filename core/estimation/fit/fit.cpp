@@ -106,8 +106,7 @@ void add_notes(const Session& session, Fit& fit) {
     fit.notes.push_back(
         message("{} sightings by one camera only cannot take part in this objective, which needs triangulated points.",
                 fit.sightings_left_out));
-  std::vector<Message> undetermined = undetermined_texts(fit);
-  if (session.is_touch() && fit.effects.empty()) undetermined = touch_unknown_texts(session, fit);
+  const std::vector<Message> undetermined = unknown_texts(session, fit);
   fit.notes.insert(fit.notes.end(), undetermined.begin(), undetermined.end());
   if (fit.solution.unobservable > no_matter(session) && undetermined.empty())
     fit.notes.push_back(
@@ -234,7 +233,9 @@ std::optional<Unknowns> start_for(const Session& session, const FitOptions& opti
     if (options.estimated.empty()) return touch_start(session, images);
     // From rough places a joint's zero and all fixtures turn far together, and come back slowly.
     alone.effects = options.effects;
-    return estimate(fit_as_given(session, alone));
+    const Fit places = fit_as_given(session, alone);
+    require_determined(session, places);
+    return estimate(places);
   }
   return start_of_parts(session, images, [&](const Session& part) { return fit_as_given(part, alone); });
 }
@@ -305,7 +306,10 @@ Fit fit_as_given(const Session& session, const FitOptions& options) {
   Eigen::MatrixXd factor =
       covariance_factor(measured, options, declared_noise(session).has_value() || !result.noise_estimate, result);
   add_shape_columns(result, factor);
-  add_undetermined_columns(result, factor);
+  if (session.is_touch())
+    add_undetermined_columns_of_touches(session, result, factor);
+  else
+    add_undetermined_columns(result, factor);
   result.parameter_covariance = covariance_from(factor);
   set_body(options, factor, result);
   // What moves the body may be asked for later, of a model that has nothing of the kind yet.
@@ -321,6 +325,11 @@ Fit fit_as_given(const Session& session, const FitOptions& options) {
 }  // namespace
 
 Fit fit(const Session& session, const FitOptions& options) {
+  if (session.is_touch() && options.estimated.empty() && !options.start) {
+    Fit result = fit_as_given(session, options);
+    require_determined(session, result);
+    return result;
+  }
   if (!has_unknown_lever(session)) return fit_as_given(session, options);
   FitOptions quiet = options;
   quiet.on_iteration = nullptr;

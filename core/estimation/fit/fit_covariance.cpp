@@ -6,6 +6,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "chain/unknown_angle.h"
 #include "estimation/fit/noise.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/problem/column_products.h"
@@ -135,6 +136,14 @@ bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution
   return !test || test->p > 1e-3;  // where nothing is left, nothing speaks against it
 }
 
+/// The least of what a factor says of a number of a marker's place; 1 where it says nothing.
+double least_sigma_of_markers(const Problem& problem, const Eigen::MatrixXd& factor) {
+  double least = 0;
+  for (Eigen::Index i = 0; i < 3 * problem.marker_count; ++i)
+    if (const double sigma = factor.row(i).norm(); sigma > 0 && (least == 0 || sigma < least)) least = sigma;
+  return least > 0 ? least : 1;
+}
+
 /// What the scatter of observations about a fit is drawn out by: they are few, and the fit has followed them
 /// (Cameron and Miller 2015, A practitioner's guide to cluster-robust inference, eq. 11).
 double repeatability_correction(const Fit& fit) {
@@ -192,6 +201,7 @@ Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& optio
   if (fit.objective == Objective::angle_axis) return make_factor(fit.parameter_covariance);  // has its own
   if (options.loss != Loss::none) return loss_factor(options, fits, fit);
   if (robot_errs) return std::sqrt(as_few_poses_tell(fit)) * fit.problem.noise * unit;
+  if (is_accuracy_unknown(fit)) return unknown_length / least_sigma_of_markers(fit.problem, unit) * unit;
   const double free_scale = degrees > 0 ? std::sqrt(at_solution.data_cost() / degrees) : 0.0;
   if (fits && fit.objective == Objective::image) return *fit.noise * unit;
   if (!fits && count >= fewest_for_repeatability)
@@ -200,6 +210,8 @@ Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& optio
   return (fits ? *fit.noise : free_scale) *
          sandwich_factor(unit, point_noise_middle(fit.problem, fit.solution.unknowns));
 }
+
+bool is_accuracy_unknown(const Fit& fit) { return has_fixtures(fit.problem) && !fit.noise && fit.rows <= fit.unknowns; }
 
 void add_shape_columns(const Fit& fit, Eigen::MatrixXd& factor) {
   if (fit.shape_covariance.size() == 0) return;

@@ -17,6 +17,10 @@ inline constexpr std::size_t fewest_for_repeatability = 10;
 /// Fit::parameter_covariance to its own before.
 Eigen::MatrixXd covariance_factor(const Problem& images, const FitOptions& options, bool declared, Fit& fit);
 
+/// Of touches: as many numbers were read as are asked for, and nothing says how exactly a touch tells. Then every sigma
+/// stands for a length of which nothing is known (chain/unknown_angle.h).
+bool is_accuracy_unknown(const Fit& fit);
+
 /// A held shape has an error of its own: what of it the fit does not take up stays in the markers, as more columns of
 /// the factor.
 void add_shape_columns(const Fit& fit, Eigen::MatrixXd& factor);

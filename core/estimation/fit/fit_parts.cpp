@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "chain/unknown_angle.h"
+#include "estimation/fit/touch_counts.h"
+#include "estimation/fit/touch_unknown.h"
 #include "session/joined.h"
 
 namespace handsight {
@@ -64,6 +67,14 @@ FitPart take_part(const Fit& fit, const SessionPart& from) {
   return part;
 }
 
+/// Of the numbers of a fixture's small motion that mean nothing (a plane's turn about its normal) nothing is known.
+void forget_meaningless(FixtureKind kind, Matrix6& covariance) {
+  const std::vector<Eigen::Index> meant = list_numbers(kind);
+  for (Eigen::Index n = 0; n < 6; ++n)
+    if (std::find(meant.begin(), meant.end(), n) == meant.end())
+      covariance(n, n) = n < 3 ? unknown_length * unknown_length : unknown_angle_variance;
+}
+
 /// Where the fixtures of the sessions of touches are, and the tips, each body by itself.
 void start_of_touches(const Session& joined, const std::function<Fit(const Session& part)>& fit_alone,
                       Unknowns& start) {
@@ -114,7 +125,15 @@ Unknowns start_of_parts(const Session& joined, const Problem& problem,
 
 std::vector<FitPart> list_parts(const Session& session, const Fit& fit) {
   std::vector<FitPart> parts;
-  for (const SessionPart& part : session.parts) parts.push_back(take_part(fit, part));
+  const std::vector<char> are_untold = undetermined_fixtures(session, fit);
+  for (const SessionPart& part : session.parts) {
+    parts.push_back(take_part(fit, part));
+    if (part.fixture < 0) continue;
+    FitPart& found = parts.back();
+    found.place_is_determined = !are_untold[static_cast<std::size_t>(part.fixture)];
+    if (found.mount_covariance)
+      forget_meaningless(session.fixtures[static_cast<std::size_t>(part.fixture)].kind, *found.mount_covariance);
+  }
   return parts;
 }
 

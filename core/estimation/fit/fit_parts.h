@@ -23,6 +23,7 @@ struct FitPart {
   std::vector<Vector3> markers_in_body;  // m, of its body
   Rigid mount_from_sensor;
   std::optional<Matrix6> mount_covariance;  // of v in mount_from_sensor exp(v); absent: the mount is held
+  bool place_is_determined = true;          // false of a fixture where no touch tells a number of its place
 };
 
 /// Part by part; empty where the session is none of several.

@@ -6,6 +6,11 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "base/error.h"
+#include "chain/unknown_angle.h"
+#include "estimation/fit/fit_covariance.h"
+#include "estimation/fit/touch_counts.h"
+#include "estimation/fit/undetermined.h"
 #include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 #include "estimation/solvers/normal_equations.h"
@@ -21,26 +26,16 @@ int moved_numbers(const Eigen::MatrixXd& rows) {
   return static_cast<int>((Eigen::JacobiSVD<Eigen::MatrixXd>(rows).singularValues().array() > moves).count());
 }
 
-/// The numbers of a fixture's small motion that mean something.
-std::vector<Eigen::Index> list_numbers(FixtureKind kind) {
-  switch (kind) {
-    case FixtureKind::plane:
-    case FixtureKind::gauge:
-      return {2, 3, 4};
-    case FixtureKind::line:
-      return {0, 1, 3, 4};
-    case FixtureKind::point:
-    case FixtureKind::length:
-      return {0, 1, 2};
-  }
-  return {};
+/// -1: its place is held.
+Eigen::Index column_of_fixture(const Session& session, const Fit& fit, std::size_t f) {
+  return fit.problem.column_of_mount(part_of_fixture(session, static_cast<int>(f)).mount);
 }
 
 /// The columns that mean something: of each fixture's small motion only its numbers.
 std::vector<Eigen::Index> list_meaningful(const Session& session, const Fit& fit) {
   std::vector<char> means(static_cast<std::size_t>(fit.solution.basis.rows()), 1);
   for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
-    const Eigen::Index column = fit.problem.column_of_mount(static_cast<int>(f));
+    const Eigen::Index column = column_of_fixture(session, fit, f);
     if (column < 0) continue;
     for (Eigen::Index n = 0; n < 6; ++n) means[static_cast<std::size_t>(column + n)] = 0;
     for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) means[static_cast<std::size_t>(column + n)] = 1;
@@ -71,19 +66,27 @@ Eigen::MatrixXd undetermined_directions(const Session& session, const Fit& fit) 
   return qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
 }
 
-std::vector<std::string> undetermined_fixtures(const Session& session, const Fit& fit, const Eigen::MatrixXd& untold) {
-  std::vector<std::string> names;
-  for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
-    const Eigen::Index column = fit.problem.column_of_mount(static_cast<int>(f));
-    if (column < 0) continue;
-    Eigen::MatrixXd rows(0, untold.cols());
-    for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) {
-      rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
-      rows.bottomRows<1>() = untold.row(column + n);
-    }
-    if (moved_numbers(rows) > 0) names.push_back(session.fixtures[f].id);
+/// Does one of these directions move what means something of the fixture's place?
+bool moves_fixture(const Session& session, const Fit& fit, std::size_t f, const Eigen::MatrixXd& untold) {
+  const Eigen::Index column = column_of_fixture(session, fit, f);
+  if (column < 0) return false;
+  Eigen::MatrixXd rows(0, untold.cols());
+  for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) {
+    rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
+    rows.bottomRows<1>() = untold.row(column + n);
   }
+  return moved_numbers(rows) > 0;
+}
+
+std::vector<std::string> names_of_undetermined(const Session& session, const Fit& fit, const Eigen::MatrixXd& untold) {
+  std::vector<std::string> names;
+  for (std::size_t f = 0; f < session.fixtures.size(); ++f)
+    if (moves_fixture(session, fit, f, untold)) names.push_back(session.fixtures[f].id);
   return names;
+}
+
+int moved_tip_numbers(const Fit& fit, const Eigen::MatrixXd& untold) {
+  return moved_numbers(untold.topRows(3 * fit.problem.marker_count));
 }
 
 /// Joints whose zero another place of tip and fixtures does as well.
@@ -137,25 +140,73 @@ std::array<bool, 3> undetermined_tip(const Session& session, const Fit& fit) {
   return is_untold;
 }
 
+std::vector<char> undetermined_fixtures(const Session& session, const Fit& fit) {
+  std::vector<char> are(session.fixtures.size(), 0);
+  if (are.empty()) return are;
+  const Eigen::MatrixXd untold = undetermined_directions(session, fit);
+  for (std::size_t f = 0; f < are.size(); ++f) are[f] = moves_fixture(session, fit, f, untold);
+  return are;
+}
+
+void add_undetermined_columns_of_touches(const Session& session, const Fit& fit, Eigen::MatrixXd& factor) {
+  const Eigen::MatrixXd untold = undetermined_directions(session, fit);
+  factor.conservativeResize(Eigen::NoChange, factor.cols() + untold.cols());
+  factor.rightCols(untold.cols()) = unknown_length * untold;
+}
+
+bool is_left_at_prior(const Session& session, const Fit& fit, std::size_t term, std::size_t parameter) {
+  constexpr double untold = 0.9;  // of the prior's sigma
+  if (!session.is_touch()) return false;
+  for (const EffectColumn& c : fit.problem.columns_of_effects)
+    if (c.term == term && c.parameter == parameter)
+      return fit.effects[term].sigmas[parameter] > untold * c.prior_sigma();
+  return false;
+}
+
+std::vector<Message> unknown_texts(const Session& session, const Fit& fit) {
+  return session.is_touch() ? touch_unknown_texts(session, fit) : undetermined_texts(fit);
+}
+
+void require_determined(const Session& session, const Fit& fit) {
+  if (fit.converged()) return;
+  const Eigen::MatrixXd untold = undetermined_directions(session, fit);
+  const int tip = moved_tip_numbers(fit, untold);
+  if (tip == 0) return;
+  const auto lacking = touches_lacking_text(session);
+  throw InputError(
+      message("{}: {} touches do not determine where the tip sits on the hand ({} of its {} numbers), and so no place "
+              "of a fixture. {}",
+              session.file.filename().string(), fit.problem.observations.size(), tip, 3 * fit.problem.marker_count,
+              lacking ? *lacking
+                      : Message("Touch the same fixtures more often, with the hand turned about more than one axis.")));
+}
+
 std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit) {
   std::vector<Message> texts;
   const Eigen::MatrixXd untold = undetermined_directions(session, fit);
-  const int tip = moved_numbers(untold.topRows(3 * fit.problem.marker_count));
+  const int tip = moved_tip_numbers(fit, untold);
   if (tip > 0)
     texts.push_back(
         message("Where the tip sits on the hand is not determined in {} of its {} numbers: turn the hand about more "
                 "than one axis while it touches.",
                 tip, 3 * fit.problem.marker_count));
-  if (const auto names = undetermined_fixtures(session, fit, untold); !names.empty())
+  if (const auto names = names_of_undetermined(session, fit, untold); !names.empty())
     texts.push_back(
         message("Where {} stands is not determined by these touches; touch it more often, farther apart and with "
                 "the hand turned.",
                 joined(verbatim(names), ", ", " and ")));
+  const auto lacking = texts.empty() ? std::optional<Message>() : touches_lacking_text(session);
+  if (lacking) texts.push_back(*lacking);
   if (const auto names = hidden_zeros(session, fit); !names.empty())
     texts.push_back(message(
         "The zero of {} cannot be known from these touches: another one does what another place of the tip or of the "
         "fixtures does.",
         joined(verbatim(names), ", ", " and ")));
+  if (is_accuracy_unknown(fit))
+    texts.emplace_back(
+        "As many numbers were read as are asked for: how exact they are cannot be known. Touch more, or say how "
+        "exactly "
+        "a touch tells (sigma).");
   if (is_one_plane(session))
     texts.emplace_back(
         "One plane alone tells only what lifts the tip off it, and nothing along it; put the plate in two more places, "

@@ -9,6 +9,7 @@
 #include "base/threads.h"
 #include "estimation/fit/noise.h"
 #include "estimation/fit/objectives.h"
+#include "estimation/fit/touch_counts.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/problem/problem_part.h"
@@ -131,11 +132,33 @@ ErrorSummary read_summary(const std::vector<std::optional<Residuals>>& all, bool
   return known.empty() ? ErrorSummary{} : summary(known, pixels);
 }
 
-std::vector<std::optional<Residuals>> held_out(const Problem& images, const Fit& fit, const FitOptions& options,
-                                               std::size_t session_size) {
+/// Of touches: takes out what the others could not have told, because too few of them are left for the fixture's place
+/// or the tip's. The fit leaves both where they were then, and it would look as though they had been predicted.
+void take_out_untold(const Session& session, const Problem& images, const std::vector<int>& folds,
+                     std::vector<std::optional<Residuals>>& all) {
+  if (!session.is_touch() || folds.empty()) return;
+  std::vector<int> fold_at(session.observations.size(), -1);
+  for (std::size_t rank = 0; rank < images.observations.size(); ++rank)
+    fold_at[static_cast<std::size_t>(images.observations[rank].index)] = folds[rank];
+  for (int fold = 0; fold <= *std::max_element(folds.begin(), folds.end()); ++fold) {
+    std::vector<char> trains(fold_at.size());
+    for (std::size_t i = 0; i < trains.size(); ++i) trains[i] = fold_at[i] >= 0 && fold_at[i] != fold;
+    const LackingTouches lacking = count_lacking(session, trains);
+    for (std::size_t rank = 0; rank < images.observations.size(); ++rank) {
+      const Observation& o = session.observations[static_cast<std::size_t>(images.observations[rank].index)];
+      const bool is_untold = lacking.numbers_of_tip > 0 || lacking.of_fixture[static_cast<std::size_t>(o.part)] > 0;
+      if (folds[rank] == fold && is_untold) all[rank].reset();
+    }
+  }
+}
+
+std::vector<std::optional<Residuals>> held_out(const Session& session, const Problem& images, const Fit& fit,
+                                               const FitOptions& options) {
   std::vector<int> folds;
   for (const int first : first_of_same_pose(images)) folds.push_back(fold_of(first));
-  return held_out_residuals(images, fit, options, session_size, folds);
+  auto all = held_out_residuals(images, fit, options, session.observations.size(), folds);
+  take_out_untold(session, images, folds, all);
+  return all;
 }
 
 /// Where the points of the images were fitted: the images, moved by the same effects. Else they are the fit's problem.
@@ -310,8 +333,9 @@ ErrorSummary held_out_by_region(const Session& session, const Fit& fit, const Fi
   quick.least_gain = std::max(options.least_gain, 1e-2 * fit.residual_rms * fit.residual_rms);
   quick.reuse_below = std::max(options.reuse_below, 1e-3);
   quick.most_iterations = std::min(options.most_iterations, 40);
-  return read_summary(held_out_residuals(images, fit, quick, session.observations.size(), regions),
-                      images.rig.has_value());
+  auto held = held_out_residuals(images, fit, quick, session.observations.size(), regions);
+  take_out_untold(session, images, regions, held);
+  return read_summary(held, images.rig.has_value());
 }
 
 std::optional<HandResidual> hand_residual(const Problem& images, const ProblemObservation& o, const Unknowns& u) {
@@ -330,7 +354,7 @@ FitReport report(const Session& session, const Fit& fit, const FitOptions& optio
   r.fitted = summary(all, images.rig.has_value());
   r.rms_of_noise_m = rms_of_noise(all, fit.noise);
   r.noise_of_hand_m = noise_of_hand(all, fit.noise);
-  auto held = held_out(images, fit, options, session.observations.size());
+  auto held = held_out(session, images, fit, options);
   r.held_out = read_summary(held, images.rig.has_value());
   if (!session.parts.empty()) r.held_out_residuals = std::move(held);
   const std::vector<char> out = outliers(all, fit.noise);

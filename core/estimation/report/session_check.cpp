@@ -9,6 +9,7 @@
 #include "chain/arrangement.h"
 #include "chain/chain.h"
 #include "chain/sighting.h"
+#include "estimation/fit/touch_counts.h"
 #include "estimation/report/session_warnings.h"
 #include "session/touch_xml.h"
 #include "vision/image/image_file.h"
@@ -68,6 +69,12 @@ void list_fixtures(const Session& session, SessionCheck& check) {
                                      : mount.known         ? Message("guessed, part of the fit")
                                                            : Message("unknown, part of the fit")));
   }
+}
+
+/// Are there enough touches for what is asked?
+void check_touches(const Session& session, SessionCheck& check) {
+  if (!session.is_touch()) return;
+  if (const auto lacking = touches_lacking_text(session)) check.warnings.push_back(*lacking);
 }
 
 void list_contents(const Session& session, const Chain& chain, SessionCheck& check) {
@@ -215,6 +222,7 @@ SessionCheck check_session(const Session& session) {
         "neither "
         "it nor TCP->Body can be told from one pose. Record poses that shift the hand and turn it about two axes.");
   check_images(session, check);
+  check_touches(session, check);
   check_limits(session, chain, check);
   check_markers(session, check);
   check_torques(session, chain, check);

@@ -7,6 +7,7 @@
 
 #include "diagnosis/simulated_stand.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/finding.h"
 #include "fixtures/arms.h"
 
 namespace handsight {
@@ -71,6 +72,20 @@ TEST_F(Judge, AnUnnamedCurveOnTopIsUnexplainedAndItsVariableNamed) {
   EXPECT_NE(d.reason.find("angle of a2"), std::string::npos) << d.reason;
   EXPECT_EQ(judged({named("joint_scale", 30), curve_of_angle(29.9)}).verdict, Verdict::missing_effect)
       << "a curve below a name is no rival of it";
+}
+
+TEST_F(Judge, ANameThatExplainsMostOfTheSameComesBeforeACurveWithinOddsOfTwenty) {
+  DiagnosisCandidate curve = curve_of_angle(31), name = named("joint_offset", 28.5);
+  curve.explained = 1.0;
+  name.refitted = true;
+  name.explained = 0.86;
+  EXPECT_EQ(judged({curve, name}).verdict, Verdict::missing_effect);
+  EXPECT_TRUE(comes_before(name, curve));
+  name.explained = 0.7;
+  EXPECT_EQ(judged({curve, name}).verdict, Verdict::unexplained) << "the curve explains clearly more";
+  name.explained = 0.86;
+  name.ln_bayes_factor = 27;
+  EXPECT_EQ(judged({curve, name}).verdict, Verdict::unexplained) << "the odds are above 20";
 }
 
 TEST_F(Judge, NothingThatPassesIsAdequateOnlyWhereTheNoiseIsKnown) {

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/watch_parts.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "compare/calibrated_sides.h"
+#include "compare/change_evidence.h"
+#include "compare/change_limits.h"
+#include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/evidence.h"
+#include "session/without_observations.h"
+
+namespace handsight {
+namespace {
+
+constexpr double same_pose = 5e-3;         // rad (m)
+constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
+
+}  // namespace
+
+PoseSums WatchParts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
+  Session one = without_observations(session);
+  one.observations = {observation};
+  one.observations[0].decision = Decision::none;
+  one = as_calibrated(before, one);
+  if (!chain) chain = make_chain(one);
+  ComparedSides sides = make_sides(before, one, *chain);
+  repeatability = sides.repeatability;
+  const Eigen::Index effects = sides.after.problem.effect_count();
+  if (units.empty()) {
+    for (std::size_t m = 0; m < sides.after.problem.marker_is_seen.size(); ++m)
+      sides.after.problem.marker_is_seen[m] = 1;
+    units = change_units(sides.after.problem);
+  }
+  std::vector<EffectTerm> terms;
+  for (const ChangeUnit& unit : units) terms.insert(terms.end(), unit.terms.begin(), unit.terms.end());
+  sides.after.problem.tcp_from_slip = before.model.tcp_from_body;
+  Candidates candidates = list_candidates(sides.after.problem, terms);
+  Problem& problem = candidates.problem;
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(problem.effect_count());
+  values.head(effects) = sides.start.effects;
+  set_effects(problem, values);
+  const ChangeColumns columns{effects, nullptr, 0, problem.effect_count() - effects};
+  SharedState state = make_start(sides);
+  state.unknowns.effects = values;
+  const ProblemObservation& o = problem.observations.front();
+  const SingleRows single = single_rows(problem, o, state, columns, sides.after.weight);
+  if (first_of_unit.empty()) {
+    base = single.by_columns.cols() - columns.changes;
+    known = *sides.known;
+    sizes.resize(columns.changes);
+    for (Eigen::Index c = 0; c < sizes.size(); ++c)
+      sizes[c] = problem.columns_of_effects[static_cast<std::size_t>(effects + c)].sigma;
+    Eigen::Index next = base;
+    for (const ChangeUnit& unit : units) {
+      first_of_unit.push_back(next);
+      for (const EffectTerm& t : unit.terms)
+        for (const EffectParameter& p : term_effect(t).parameters) next += p.is_choice ? 0 : 1;
+    }
+    first_of_unit.push_back(next);
+    check(next == single.by_columns.cols(), "{} columns of changes, {} of their numbers", columns.changes, next - base);
+    const double left = before.calibration.fit.chi2_per_dof.value_or(1) - 1;
+    coordinate = std::max(least_coordinate, left);
+  }
+  return sums_of_rows(o, single, problem.rig ? 2 * problem.rig->count() : 3, problem.marker_count);
+}
+
+std::size_t WatchParts::locate(const Eigen::VectorXd& position, const Matrix6& repeatability) {
+  for (std::size_t p = 0; p < poses.size(); ++p)
+    if ((poses[p].position - position).cwiseAbs().maxCoeff() < same_pose) return p;
+  poses.push_back({position, repeatability, {}, {}});
+  return poses.size() - 1;
+}
+
+/// By group, the mean over its places, with what it is likely beforehand.
+std::map<std::string, double> WatchParts::by_group(const std::vector<double>& evidence) const {
+  std::map<std::string, std::vector<double>> groups;
+  for (std::size_t u = 0; u < units.size(); ++u) groups[units[u].group].push_back(evidence[u]);
+  std::map<std::string, double> ln_of;
+  for (const auto& [group, all] : groups) ln_of[group] = ln_mean_exp(all) + ln_prior_odds(group);
+  return ln_of;
+}
+
+/// The mean over the groups.
+double WatchParts::mixture(const std::vector<double>& evidence) const {
+  std::vector<double> of_groups;
+  double weights = 0;
+  for (const auto& [group, ln] : by_group(evidence)) {
+    weights += std::exp(ln_prior_odds(group));
+    of_groups.push_back(ln);
+  }
+  return ln_mean_exp(of_groups) + std::log(static_cast<double>(of_groups.size()) / weights);
+}
+
+WatchParts::Start WatchParts::start_at(double ln_weight, const Normal& n) const {
+  const Eigen::Index changes = n.gradient.size() - base;
+  const Eigen::LLT<Eigen::MatrixXd> llt(n.information.topLeftCorner(base, base) + known);
+  const Eigen::MatrixXd cross = llt.solve(n.information.topRightCorner(base, changes));
+  Start start;
+  start.ln_weight = ln_weight;
+  start.information =
+      n.information.bottomRightCorner(changes, changes) - n.information.bottomLeftCorner(changes, base) * cross;
+  start.gradient = n.gradient.tail(changes) - cross.transpose() * n.gradient.head(base);
+  for (std::size_t u = 0; u < units.size(); ++u) {
+    const Eigen::Index first = first_of_unit[u] - base, numbers = first_of_unit[u + 1] - first_of_unit[u];
+    start.evidence.push_back(change_evidence(start.information.block(first, first, numbers, numbers),
+                                             start.gradient.segment(first, numbers)));
+  }
+  start.ln_e_value = mixture(start.evidence);
+  return start;
+}
+
+std::vector<WatchParts::Start> WatchParts::starts() const {
+  std::vector<PoseSums> sums;
+  std::vector<Normal> normals;
+  Normal total, from_first;
+  const auto add_to = [](Normal& sum, const Normal& one) {
+    if (sum.gradient.size() == 0)
+      sum = one;
+    else
+      sum.add(one, 1);
+  };
+  for (const WatchedPose& p : poses) {
+    sums.push_back(p.unchanged);
+    normals.push_back(without_pose(p.unchanged, coordinate, p.repeatability));
+    add_to(total, normals.back());
+    add_to(from_first, without_pose(p.changed, coordinate, p.repeatability));
+  }
+  std::vector<Start> all;
+  for (std::size_t i = recent.size(); i-- > 0;) {
+    const Recent& r = recent[i];
+    total.add(normals[r.pose], -1);
+    sums[r.pose].add(r.sums.unchanged(base), -1);
+    sums[r.pose].add(r.sums);
+    normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].repeatability);
+    total.add(normals[r.pose], 1);
+    all.push_back(start_at(r.ln_weight, total));
+  }
+  if (recent.front().number > 0) all.push_back(start_at(ln_first_weight, from_first));
+  return all;
+}
+
+/// Its numbers and their sigmas, each held at three prior sigmas.
+WatchedChange WatchParts::measure_size(std::size_t unit, const Start& start) const {
+  const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
+  Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
+  information.diagonal().array() += 1 / (change_scale * change_scale);
+  const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(numbers, numbers));
+  const Eigen::VectorXd size = sizes.segment(first, numbers);
+  const Eigen::VectorXd values = size.cwiseProduct(covariance * start.gradient.segment(first, numbers));
+  WatchedChange change{units[unit].group, units[unit].where, units[unit].terms,
+                       size.cwiseProduct(covariance.diagonal().cwiseMax(0).cwiseSqrt())};
+  Eigen::Index next = 0;
+  for (EffectTerm& term : change.terms)
+    for (std::size_t p = 0; p < term.values.size(); ++p)
+      if (!term_effect(term).parameters[p].is_choice) term.values[p] = values[next++];
+  return change;
+}
+
+WatchStep WatchParts::reported(const std::vector<Start>& all) const {
+  WatchStep step;
+  std::vector<double> weighed;
+  std::size_t best = 0;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    weighed.push_back(all[s].ln_e_value + all[s].ln_weight);
+    if (weighed[s] > weighed[best]) best = s;
+  }
+  step.ln_e_value = ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
+  const Start& start = all[best];
+  const std::map<std::string, double> groups = by_group(start.evidence);
+  const auto likeliest =
+      std::max_element(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  step.what = likeliest->first;
+  for (const auto& [group, ln] : groups)
+    if (group != step.what && ln > likeliest->second - ln_20) step.indistinguishable_from.push_back(group);
+  std::size_t unit = units.size();
+  for (std::size_t u = 0; u < units.size(); ++u)
+    if (units[u].group == step.what && (unit == units.size() || start.evidence[u] > start.evidence[unit])) unit = u;
+  for (std::size_t u = 0; u < units.size(); ++u) step.each.push_back(measure_size(u, start));
+  step.terms = step.each[unit].terms;
+  step.sigma = step.each[unit].sigma;
+  step.where = units[unit].where;
+  step.text = change_text(units[unit], step.terms, step.sigma, *chain);
+  if (!step.indistinguishable_from.empty() && step.ln_e_value > 0)
+    step.text +=
+        message("; or it is {}, which these poses do not tell apart.", fmt::join(step.indistinguishable_from, " or "));
+  return step;
+}
+
+}  // namespace handsight
