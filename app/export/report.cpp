@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/report.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QDateTime>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <QUrl>
 #include <cmath>
@@ -60,12 +62,21 @@ QString matrix_table(const Rigid& motion) {
   return table({}, rows, Columns::numbers_alone);
 }
 
-QString numbers_part(const Document& document, const ModelVersion& model) {
+enum class Pages { of_paper, of_a_browser };
+
+/// Beside each other where the width is known, else below each other.
+QString beside(const QString& left, const QString& right, Pages pages) {
+  if (pages == Pages::of_a_browser) return left + right;
+  return "<table><tr><td>" + left + "</td><td width=\"24\"></td><td>" + right + "</td></tr></table>\n";
+}
+
+QString numbers_part(const Document& document, const ModelVersion& model, Pages pages) {
   std::vector<QStringList> rows;
   for (const MotionLine& l : motion_lines(model, MotionForm::xyz_rpy))
     rows.push_back({l.name, l.value, l.sigma.isEmpty() ? QString() : "± " + l.sigma, l.unit});
-  QString text = "<h2>" + QObject::tr("TCP→Body") + "</h2>\n" + table({}, rows);
-  text += "<p>" + QObject::tr("As a matrix, in m:") + "</p>\n" + matrix_table(model.fit->tcp_from_body);
+  QString text = "<h2>" + QObject::tr("TCP→Body") + "</h2>\n";
+  text += beside(table({}, rows),
+                 "<p>" + QObject::tr("As a matrix, in m:") + "</p>\n" + matrix_table(model.fit->tcp_from_body), pages);
   rows.clear();
   for (const MotionLine& l : effect_lines(document.session(), *model.fit))
     rows.push_back(
@@ -143,8 +154,6 @@ constexpr const char* style =
     "img{max-width:100%;height:auto;margin-bottom:4px}\n"
     "@media print{body{max-width:none;padding:0;font-size:10pt}.wide{overflow-x:visible}}\n";
 
-enum class Pages { of_paper, of_a_browser };
-
 constexpr int picture_width = 600;  // of the page's px
 
 QString picture_part(const ReportPicture& picture, const QString& source, Pages pages, double scale) {
@@ -193,7 +202,8 @@ QString body(const Document& document, const ModelVersion& model, const std::vec
     if (i == 0) text += bill_part(story.bill);
   }
   if (placed.empty()) text += bill_part(story.bill);
-  return text + numbers_part(document, model) + decisions_part(model) + checks_part(document) + actions_part(document);
+  return text + numbers_part(document, model, pages) + decisions_part(model) + checks_part(document) +
+         actions_part(document);
 }
 
 std::vector<PlacedPicture> as_they_come(std::size_t count) {
@@ -204,6 +214,7 @@ std::vector<PlacedPicture> as_they_come(std::size_t count) {
 
 /// A4 within its margins, in px of 96 to an inch; the page's number stands below.
 constexpr double page_width = 642, page_height = 940, between = 14;
+constexpr double whole_page = 971;  // with what is left free for a row that does not fit
 
 double height_of(const QString& html) {
   QTextDocument text;
@@ -213,18 +224,58 @@ double height_of(const QString& html) {
   return text.size().height();
 }
 
-double height_of(const ReportPicture& picture) {
+double height_of(const ReportPicture& picture, double scale) {
   const double caption = height_of("<p>" + picture.caption.toHtmlEscaped() + "</p>");
-  return picture_width * picture.image.height() / std::max(1.0, double(picture.image.width())) + caption + between;
+  return scale * picture_width * picture.image.height() / std::max(1.0, double(picture.image.width())) + caption +
+         between;
 }
 
 /// The first page has the story and, below the first picture, the bill.
 std::vector<PlacedPicture> on_paper(const Document& document, const std::vector<ReportPicture>& pictures,
-                                    const ReportStory& story) {
+                                    const ReportStory& story, double scale) {
   std::vector<double> heights;
-  for (const ReportPicture& p : pictures) heights.push_back(height_of(p));
+  for (const ReportPicture& p : pictures) heights.push_back(height_of(p, scale));
   const double first = height_of(story_part(document, story)) + height_of(bill_part(story.bill));
-  return placed_pictures(heights, page_height, std::max(page_height - first, 0.0));
+  std::vector<PlacedPicture> placed = placed_pictures(heights, page_height, std::max(page_height - first, 0.0));
+  for (PlacedPicture& p : placed) p.scale *= scale;
+  return placed;
+}
+
+QString picture_name(std::size_t i) { return QString("picture:%1").arg(i); }
+
+void set_text(QTextDocument& text, const std::vector<ReportPicture>& pictures, const QString& html) {
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    text.addResource(QTextDocument::ImageResource, QUrl(picture_name(i)), pictures[i].image);
+  text.setDefaultFont(QFont("DejaVu Sans", 9));
+  text.setHtml(html);
+}
+
+/// How far the last page is filled, from 0 to 1.
+double last_page_of(const std::vector<ReportPicture>& pictures, const QString& html) {
+  QTextDocument text;
+  set_text(text, pictures, html);
+  text.setDocumentMargin(0);
+  text.setPageSize(QSizeF(page_width, whole_page));
+  double bottom = 0;
+  for (QTextBlock b = text.begin(); b.isValid(); b = b.next())
+    bottom = std::max(bottom, text.documentLayout()->blockBoundingRect(b).bottom());
+  return bottom / whole_page - std::floor(bottom / whole_page);
+}
+
+/// With pictures as large as they can be for a last page that is not half empty; else the fullest.
+QString html_on_paper(const Document& document, const ModelVersion& model, const std::vector<ReportPicture>& pictures,
+                      const ReportStory& story) {
+  constexpr double wanted = 0.5, scales[] = {1, 0.94, 0.88, 0.82, 0.76, 0.7};
+  QString best;
+  double fullest = -1;
+  for (const double scale : scales) {
+    const QString html = body(document, model, pictures, on_paper(document, pictures, story, scale), story,
+                              Pages::of_paper, picture_name);
+    const double full = last_page_of(pictures, html);
+    if (full > fullest) best = html, fullest = full;
+    if (full >= wanted) break;
+  }
+  return best;
 }
 
 }  // namespace
@@ -260,11 +311,7 @@ QByteArray report_pdf(const Document& document, const ModelVersion& model, const
     writer.setTitle(QString::fromStdString(document.session().title));
     writer.setCreator("handsight " HANDSIGHT_VERSION);
     QTextDocument text;
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-      text.addResource(QTextDocument::ImageResource, QUrl(QString("picture:%1").arg(i)), pictures[i].image);
-    text.setDefaultFont(QFont("DejaVu Sans", 9));
-    text.setHtml(body(document, model, pictures, on_paper(document, pictures, story), story, Pages::of_paper,
-                      [](std::size_t i) { return QString("picture:%1").arg(i); }));
+    set_text(text, pictures, html_on_paper(document, model, pictures, story));
     text.print(&writer);
   }
   return bytes;

@@ -323,7 +323,11 @@ void InspectWorkspace::refresh_units() {
   const auto* filter = qobject_cast<QAbstractProxyModel*>(table_->view()->model());
   name_columns(*filter->sourceModel(), are_touches, unit);
   constexpr int degree = 3, worst = 4, of_a_name = 112;  // px
-  table_->view()->setColumnHidden(degree, are_touches);  // a tip is a point: it has no turn
+  // A tip and a marker alone are points, which have no turn; of one marker none is the worst.
+  const Session& session = workbench_.document.session();
+  const bool is_one_marker = session.is_tracker() && session.marker_count == 1;
+  table_->view()->setColumnHidden(degree, are_touches || is_one_marker);
+  table_->view()->setColumnHidden(worst, is_one_marker && !are_touches);
   if (are_touches) table_->view()->setColumnWidth(worst, std::max(of_a_name, table_->view()->columnWidth(worst)));
 }
 

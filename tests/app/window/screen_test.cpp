@@ -60,6 +60,23 @@ TEST_F(Screen, NumbersPanelAndStripStandOnEveryScreen) {
   }
 }
 
+TEST_F(Screen, TheStartPageFillsALargeScreen) {
+  auto* page = desk.find<QScrollArea>("start_page");
+  const auto lowest = [&] {
+    int bottom = 0;
+    for (auto* button : page->findChildren<QAbstractButton*>())
+      bottom = std::max(bottom, button->mapTo(page, QPoint(0, button->height())).y());
+    return bottom;
+  };
+  desk.window.resize(1366, 768);
+  QTest::qWait(30);
+  EXPECT_LE(lowest(), 768) << "all samples on a laptop";
+  desk.window.resize(1920, 1080);
+  QTest::qWait(30);
+  EXPECT_GT(lowest(), 1080 * 3 / 4) << "a third of the page is empty";
+  EXPECT_LE(lowest(), 1080);
+}
+
 TEST_F(Screen, OnALaptopTheFirstCandidateCanBeAddedWithoutScrolling) {
   open();
   desk.window.resize(1366, 728);
