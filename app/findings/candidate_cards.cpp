@@ -143,10 +143,10 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
       return honest_card(
           CardKind::noise_unknown, QObject::tr("The noise is unknown"),
           story.causes.empty()
-              ? QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
-                            "when to stop. Nothing that it knows explains more than chance would.")
-              : QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
-                            "when to stop."));
+              ? QObject::tr(
+                    "The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing "
+                    "that it knows explains more than chance would.")
+              : QObject::tr("The program cannot say when to stop: declare the noise (sigma), or repeat some poses."));
     case StoryState::unexplained: {
       CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), sentence);
       if (!has_curve(workbench, model)) return card;  // it follows nothing

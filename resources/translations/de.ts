@@ -141,8 +141,8 @@
         <translation>Beim Rauschen, aber durch einen Ersatz</translation>
     </message>
     <message>
-        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop.</source>
-        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt; das Programm kann nicht sagen, wann Schluss ist.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen.</translation>
     </message>
     <message>
         <source>Nothing that helps is left</source>
@@ -2491,6 +2491,14 @@
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
+        <source>Right only together with the mount of the sensor that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Sensors: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
+    </message>
+    <message>
+        <source>error of the pose (mm)</source>
+        <translation>Fehler der Pose (mm)</translation>
+    </message>
+    <message>
         <source>Right only together with the mount of the tracker that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Trackers: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
@@ -2879,8 +2887,8 @@
         <translation>Das Modell liegt um %1%2 daneben, wo das Rauschen %3 ist.</translation>
     </message>
     <message>
-        <source>The model misses by %1. Without three markers the noise is not known, so that the program cannot say whether that is much.</source>
-        <translation>Das Modell liegt um %1 daneben. Ohne drei Marker ist das Rauschen nicht bekannt, und das Programm kann nicht sagen, ob das viel ist.</translation>
+        <source>The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it (sigma), or repeat some poses.</source>
+        <translation>Das Modell liegt um %1 daneben. Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob das viel ist: gib es an (sigma), oder wiederhole einige Stellungen.</translation>
     </message>
     <message>
         <source>The noise is not known, so nothing can be said about this observation.</source>
@@ -3271,8 +3279,8 @@
         <translation>Damit wäre der Fehler %1.</translation>
     </message>
     <message>
-        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop. Nothing that it knows explains more than chance would.</source>
-        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt, und das Programm kann nicht sagen, wann Schluss ist. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing that it knows explains more than chance would.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
     </message>
     <message>
         <source>Written: %1</source>

@@ -153,8 +153,10 @@ TEST(Thumbnails, OfTheRobots) {
     const std::size_t shown = s.observations.size() / (s.fixtures.empty() ? 2 : 3);  // where the whole arm is in view
     view.set_posture(app::link_motions(s, s.observations[shown].position));
     view.look(widgets::StandardView::all);
-    view.picture(3);
-    thumbnail_of(view.picture(3)).save(folder_of_pictures + "/" + name + ".png");
+    view.picture(2);
+    QImage picture = view.picture(2);
+    picture.setDevicePixelRatio(1);
+    thumbnail_of(picture).save(folder_of_pictures + "/" + name + ".png");
   }
 }
 
