@@ -45,6 +45,7 @@ bool turns_by_wheel(const QObject* watched) {
 struct Tip {
   QString text;
   QRect area;
+  bool is_seen = false;  // it can be read there
 };
 
 /// Whether a cell shows the whole text.
@@ -68,7 +69,7 @@ Tip tip_of_cell(const QAbstractItemView& view, const QPoint& at) {
   const QModelIndex index = view.indexAt(at);
   const QString text = index.data(Qt::ToolTipRole).toString();
   const QRect area = view.visualRect(index);
-  return {text == index.data(Qt::DisplayRole).toString() && has_room(view, area, text) ? QString() : text, area};
+  return {text, area, text == index.data(Qt::DisplayRole).toString() && has_room(view, area, text)};
 }
 
 /// Whether the widget shows this text and has the room for it.
@@ -88,11 +89,11 @@ bool shows_tip(QObject* watched, const QHelpEvent& help) {
     tip = {bar->tabToolTip(bar->tabAt(help.pos())), bar->tabRect(bar->tabAt(help.pos()))};
   } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget->parentWidget());
              view && view->viewport() == widget) {
-    if (const Tip cell = tip_of_cell(*view, help.pos()); !cell.area.isEmpty()) tip = cell;
+    tip = tip_of_cell(*view, help.pos());
     if (tip.text.isEmpty()) tip = {view->toolTip(), widget->rect()};
   }
   if (tip.text.isEmpty()) return false;
-  widgets::show_tip(widget, help, tip.area, shows_whole(*widget, tip.text) ? QString() : tip.text);
+  widgets::show_tip(widget, help, tip.area, tip.is_seen || shows_whole(*widget, tip.text) ? QString() : tip.text);
   return true;
 }
 

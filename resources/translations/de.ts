@@ -9191,22 +9191,6 @@
         <translation>Das Bild von %1 x %2 ließ sich nicht als PNG schreiben.</translation>
     </message>
     <message>
-        <source>one marker</source>
-        <translation>einem Marker</translation>
-    </message>
-    <message>
-        <source>two markers</source>
-        <translation>zwei Markern</translation>
-    </message>
-    <message>
-        <source>not</source>
-        <translation>nicht</translation>
-    </message>
-    <message>
-        <source>only partly</source>
-        <translation>nur zum Teil</translation>
-    </message>
-    <message>
         <source>Observation %1: the declared springs are too soft for the load.</source>
         <translation>Beobachtung %1: die angegebenen Federn sind zu weich für die Last.</translation>
     </message>

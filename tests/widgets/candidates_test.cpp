@@ -52,7 +52,9 @@ TEST(CandidateCard, HoverTriesAndEnterAdds) {
   QSignalSpy preview(&list, &CandidateList::preview), ended(&list, &CandidateList::preview_ended);
   QSignalSpy add(&list, &CandidateList::add);
   enter(*list.card(1));
-  ASSERT_EQ(preview.size(), 1);
+  EXPECT_EQ(preview.size(), 0) << "a dialog may have closed over it: nobody points";
+  QTest::mouseMove(list.card(1)->window()->windowHandle(), list.card(1)->mapTo(list.card(1)->window(), QPoint(30, 30)));
+  QTRY_COMPARE(preview.size(), 1);
   EXPECT_EQ(preview[0][0].toString(), "payload");
   leave(*list.card(1));
   ASSERT_EQ(ended.size(), 1);

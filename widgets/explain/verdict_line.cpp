@@ -226,7 +226,7 @@ bool VerdictLine::event(QEvent* event) {
                  ? tr("How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.")
                  : tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for."))
           : QString();  // the sentence stands there
-  show_tip(this, *help, attribution_area().toAlignedRect(), text);
+  show_tip(this, *help, rect(), text);
   return true;
 }
 

@@ -186,11 +186,6 @@ TEST_F(Compare, FromTheBoxThatFindsEverythingAndBackWithEscape) {
   ASSERT_NE(dialog, nullptr);
   EXPECT_EQ(dialog->directory().absolutePath(), where) << "it opens beside the session";
   dialog->reject();
-  desk.key(Qt::Key_O, Qt::ControlModifier);
-  auto* open = desk.window.findChild<QFileDialog*>("open_dialog");
-  ASSERT_NE(open, nullptr);
-  EXPECT_EQ(open->directory().absolutePath(), where);
-  open->reject();
   EXPECT_TRUE(desk.find<QLabel>("compare_empty")->isVisible()) << "nothing chosen: it says what could be";
   EXPECT_FALSE(desk.find<app::RailButton>("rail_explain")->isChecked());
   QTest::qWait(30);
@@ -199,6 +194,11 @@ TEST_F(Compare, FromTheBoxThatFindsEverythingAndBackWithEscape) {
   desk.key(Qt::Key_Escape);
   EXPECT_FALSE(desk.window.is_comparing());
   EXPECT_EQ(desk.window.workspace(), place);
+  desk.key(Qt::Key_O, Qt::ControlModifier);
+  auto* open = desk.window.findChild<QFileDialog*>("open_dialog");
+  ASSERT_NE(open, nullptr);
+  EXPECT_EQ(open->directory().absolutePath(), where);
+  open->reject();
 }
 
 TEST_F(Compare, StoppedItSaysSoAndCanBeTriedAgain) {
