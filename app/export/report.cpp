@@ -91,8 +91,10 @@ QString numbers_part(const Document& document, const ModelVersion& model, Pages 
           {QObject::tr("Error held out, rms"), error_text(r.held_out)}};
   if (e.elsewhere)
     rows.push_back({QObject::tr("Where whole regions of poses are held out"), error_text(r.held_out_region)});
-  rows.push_back(
-      {QObject::tr("What noise alone would leave"), e.noise ? error_with_unit(*e.noise, e.in_pixels) : QString("-")});
+  QString noise = e.noise ? error_with_unit(*e.noise, e.in_pixels) : QString("-");
+  if (e.in_pixels && e.noise && r.noise_of_hand_m)  // beside the errors, which stand in both units
+    noise = QObject::tr("%1 (%2 at the hand)").arg(noise, widgets::with_unit_text(1e3 * *r.noise_of_hand_m, "mm"));
+  rows.push_back({QObject::tr("What noise alone would leave"), noise});
   rows.push_back({QObject::tr("Chi-squared per degree of freedom"), widgets::short_text(model.fit->chi2_per_dof, 3)});
   text += table({}, rows);
   for (const ExportRemark& remark : export_remarks(document, model))

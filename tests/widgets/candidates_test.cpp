@@ -160,7 +160,8 @@ TEST(CandidateCard, HonestOnesHaveTheirOwnButtonAndAreNotTried) {
   list.set_cards(test::honest_cards(), CardOrder::fresh);
   test::show(list, {464, 1100});
   QSignalSpy action(&list, &CandidateList::action), preview(&list, &CandidateList::preview);
-  enter(*list.card(1));
+  QTest::mouseMove(list.card(1)->window()->windowHandle(), list.card(1)->mapTo(list.card(1)->window(), QPoint(30, 30)));
+  QTest::qWait(30);
   EXPECT_EQ(preview.size(), 0);
   EXPECT_TRUE(list.card(1)->add_button()->isHidden());
   QPushButton* button = list.card(1)->action_button();
