@@ -67,8 +67,10 @@ GoalsForm::GoalsForm(QWidget* parent) : QWidget(parent) {
   cell_->setObjectName("experiment_cell");
   cell_->setPlaceholderText(tr("the floor alone"));
   cell_->setToolTip(tr("A file cell.xml with what stands about the robot: boxes and planes (docs/experiment.md)"));
-  choose_ = new QPushButton(tr("Choose…"), this);
+  choose_ = new QPushButton(QStringLiteral("…"), this);  // the room is the file's
   choose_->setObjectName("experiment_choose_cell");
+  choose_->setAccessibleName(tr("Choose…"));
+  choose_->setFixedWidth(36);
   connect(choose_, &QPushButton::clicked, this, &GoalsForm::choose_cell);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
