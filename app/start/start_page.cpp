@@ -24,7 +24,7 @@ namespace {
 using widgets::colors;
 using widgets::TextRole;
 
-constexpr int thumbnail_width = 72, thumbnail_height = 48;
+constexpr int thumbnail_width = 72, thumbnail_height = 48, plain_height = thumbnail_height + 16;
 constexpr double roomy_scale = 1.7;  // of the pictures on a large screen
 constexpr int roomy_width = 1500, roomy_height = 900;
 
@@ -86,29 +86,29 @@ class PlaceButton : public QAbstractButton {
     p.setBrush(underMouse() || isDown() ? c.selected_row : c.panel);
     p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
     paint_picture(p, picture_area());
-    const double left = text_left(), wide = text_width();
+    const double left = text_left(), wide = text_width(), top = (height() - plain_height) / 2.0;
     p.setPen(c.ink1);
     QFont title = widgets::text_font(TextRole::body);
     title.setWeight(QFont::DemiBold);
     p.setFont(title);
-    p.drawText(QRectF(left, 7, wide, 20), Qt::AlignVCenter,
+    p.drawText(QRectF(left, top + 7, wide, 20), Qt::AlignVCenter,
                p.fontMetrics().elidedText(text(), Qt::ElideRight, static_cast<int>(wide)));
     p.setFont(widgets::text_font(TextRole::small));
     p.setPen(c.ink2);
     if (state_.isEmpty()) {
-      p.drawText(QRectF(left, 26, wide, text_height()), Qt::AlignTop | Qt::TextWordWrap, sentence_);
+      p.drawText(QRectF(left, top + 26, wide, text_height()), Qt::AlignTop | Qt::TextWordWrap, sentence_);
       return;
     }
-    p.drawText(QRectF(left, 26, wide, 18), Qt::AlignVCenter,
+    p.drawText(QRectF(left, top + 26, wide, 18), Qt::AlignVCenter,
                p.fontMetrics().elidedText(state_, Qt::ElideRight, static_cast<int>(wide)));
-    paint_strip(p, QRectF(left, 47, wide, 8));
+    paint_strip(p, QRectF(left, top + 47, wide, 8));
   }
 
  private:
   QRectF picture_area() const { return {8, 8, scale_ * thumbnail_width, scale_ * thumbnail_height}; }
   double text_left() const { return picture_area().right() + 12; }
   double text_width() const { return width() - text_left() - 12; }
-  double text_height() const { return height() - 30; }
+  double text_height() const { return (height() + plain_height) / 2.0 - 30; }
   /// Where the state stands in the sentence's place, or the sentence has no room.
   void explain_what_is_not_there() {
     const QRectF room(0, 0, text_width(), 1e4);
