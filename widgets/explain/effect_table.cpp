@@ -91,7 +91,9 @@ void EffectTable::fit_columns() {
   view_->setColumnWidth(1, verdict);
   // The beginnings of names tell nothing: they stand whole in the line below the table.
   constexpr int least_where = 120;
-  view_->setColumnHidden(where_column, view_->viewport()->width() - name - verdict < least_where);
+  const bool has_room = view_->viewport()->width() - name - verdict >= least_where;
+  view_->setColumnHidden(where_column, !has_room);
+  view_->horizontalHeader()->setSectionResizeMode(1, has_room ? QHeaderView::Interactive : QHeaderView::Stretch);
 }
 
 void EffectTable::set_filter(const QString& text) { text_->setText(text); }
