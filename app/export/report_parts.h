@@ -6,7 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "export/report.h"
+#include "document/document.h"
+#include "export/report_content.h"
 #include "export/report_pages.h"
 
 namespace handsight::app {
