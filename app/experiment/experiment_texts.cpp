@@ -73,10 +73,10 @@ QString reason_in_words(PoseReason reason) {
 QString hand_text(const Knowledge& known, bool has_box, bool is_of_touches) {
   if (!known.hand_limit) return QObject::tr("not known yet");
   const QString limit = QObject::tr("within %1 mm").arg(short_number(1e3 * *known.hand_limit));
-  if (has_box) return QObject::tr("%1 in the box (95 %)").arg(limit);
-  return (is_of_touches ? QObject::tr("%1 wherever it can touch (95 %)")
-                        : QObject::tr("%1 wherever it can be seen (95 %)"))
-      .arg(limit);
+  QString text = has_box         ? QObject::tr("%1 in the box (95 %)")
+                 : is_of_touches ? QObject::tr("%1 wherever it can touch (95 %)")
+                                 : QObject::tr("%1 wherever it can be seen (95 %)");
+  return text.arg(limit).replace(QStringLiteral("95 %"), QStringLiteral("95\u00a0%"));  // no line ends there
 }
 
 QString verdict_in_words(const Knowledge& known) {
@@ -94,8 +94,9 @@ std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
   if (!known.diagnosis) return causes;
   for (const DiagnosisCandidate& c : known.diagnosis->candidates) {
     if (c.id.empty() || c.unnamed || c.terms.empty()) continue;
-    causes.push_back({effect_text(c.id, c.where),
-                      c.ln_bayes_factor > 0 ? odds_text(c.ln_bayes_factor) : QObject::tr("less likely than none")});
+    causes.push_back({effect_text(c.id, c.where), c.ln_bayes_factor > 0
+                                                      ? QObject::tr("%1 against none").arg(odds_text(c.ln_bayes_factor))
+                                                      : QObject::tr("less likely than none")});
     if (causes.size() == causes_shown) break;
   }
   return causes;

@@ -61,14 +61,16 @@ GoalsForm::GoalsForm(QWidget* parent) : QWidget(parent) {
   time_ = box_of("goal_time", tr("time, at most"), false, minutes_, this);
   box_ = new QLineEdit(this);
   box_->setObjectName("experiment_box");
-  box_->setPlaceholderText(tr("everywhere; or x y z x y z in m"));
-  box_->setToolTip(tr("Two corners of a box in the root's frame: where the hand is to be known"));
+  box_->setPlaceholderText(tr("everywhere"));
+  box_->setToolTip(tr("Two corners of a box in the root's frame, x y z x y z in m: where the hand is to be known"));
   cell_ = new QLineEdit(this);
   cell_->setObjectName("experiment_cell");
-  cell_->setPlaceholderText(tr("the floor alone; or cell.xml"));
-  cell_->setToolTip(tr("What stands about the robot: boxes and planes (docs/experiment.md)"));
-  choose_ = new QPushButton(tr("Choose…"), this);
+  cell_->setPlaceholderText(tr("the floor alone"));
+  cell_->setToolTip(tr("A file cell.xml with what stands about the robot: boxes and planes (docs/experiment.md)"));
+  choose_ = new QPushButton(QStringLiteral("…"), this);  // the room is the file's
   choose_->setObjectName("experiment_choose_cell");
+  choose_->setAccessibleName(tr("Choose…"));
+  choose_->setFixedWidth(36);
   connect(choose_, &QPushButton::clicked, this, &GoalsForm::choose_cell);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);

@@ -46,6 +46,12 @@ QString display_name(const RecheckNumber& n) {
       effect_text(n.what, n.where.empty() ? std::vector<std::string>() : std::vector{n.where}), number_title(n.name));
 }
 
+/// As the plot shows it: it ends where nothing gets any surer.
+QString e_value_text(double e_value) {
+  return e_value > highest_shown ? QObject::tr("above %1").arg(QString::fromUtf8("10¹⁵"))
+                                 : widgets::short_text(e_value, 3);
+}
+
 /// Looks at each observation as it comes, and writes the log. In the run's thread.
 struct Watching {
   std::filesystem::path calibration, log;
@@ -228,7 +234,7 @@ void RecheckPage::show_entries() {
       for (const RecheckNumber& n : entries_.back().numbers)
         number_->addItem(display_name(n), QString::fromStdString(find_key(n)));
     number_->setCurrentIndex(std::max(0, is_number_chosen_ ? number_->findData(chosen) : telling_number()));
-    number_->setEnabled(number_->count() > 0);
+    number_->setVisible(number_->count() > 0);
   }
   show_number();
   more_->clear();
@@ -246,7 +252,7 @@ void RecheckPage::show_entries() {
   more_->setText(tr("%1 looked at, the last at %2 UTC; e-value %3, where 1000 would count as a change.")
                      .arg(counted(static_cast<qint64>(entries_.size()), "%n observation(s)"),
                           QString::fromStdString(last.utc).replace('T', ' ').remove('Z'))
-                     .arg(widgets::short_text(last.e_value, 3)));
+                     .arg(e_value_text(last.e_value)));
 }
 
 /// The place of the first number of what has changed, or is likeliest to have.

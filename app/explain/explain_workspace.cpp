@@ -63,7 +63,7 @@ void ExplainWorkspace::make_layout() {
   rows->addWidget(watching_);
   rows->setStretchFactor(0, 3);  // on a large screen the robot grows too
   rows->setStretchFactor(1, 1);
-  rows->setSizes({490, 190});
+  rows->setSizes({440, 210});
   rows->setChildrenCollapsible(false);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(0, 0, 0, 0);

@@ -14,6 +14,7 @@ void FailingPane::say_proof() {
   const bool is_proof = shows_proof(), has_tabs = !proof_.is_empty() || !lead_.is_empty();
   for (QToolButton* tab : {tab_proof_, tab_patterns_}) tab->setVisible(has_tabs);
   tab_proof_->setChecked(is_proof);
+  tab_proof_->setText((proof_.is_empty() ? lead_ : proof_).leads || added_ > 0 ? tr("The proof") : tr("Its plot"));
   tab_patterns_->setChecked(!is_proof);
   // One plot is the large one; a small copy of it would say nothing.
   page_->setVisible(!is_proof || proof_.plots.size() > 1);

@@ -141,8 +141,10 @@ QString mount_text(const Session& session, const Fit& fit) {
                        widgets::fixed_text(x.z(), decimals)}
         .join(' ');
   };
-  return (session.rig
-              ? QObject::tr("Right only together with the camera mount that was estimated with it: on %1 at %2 "
+  return (session.rig ? QObject::tr("Right only together with the camera mount that was estimated with it: on %1 at %2 "
+                                    "mm, rpy %3 deg (mount_from_sensor in the XML).")
+          : session.pose_sensor
+              ? QObject::tr("Right only together with the mount of the sensor that was estimated with it: on %1 at %2 "
                             "mm, rpy %3 deg (mount_from_sensor in the XML).")
               : QObject::tr("Right only together with the mount of the tracker that was estimated with it: on %1 "
                             "at %2 mm, rpy %3 deg (mount_from_sensor in the XML)."))

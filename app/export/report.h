@@ -8,22 +8,9 @@
 #include <vector>
 
 #include "document/document.h"
-#include "widgets/explain/bill_list.h"
+#include "export/report_content.h"
 
 namespace handsight::app {
-
-/// A picture of the report with its caption.
-struct ReportPicture {
-  QString caption;
-  QImage image;
-};
-
-/// What a report says first.
-struct ReportStory {
-  QString verdict;                       // how good the model is, in a sentence or two
-  QString next;                          // what to do; may be empty
-  std::vector<widgets::BillEntry> bill;  // of the model; empty: nothing is in it
-};
 
 /// One whole HTML file, pictures inside it: the story with the first of the pictures and the bill, the other pictures,
 /// then the numbers, what was left out and what was done.

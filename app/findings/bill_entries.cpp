@@ -49,7 +49,7 @@ std::vector<widgets::BillEntry> bill_entries(const std::vector<BillRow>& rows, c
     const auto sigma = row.hand_sigma_m > 0 ? std::optional(1e3 * row.hand_sigma_m) : std::nullopt;
     entries.push_back({.id = QString::fromStdString(row.id),
                        .cause = cause_of(row, fit),
-                       .worth = widgets::with_sigma_text(1e3 * row.hand_m, sigma) + QChar(0x00A0) + QObject::tr("mm"),
+                       .worth = widgets::with_sigma_unit_text(1e3 * row.hand_m, sigma, QObject::tr("mm")),
                        .sure = sure_text(row),
                        .built = built_text(row),
                        .reported = reported_text(row),

@@ -111,6 +111,12 @@ CardState with_export(CardState card) {
   return card;
 }
 
+bool has_curve(const Workbench& workbench, const ModelVersionPointer& model) {
+  const auto diagnosis = workbench.find_diagnosis(model);
+  return diagnosis && std::any_of(diagnosis->candidates.begin(), diagnosis->candidates.end(),
+                                  [](const DiagnosisCandidate& c) { return c.unnamed.has_value(); });
+}
+
 /// What is said where no cause leads.
 std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelVersionPointer& model) {
   const Story& story = workbench.find_story(model);
@@ -137,12 +143,13 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
       return honest_card(
           CardKind::noise_unknown, QObject::tr("The noise is unknown"),
           story.causes.empty()
-              ? QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
-                            "when to stop. Nothing that it knows explains more than chance would.")
-              : QObject::tr("Without three markers or repeated poses the noise is unknown, so the program cannot say "
-                            "when to stop."));
+              ? QObject::tr(
+                    "The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing "
+                    "that it knows explains more than chance would.")
+              : QObject::tr("The program cannot say when to stop: declare the noise (sigma), or repeat some poses."));
     case StoryState::unexplained: {
       CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), sentence);
+      if (!has_curve(workbench, model)) return card;  // it follows nothing
       card.action = QObject::tr("Show the curve");
       card.action_id = "curve";
       return card;
@@ -177,7 +184,8 @@ std::vector<CardState> candidate_cards(const Workbench& workbench, const ModelVe
     cards.push_back(card_of(d.candidates[cause.candidate], workbench, d, *model));
     if (const Refusal* r = find_refusal(cause.id, workbench.document, refused)) {
       cards.back().can_add = false;
-      cards.back().why_not = r->reason;
+      cards.back().why_not = cards.back().caution = r->reason;
+      cards.back().error.left.reset();  // what it was expected to leave: its fit has shown otherwise
     }
   }
   // Where no cause leads, that is said first.

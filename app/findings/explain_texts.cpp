@@ -55,10 +55,10 @@ QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
   if (!e.error) return QObject::tr("The error is not known.");
   const Told t = reported(list_sizes(model, model.fit->noise), unit);
   if (!e.noise)
-    return QObject::tr(
-               "The model misses by %1. Without three markers the noise is not known, so that the program cannot "
-               "say whether that is much.")
-        .arg(t.error);
+    return QObject::
+        tr("The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it "
+           "(sigma), or repeat some poses.")
+            .arg(t.error);
   // So many observations may show that it is not the noise alone, however near it comes.
   if (*e.ratio() < most_beside_repeatability && model.fit->covariance_kind == CovarianceKind::repeatability)
     return QObject::tr("The model comes near the noise (%1), but what is left is more than noise.").arg(t.both);

@@ -318,12 +318,19 @@ void InspectWorkspace::refresh_units() {
   histogram_->set_unit(unit);
   map_->set_unit(unit);
   const bool are_touches = workbench_.document.session().is_touch();
-  histogram_->set_touches(are_touches);
+  const Session& session = workbench_.document.session();
+  histogram_->set_distance_name(are_touches           ? tr("off along the reading (mm)")
+                                : session.pose_sensor ? tr("error of the pose (mm)")
+                                                      : QString());
   // Through the filter columns cannot be named as long as there are no rows.
   const auto* filter = qobject_cast<QAbstractProxyModel*>(table_->view()->model());
   name_columns(*filter->sourceModel(), are_touches, unit);
   constexpr int degree = 3, worst = 4, of_a_name = 112;  // px
-  table_->view()->setColumnHidden(degree, are_touches);  // a tip is a point: it has no turn
+  // A tip and a marker alone are points, which have no turn; of one marker none is the worst, and a sensor of poses has
+  // none.
+  const bool is_one_marker = session.is_tracker() && session.marker_count == 1;
+  table_->view()->setColumnHidden(degree, are_touches || is_one_marker);
+  table_->view()->setColumnHidden(worst, !are_touches && (is_one_marker || session.pose_sensor));
   if (are_touches) table_->view()->setColumnWidth(worst, std::max(of_a_name, table_->view()->columnWidth(worst)));
 }
 

@@ -24,7 +24,9 @@ namespace {
 using widgets::colors;
 using widgets::TextRole;
 
-constexpr int thumbnail_width = 72, thumbnail_height = 48;
+constexpr int thumbnail_width = 72, thumbnail_height = 48, plain_height = thumbnail_height + 16;
+constexpr double roomy_scale = 1.7;  // of the pictures on a large screen
+constexpr int roomy_width = 1500, roomy_height = 900;
 
 /// The first image of a session, small; null where it has none.
 QPixmap thumbnail_of(const std::filesystem::path& folder, double ratio) {
@@ -33,7 +35,7 @@ QPixmap thumbnail_of(const std::filesystem::path& folder, double ratio) {
   QImageReader reader(QString::fromStdString(file.string()));
   const QSize size = reader.size();
   if (!size.isValid()) return {};
-  const QSize wanted = QSizeF(thumbnail_width * ratio, thumbnail_height * ratio).toSize();
+  const QSize wanted = (QSizeF(thumbnail_width, thumbnail_height) * roomy_scale * ratio).toSize();
   reader.setScaledSize(size.scaled(wanted, Qt::KeepAspectRatioByExpanding));
   // As bright as the images themselves are shown.
   QPixmap pixmap = QPixmap::fromImage(widgets::with_stretched_contrast(reader.read()));
@@ -49,7 +51,6 @@ class PlaceButton : public QAbstractButton {
     setText(title);
     setAccessibleName(title);
     setAccessibleDescription(sentence);
-    setToolTip(sentence);
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::StrongFocus);
@@ -66,10 +67,17 @@ class PlaceButton : public QAbstractButton {
     state_ = state;
     ratios_ = ratios;
     if (!state.isEmpty()) setAccessibleDescription(sentence_ + ". " + state);
+    explain_what_is_not_there();
   }
-  QSize sizeHint() const override { return {480, 64}; }
+  void set_roomy(bool is_roomy) {
+    scale_ = is_roomy ? roomy_scale : 1;
+    updateGeometry();
+    update();
+  }
+  QSize sizeHint() const override { return {480, static_cast<int>(picture_area().height()) + 16}; }
 
  protected:
+  void resizeEvent(QResizeEvent*) override { explain_what_is_not_there(); }
   void paintEvent(QPaintEvent*) override {
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
@@ -77,27 +85,37 @@ class PlaceButton : public QAbstractButton {
     p.setPen(QPen(hasFocus() ? c.accent : c.hairline, hasFocus() ? 2 : 1));
     p.setBrush(underMouse() || isDown() ? c.selected_row : c.panel);
     p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-    paint_picture(p, QRectF(8, 8, thumbnail_width, thumbnail_height));
-    const double left = thumbnail_width + 20, wide = width() - left - 12;
+    paint_picture(p, picture_area());
+    const double left = text_left(), wide = text_width(), top = (height() - plain_height) / 2.0;
     p.setPen(c.ink1);
     QFont title = widgets::text_font(TextRole::body);
     title.setWeight(QFont::DemiBold);
     p.setFont(title);
-    p.drawText(QRectF(left, 7, wide, 20), Qt::AlignVCenter,
+    p.drawText(QRectF(left, top + 7, wide, 20), Qt::AlignVCenter,
                p.fontMetrics().elidedText(text(), Qt::ElideRight, static_cast<int>(wide)));
     p.setFont(widgets::text_font(TextRole::small));
     p.setPen(c.ink2);
-    const QRectF below(left, 26, wide, 34);
     if (state_.isEmpty()) {
-      p.drawText(below, Qt::AlignTop | Qt::TextWordWrap, sentence_);
+      p.drawText(QRectF(left, top + 26, wide, text_height()), Qt::AlignTop | Qt::TextWordWrap, sentence_);
       return;
     }
-    p.drawText(QRectF(left, 26, wide, 18), Qt::AlignVCenter,
+    p.drawText(QRectF(left, top + 26, wide, 18), Qt::AlignVCenter,
                p.fontMetrics().elidedText(state_, Qt::ElideRight, static_cast<int>(wide)));
-    paint_strip(p, QRectF(left, 47, wide, 8));
+    paint_strip(p, QRectF(left, top + 47, wide, 8));
   }
 
  private:
+  QRectF picture_area() const { return {8, 8, scale_ * thumbnail_width, scale_ * thumbnail_height}; }
+  double text_left() const { return picture_area().right() + 12; }
+  double text_width() const { return width() - text_left() - 12; }
+  double text_height() const { return (height() + plain_height) / 2.0 - 30; }
+  /// Where the state stands in the sentence's place, or the sentence has no room.
+  void explain_what_is_not_there() {
+    const QRectF room(0, 0, text_width(), 1e4);
+    const QFontMetricsF metrics(widgets::text_font(TextRole::small));
+    const bool is_whole = metrics.boundingRect(room, Qt::TextWordWrap, sentence_).height() <= text_height() + 2;
+    setToolTip(state_.isEmpty() && is_whole ? QString() : sentence_);
+  }
   void paint_picture(QPainter& p, const QRectF& area) const {
     const auto& c = colors();
     const QPixmap& thumbnail = widgets::theme() == widgets::ThemeKind::dark ? in_the_dark_ : thumbnail_;
@@ -107,9 +125,11 @@ class PlaceButton : public QAbstractButton {
       return;
     }
     const QSizeF shown = thumbnail.deviceIndependentSize();
-    const QRectF source(QPointF((shown.width() - area.width()) / 2, (shown.height() - area.height()) / 2) *
-                            thumbnail.devicePixelRatio(),
-                        area.size() * thumbnail.devicePixelRatio());
+    // All of the area, and what is beyond it left out on both sides.
+    const double times = std::max(area.width() / shown.width(), area.height() / shown.height());
+    QRectF source(QPointF(), area.size() / times * thumbnail.devicePixelRatio());
+    source.moveCenter(QRectF(thumbnail.rect()).center());
+    p.setRenderHint(QPainter::SmoothPixmapTransform);
     p.drawPixmap(area, thumbnail, source);
   }
   void paint_strip(QPainter& p, const QRectF& area) const {
@@ -125,6 +145,7 @@ class PlaceButton : public QAbstractButton {
   QString sentence_, icon_, state_;
   QPixmap thumbnail_, in_the_dark_;
   std::vector<double> ratios_;
+  double scale_ = 1;
 };
 
 }  // namespace
@@ -156,6 +177,20 @@ void StartPage::show_refusal() {
   refusal_->setVisible(!refused_.isEmpty());
 }
 
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  use_the_room();
+}
+
+/// On a large screen pictures and rows are larger, and no third of the page stays empty.
+void StartPage::use_the_room() {
+  if (!column_) return;
+  const bool is_roomy = width() >= roomy_width && height() >= roomy_height;
+  column_->setMaximumWidth(is_roomy ? 1480 : 1080);
+  for (auto* button : column_->findChildren<QAbstractButton*>())
+    if (auto* place = dynamic_cast<PlaceButton*>(button)) place->set_roomy(is_roomy);
+}
+
 QGridLayout* StartPage::make_grid() {
   auto* grid = new QGridLayout;
   grid->setSpacing(8);
@@ -169,8 +204,7 @@ void StartPage::make() {
   is_stale_ = false;
   content_ = new QWidget(this);
   auto* outer = new QHBoxLayout(content_);
-  auto* column = new QWidget(content_);
-  column->setMaximumWidth(1080);
+  auto* column = column_ = new QWidget(content_);
   outer->addStretch(1);
   outer->addWidget(column, 100);
   outer->addStretch(1);
@@ -215,6 +249,7 @@ void StartPage::make() {
   list_->addWidget(refusal_);
   show_refusal();
   make_lists(column);
+  use_the_room();
   list_->addStretch(1);
   setWidget(content_);
 }

@@ -29,16 +29,18 @@ class StartPage : public QScrollArea {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void make();
   void make_lists(QWidget* column);
   void show_refusal();
+  void use_the_room();
   QGridLayout* make_grid();
 
   bool is_stale_ = true;
   QString refused_;
-  QWidget* content_ = nullptr;
+  QWidget *content_ = nullptr, *column_ = nullptr;
   QVBoxLayout* list_ = nullptr;
   QLabel* refusal_ = nullptr;
 };

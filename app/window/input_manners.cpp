@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/input_manners.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QHeaderView>
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTabBar>
+#include <QTableView>
 #include <QTextDocument>
-#include <QToolTip>
+
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::app {
 namespace {
@@ -33,15 +41,59 @@ bool turns_by_wheel(const QObject* watched) {
          qobject_cast<const QSlider*>(watched);
 }
 
-/// A long tool tip in several lines, below what it explains and not over it. Widgets that tell by themselves what is
-/// under the pointer have no tip of their own.
-bool shows_wrapped_tip(const QObject* watched) {
-  constexpr int long_line = 60;  // letters
-  const auto* widget = qobject_cast<const QWidget*>(watched);
-  if (!widget || widget->toolTip().size() <= long_line || Qt::mightBeRichText(widget->toolTip())) return false;
-  const QString lines = widget->toolTip().toHtmlEscaped().replace('\n', "<br/>");
-  QToolTip::showText(widget->mapToGlobal(QPoint(0, widget->height() + 2)), "<qt>" + lines + "</qt>",
-                     const_cast<QWidget*>(widget), widget->rect());
+/// A tool tip and what of the widget it explains.
+struct Tip {
+  QString text;
+  QRect area;
+  bool is_seen = false;  // it can be read there
+};
+
+/// Whether a cell shows the whole text.
+bool has_room(const QAbstractItemView& view, const QRect& cell, const QString& text) {
+  constexpr int rim = 6;
+  const auto* table = qobject_cast<const QTableView*>(&view);
+  const int wrapping = table && table->wordWrap() ? Qt::TextWordWrap : Qt::TextSingleLine;
+  const QRect needed = view.fontMetrics().boundingRect(QRect(0, 0, cell.width() - rim, 1 << 14), wrapping, text);
+  return needed.width() <= cell.width() - rim && needed.height() <= cell.height();
+}
+
+Tip tip_of_cell(const QAbstractItemView& view, const QPoint& at) {
+  if (const auto* header = qobject_cast<const QHeaderView*>(&view)) {
+    const int section = header->logicalIndexAt(at);
+    if (section < 0 || !header->model()) return {};
+    const int from = header->sectionViewportPosition(section), size = header->sectionSize(section);
+    return {header->model()->headerData(section, header->orientation(), Qt::ToolTipRole).toString(),
+            header->orientation() == Qt::Horizontal ? QRect(from, 0, size, header->height())
+                                                    : QRect(0, from, header->width(), size)};
+  }
+  const QModelIndex index = view.indexAt(at);
+  const QString text = index.data(Qt::ToolTipRole).toString();
+  const QRect area = view.visualRect(index);
+  return {text, area, text == index.data(Qt::DisplayRole).toString() && has_room(view, area, text)};
+}
+
+/// Whether the widget shows this text and has the room for it.
+bool shows_whole(const QWidget& widget, const QString& text) {
+  QString seen;
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) seen = label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) seen = button->text();
+  return seen == text && widget.width() + 1 >= widget.fontMetrics().horizontalAdvance(text);
+}
+
+/// Of what Qt's own widgets explain; those that paint themselves show their own.
+bool shows_tip(QObject* watched, const QHelpEvent& help) {
+  auto* const widget = qobject_cast<QWidget*>(watched);
+  if (!widget) return false;
+  Tip tip{widget->toolTip(), widget->rect()};
+  if (const auto* bar = qobject_cast<const QTabBar*>(widget); bar && bar->tabAt(help.pos()) >= 0) {
+    tip = {bar->tabToolTip(bar->tabAt(help.pos())), bar->tabRect(bar->tabAt(help.pos()))};
+  } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget->parentWidget());
+             view && view->viewport() == widget) {
+    tip = tip_of_cell(*view, help.pos());
+    if (tip.text.isEmpty()) tip = {view->toolTip(), widget->rect()};
+  }
+  if (tip.text.isEmpty()) return false;
+  widgets::show_tip(widget, help, tip.area, tip.is_seen || shows_whole(*widget, tip.text) ? QString() : tip.text);
   return true;
 }
 
@@ -58,7 +110,7 @@ bool InputManners::eventFilter(QObject* watched, QEvent* event) {
     event->ignore();  // it goes on to what it stands in
     return true;
   }
-  if (event->type() == QEvent::ToolTip && shows_wrapped_tip(watched)) return true;
+  if (event->type() == QEvent::ToolTip && shows_tip(watched, *static_cast<QHelpEvent*>(event))) return true;
   return QObject::eventFilter(watched, event);
 }
 

@@ -25,6 +25,13 @@ namespace handsight::app {
 
 namespace {
 
+/// Where a dialog for sessions begins: beside the session that is open, else beside the last one.
+QString folder_of_sessions(const Document& document) {
+  std::filesystem::path file = document.file();
+  if (const auto recent = recent_sessions(); file.empty() && !recent.empty()) file = recent.front().file;
+  return QString::fromStdString(file.parent_path().parent_path().string());
+}
+
 bool is_decided(const Session& s) {
   return std::any_of(s.observations.begin(), s.observations.end(),
                      [](const Observation& o) { return o.decision == Decision::accepted; });
@@ -117,7 +124,8 @@ bool MainWindow::open_sample(const QString& name, bool fresh) {
 }
 
 void MainWindow::choose_session() {
-  auto* dialog = new QFileDialog(this, tr("Open a session"), {}, tr("Sessions (*.xml)"));
+  auto* dialog =
+      new QFileDialog(this, tr("Open a session"), folder_of_sessions(workbench_.document), tr("Sessions (*.xml)"));
   dialog->setObjectName("open_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -126,9 +134,8 @@ void MainWindow::choose_session() {
 }
 
 void MainWindow::choose_added() {
-  auto* dialog = new QFileDialog(
-      this, tr("Add a session of this robot"),
-      QString::fromStdString(workbench_.document.file().parent_path().parent_path().string()), tr("Sessions (*.xml)"));
+  auto* dialog = new QFileDialog(this, tr("Add a session of this robot"), folder_of_sessions(workbench_.document),
+                                 tr("Sessions (*.xml)"));
   dialog->setObjectName("add_dialog");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

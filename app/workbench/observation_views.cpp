@@ -231,6 +231,7 @@ void show_pose(const Document& document, const Observation& observation, const I
     return;
   }
   for (const MarkerResidual& m : row->markers) {
+    if (s.pose_sensor) break;  // it tells where the whole is; the points that stand for it are nowhere
     markers.push_back({.marker = m.marker,
                        .in_root = row->root_from_sensor * m.predicted_in_sensor,
                        .role = widgets::SceneMarkerRole::predicted});

@@ -93,6 +93,10 @@
         <translation>keine plausible Ursache</translation>
     </message>
     <message>
+        <source>Its plot</source>
+        <translation>Sein Bild</translation>
+    </message>
+    <message>
         <source>What it would explain</source>
         <translation>Was es erklären würde</translation>
     </message>
@@ -137,8 +141,8 @@
         <translation>Beim Rauschen, aber durch einen Ersatz</translation>
     </message>
     <message>
-        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop.</source>
-        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt; das Programm kann nicht sagen, wann Schluss ist.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen.</translation>
     </message>
     <message>
         <source>Nothing that helps is left</source>
@@ -2487,6 +2491,14 @@
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz der Kameras: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
     <message>
+        <source>Right only together with the mount of the sensor that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
+        <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Sensors: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
+    </message>
+    <message>
+        <source>error of the pose (mm)</source>
+        <translation>Fehler der Pose (mm)</translation>
+    </message>
+    <message>
         <source>Right only together with the mount of the tracker that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
         <translation>Richtig nur zusammen mit dem mitgeschätzten Sitz des Trackers: an %1 bei %2 mm, rpy %3 Grad (mount_from_sensor im XML).</translation>
     </message>
@@ -2875,8 +2887,8 @@
         <translation>Das Modell liegt um %1%2 daneben, wo das Rauschen %3 ist.</translation>
     </message>
     <message>
-        <source>The model misses by %1. Without three markers the noise is not known, so that the program cannot say whether that is much.</source>
-        <translation>Das Modell liegt um %1 daneben. Ohne drei Marker ist das Rauschen nicht bekannt, und das Programm kann nicht sagen, ob das viel ist.</translation>
+        <source>The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it (sigma), or repeat some poses.</source>
+        <translation>Das Modell liegt um %1 daneben. Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob das viel ist: gib es an (sigma), oder wiederhole einige Stellungen.</translation>
     </message>
     <message>
         <source>The noise is not known, so nothing can be said about this observation.</source>
@@ -3267,8 +3279,8 @@
         <translation>Damit wäre der Fehler %1.</translation>
     </message>
     <message>
-        <source>Without three markers or repeated poses the noise is unknown, so the program cannot say when to stop. Nothing that it knows explains more than chance would.</source>
-        <translation>Ohne drei Marker oder wiederholte Stellungen ist das Rauschen unbekannt, und das Programm kann nicht sagen, wann Schluss ist. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing that it knows explains more than chance would.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -4549,8 +4561,12 @@
         <translation>Ursache fehlt</translation>
     </message>
     <message>
-        <source>change %1 %2</source>
-        <translation>Änderung %1 %2</translation>
+        <source>change %1</source>
+        <translation>Änderung %1</translation>
+    </message>
+    <message>
+        <source>no change</source>
+        <translation>keine Änderung</translation>
     </message>
     <message>
         <source>fits, but worse</source>
@@ -4641,8 +4657,8 @@
         <translation>Marker und Bild mit dem größten Rest; sortiert nach dessen Größe</translation>
     </message>
     <message>
-        <source>Whether the fit uses it; odd: it stands out of the others; on a row: why</source>
-        <translation>Ob die Anpassung sie benutzt; auffällig: sie ragt heraus; auf einer Zeile: warum</translation>
+        <source>Whether the fit uses it; odd: it stands out of the others</source>
+        <translation>Ob die Anpassung sie benutzt; auffällig: sie ragt heraus</translation>
     </message>
     <message>
         <source>Why it is rejected or excluded, or what is to be said of it</source>
@@ -5968,6 +5984,14 @@
         <translation>noch ist nichts sicher</translation>
     </message>
     <message>
+        <source>%1 against none</source>
+        <translation>%1 gegen keine</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
         <source>less likely than none</source>
         <translation>unwahrscheinlicher als keine</translation>
     </message>
@@ -6064,20 +6088,20 @@
         <translation>höchstens Zeit</translation>
     </message>
     <message>
-        <source>everywhere; or x y z x y z in m</source>
-        <translation>überall; oder x y z x y z in m</translation>
+        <source>everywhere</source>
+        <translation>überall</translation>
     </message>
     <message>
-        <source>Two corners of a box in the root's frame: where the hand is to be known</source>
-        <translation>Zwei Ecken eines Kastens im System der Wurzel: wo die Hand bekannt sein soll</translation>
+        <source>Two corners of a box in the root's frame, x y z x y z in m: where the hand is to be known</source>
+        <translation>Zwei Ecken eines Kastens im System der Wurzel, x y z x y z in m: wo die Hand bekannt sein soll</translation>
     </message>
     <message>
-        <source>the floor alone; or cell.xml</source>
-        <translation>nur der Boden; oder cell.xml</translation>
+        <source>the floor alone</source>
+        <translation>nur der Boden</translation>
     </message>
     <message>
-        <source>What stands about the robot: boxes and planes (docs/experiment.md)</source>
-        <translation>Was um den Roboter steht: Kästen und Ebenen (docs/experiment.md)</translation>
+        <source>A file cell.xml with what stands about the robot: boxes and planes (docs/experiment.md)</source>
+        <translation>Eine Datei cell.xml mit dem, was um den Roboter steht: Kästen und Ebenen (docs/experiment.md)</translation>
     </message>
     <message>
         <source>speed</source>
@@ -7571,8 +7595,8 @@
         <translation>ihr Produkt mit %1</translation>
     </message>
     <message>
-        <source>What is left is more than few robots explain: look for a wrong mount, rig, joint or label before any number is used.</source>
-        <translation>Was bleibt, ist mehr, als wenige Roboter erklären: suche nach falschem Kamerasitz, falschen Kameras, Gelenken oder Marken, bevor du eine Zahl benutzt.</translation>
+        <source>So large an error is rare: before any number is used, make sure that mount, rig, joints and labels are right.</source>
+        <translation>Ein so großer Fehler ist selten: stelle sicher, dass Kamerasitz, Kameras, Gelenke und Marken stimmen, bevor du eine Zahl benutzt.</translation>
     </message>
     <message>
         <source>What is left is more than any robot explains: this is no answer; check mount, cameras, joints' order and labels.</source>
@@ -7731,8 +7755,20 @@
         <translation>Ecken und Fehlern der Kameras</translation>
     </message>
     <message>
-        <source>With %1 the rotation of tcp_from_body is %2 observable; what is not is left at its start value.</source>
-        <translation>Mit %1 ist die Drehung von tcp_from_body %2 zu beobachten; was nicht, bleibt beim Anfangswert.</translation>
+        <source>%1 cannot show how the body is turned on the hand: its rotation stays as it was at the start.</source>
+        <translation>%1 zeigt nicht, wie der Körper an der Hand gedreht ist: seine Drehung bleibt, wie sie am Anfang war.</translation>
+    </message>
+    <message>
+        <source>Two markers show only partly how the body is turned on the hand: its turn about the line through both stays as it was at the start.</source>
+        <translation>Zwei Marker zeigen nur teilweise, wie der Körper an der Hand gedreht ist: seine Drehung um die Linie durch beide bleibt, wie sie am Anfang war.</translation>
+    </message>
+    <message>
+        <source>One marker</source>
+        <translation>Ein Marker</translation>
+    </message>
+    <message>
+        <source>A tip</source>
+        <translation>Eine Spitze</translation>
     </message>
     <message>
         <source>Nothing but the measurements' own sigmas (usually %1 %2) tells the noise; they are taken at their word.</source>
@@ -9157,22 +9193,6 @@
     <message>
         <source>The image of %1 x %2 could not be encoded as PNG.</source>
         <translation>Das Bild von %1 x %2 ließ sich nicht als PNG schreiben.</translation>
-    </message>
-    <message>
-        <source>one marker</source>
-        <translation>einem Marker</translation>
-    </message>
-    <message>
-        <source>two markers</source>
-        <translation>zwei Markern</translation>
-    </message>
-    <message>
-        <source>not</source>
-        <translation>nicht</translation>
-    </message>
-    <message>
-        <source>only partly</source>
-        <translation>nur zum Teil</translation>
     </message>
     <message>
         <source>Observation %1: the declared springs are too soft for the load.</source>

@@ -164,7 +164,7 @@ TEST_F(Diagnose, EachNamedSpringIsProvedAgainstItsOwnTorque) {
   const std::string text = read_text(csv);
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "candidate,of,quantity,unit,against,against_unit,observation,x,y,sigma,curve,left");
-  EXPECT_NE(text.find("joint_elasticity,right_arm_4,angle of right_arm_4,rad,gravity torque at right_arm_4,N m,"),
+  EXPECT_NE(text.find("joint_elasticity,right_arm_4,error of right_arm_4,rad,gravity torque at right_arm_4,N m,"),
             std::string::npos);
 }
 

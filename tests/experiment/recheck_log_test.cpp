@@ -17,7 +17,7 @@ RecheckEntry entry() {
           .e_value = 0.25,
           .what = "joint_offset",
           .where = "a3, \"elbow\"",
-          .text = "The zero of a3, by 0.2 mrad",
+          .text = message("Joint {} is \"off\" by {:.1f} mrad, or {} & more", "a3", 0.2, verbatim("b")),
           .numbers = {{"joint_offset", "a.3", "offset", 2e-4, 1e-5, "rad"}, {"body_slip", "", "x", -3e-4, 2e-4, "m"}}};
 }
 
@@ -56,6 +56,29 @@ TEST(RecheckLog, IsReadAsItWasWritten) {
   EXPECT_DOUBLE_EQ(read[0].numbers[1].value, -3e-4);
   EXPECT_DOUBLE_EQ(read[0].numbers[1].sigma, 2e-4);
   EXPECT_EQ(read[0].numbers[1].unit, "m");
+}
+
+TEST(RecheckLog, KeepsThePartsOfWhatItSaysForTheReadersLanguage) {
+  const TemporaryFolder folder;
+  const auto csv = folder.path / "recheck.csv";
+  add_to_log(csv, entry());
+  const Message text = read_recheck_log(csv).front().text;
+  EXPECT_EQ(text.form(), entry().text.form());
+  ASSERT_EQ(text.arguments().size(), 3U);
+  EXPECT_EQ(text.arguments()[1].kind(), Message::Kind::number);
+  EXPECT_EQ(text, entry().text);
+}
+
+TEST(RecheckLog, WithoutPartsSaysItsEnglish) {
+  const TemporaryFolder folder;
+  const auto csv = folder.path / "recheck.csv";
+  const std::string line = "2026-01-01T00:00:00Z,1,0.5,0,body_slip,\"\",\"it, \"\"moved\"\"\",\"\"";
+  replace_file(csv, "utc,id,e_value,changed,what,where,text,numbers\n" + line + "\n");
+  EXPECT_EQ(read_recheck_log(csv).front().text, "it, \"moved\"");
+  add_to_log(csv, entry());
+  EXPECT_EQ(read_recheck_log(csv).back().text, entry().text);
+  replace_file(csv, "utc,id,e_value,changed,what,where,text,numbers,parts\n" + line + ",<text><form\n");
+  EXPECT_EQ(read_recheck_log(csv).front().text, "it, \"moved\"") << "parts that somebody has cut";
 }
 
 TEST(RecheckLog, OneOfBeforeGoesOnAsItWasBegun) {

@@ -52,7 +52,9 @@ TEST(CandidateCard, HoverTriesAndEnterAdds) {
   QSignalSpy preview(&list, &CandidateList::preview), ended(&list, &CandidateList::preview_ended);
   QSignalSpy add(&list, &CandidateList::add);
   enter(*list.card(1));
-  ASSERT_EQ(preview.size(), 1);
+  EXPECT_EQ(preview.size(), 0) << "a dialog may have closed over it: nobody points";
+  QTest::mouseMove(list.card(1)->window()->windowHandle(), list.card(1)->mapTo(list.card(1)->window(), QPoint(30, 30)));
+  QTRY_COMPARE(preview.size(), 1);
   EXPECT_EQ(preview[0][0].toString(), "payload");
   leave(*list.card(1));
   ASSERT_EQ(ended.size(), 1);
@@ -158,7 +160,8 @@ TEST(CandidateCard, HonestOnesHaveTheirOwnButtonAndAreNotTried) {
   list.set_cards(test::honest_cards(), CardOrder::fresh);
   test::show(list, {464, 1100});
   QSignalSpy action(&list, &CandidateList::action), preview(&list, &CandidateList::preview);
-  enter(*list.card(1));
+  QTest::mouseMove(list.card(1)->window()->windowHandle(), list.card(1)->mapTo(list.card(1)->window(), QPoint(30, 30)));
+  QTest::qWait(30);
   EXPECT_EQ(preview.size(), 0);
   EXPECT_TRUE(list.card(1)->add_button()->isHidden());
   QPushButton* button = list.card(1)->action_button();

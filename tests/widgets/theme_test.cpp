@@ -69,6 +69,16 @@ TEST(NumberText, SigmaHasTwoDigitsAndTheValueTheSamePlace) {
   EXPECT_EQ(with_sigma_text(1200.0, std::nullopt), QString("1200"));
 }
 
+TEST(NumberText, SmallSizesAreInAUnitThatAPersonReads) {
+  EXPECT_EQ(with_unit_text(-5.7e-4, "mm"), QString("−0.57\u00a0µm"));
+  EXPECT_EQ(with_unit_text(0.0123, "mm"), QString("0.012\u00a0mm"));
+  EXPECT_EQ(with_unit_text(5.7e-4, "px"), QString("0.00057\u00a0px"));
+  EXPECT_EQ(with_unit_text(5.7e-8, "mm"), QString("0.000057\u00a0µm"));
+  EXPECT_EQ(with_unit_text(1.18e-4, "rad/(N m)"), QString("1.2·10⁻⁴\u00a0rad/(N m)"));
+  EXPECT_EQ(with_sigma_unit_text(-5.7e-4, 1.2e-5, "mm"), QString("−0.570 ± 0.012\u00a0µm"));
+  EXPECT_EQ(with_sigma_unit_text(5.7e-4, 2.0, "mm"), QString("0.0 ± 2.0\u00a0mm"));
+}
+
 TEST(NumberText, NothingUglyIsEverShown) {
   EXPECT_EQ(fixed_text(-1e-16, 3), QString("0.000"));
   EXPECT_EQ(fixed_text(std::nan(""), 3), QString("-"));

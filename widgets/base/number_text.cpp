@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handsight::widgets {
 namespace {
@@ -88,9 +89,32 @@ QString with_sigma_text(std::optional<double> value, std::optional<double> sigma
   return fixed_text(value, decimals) + plus_minus + fixed_text(sigma, decimals);
 }
 
+/// What a number in `unit` is multiplied by to be read, and the unit that it then has.
+static std::pair<double, QString> readable(double value, const QString& unit) {
+  const bool is_small = value != 0 && std::abs(value) < 1e-3;
+  if (is_small && unit == QLatin1String("mm")) return {1e3, QStringLiteral("µm")};
+  return {1, unit};
+}
+
 QString with_unit_text(std::optional<double> value, const QString& unit, int digits) {
   if (!is_known(value)) return not_known_text;
-  return unit.isEmpty() ? short_text(value, digits) : short_text(value, digits) + QChar(0x00A0) + unit;
+  if (unit.isEmpty()) return short_text(value, digits);
+  const auto [scale, shown] = readable(*value, unit);
+  const double number = scale * *value;
+  constexpr int most_places = 7;  // beyond it a row of zeros is no easier to read
+  const int places = digits - 1 - exponent_of(number, digits);
+  const bool is_plain = shown == QLatin1String("px") || shown == QStringLiteral("µm");
+  const QString text = is_plain && number != 0 && places > 0 && places <= most_places ? fixed_text(number, places)
+                                                                                      : short_text(number, digits);
+  return text + QChar(0x00A0) + shown;
+}
+
+QString with_sigma_unit_text(std::optional<double> value, std::optional<double> sigma, const QString& unit) {
+  if (!is_known(value)) return not_known_text;
+  const double larger = std::max(std::abs(*value), is_known(sigma) ? std::abs(*sigma) : 0.0);
+  const auto [scale, shown] = readable(larger, unit);
+  const QString text = with_sigma_text(scale * *value, is_known(sigma) ? std::optional(scale * *sigma) : sigma);
+  return shown.isEmpty() ? text : text + QChar(0x00A0) + shown;
 }
 
 QString size_text(const ShownSize& size, int digits) {

@@ -28,8 +28,12 @@ QString times_text(double factor);
 /// "12.34 ± 0.05": sigma to two digits, the value to the same place; an exact value (no sigma) to at most four digits.
 QString with_sigma_text(std::optional<double> value, std::optional<double> sigma);
 
-/// A value with its unit in one word: "9.1 px", "-" where it is not known.
+/// A value with its unit in one word: "9.1 px", "-" where it is not known; under a thousandth of a millimetre in um, of
+/// a pixel without a power of ten.
 QString with_unit_text(std::optional<double> value, const QString& unit, int digits = 2);
+
+/// "12.34 ± 0.05 mm", "0.57 ± 0.12 µm": both in a unit that a person reads.
+QString with_sigma_unit_text(std::optional<double> value, std::optional<double> sigma, const QString& unit);
 
 /// "9.1 px", "12 mm", "45 σ"; "-" where it has no value.
 QString size_text(const ShownSize& size, int digits = 2);

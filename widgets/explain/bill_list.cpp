@@ -17,7 +17,7 @@
 namespace handsight::widgets {
 namespace {
 
-constexpr int most_lines = 3;  // of a cause, and of the remarks below it
+constexpr int most_lines = 6;  // of a cause, and of the remarks below it
 
 /// Where the texts of a row stand, from its top left.
 struct BillRow {
@@ -118,9 +118,7 @@ void BillList::set_entries(std::vector<BillEntry> entries) {
   model->clear();
   for (const BillEntry& entry : entries_) {
     const QString text = tr("%1: %2 at the hand. %3").arg(entry.cause, entry.worth, entry.remarks());
-    auto* item = new QStandardItem(text);
-    item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
-    model->appendRow(item);
+    model->appendRow(new QStandardItem(text));
   }
   view_->setVisible(!entries_.empty());
   title_->setVisible(!entries_.empty());

@@ -9,13 +9,13 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
-#include <QToolTip>
 #include <algorithm>
 #include <array>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 #include "widgets/explain/candidate_layout.h"
 #include "widgets/explain/main_button.h"
 
@@ -31,6 +31,7 @@ CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
     made->setObjectName(name);
     made->setFixedHeight(control_height);
     made->setAutoDefault(true);  // Enter presses it
+    made->setMouseTracking(true);
     made->installEventFilter(this);
     connect(made, &QPushButton::clicked, this, signal);
     return made;
@@ -49,6 +50,7 @@ CandidateCard::CandidateCard(QWidget* parent) : QFrame(parent) {
   measured_->setAccessibleName(tr("Measured on the robot"));
   measured_->setToolTip(tr("What the real robot shows, with what it may be off by: 1.3 ± 0.1"));
   measured_->installEventFilter(this);
+  measured_->setMouseTracking(true);
   connect(measured_, &QLineEdit::editingFinished, this, &CandidateCard::take_measured);
   connect(measured_, &QLineEdit::textEdited, this, [this] {
     if (state_.check_number) state_.check_number->answer.clear();
@@ -172,15 +174,15 @@ void CandidateCard::look_at_attention() {
     emit preview_ended(state_.id);
 }
 
-void CandidateCard::enterEvent(QEnterEvent* event) {
-  if (event->globalPosition().toPoint() != resting_pointer_) is_hovered_ = true;
+// The pointer enters also where a dialog or a menu closes over the card, or the window comes to the front: only one
+// that moves points at something.
+void CandidateCard::pointed_at(const QMouseEvent& move) {
+  if (move.globalPosition().toPoint() != resting_pointer_) is_hovered_ = true;
   look_at_attention();
-  QFrame::enterEvent(event);
 }
 
 void CandidateCard::mouseMoveEvent(QMouseEvent* event) {
-  if (event->globalPosition().toPoint() != resting_pointer_) is_hovered_ = true;
-  look_at_attention();
+  pointed_at(*event);
   QFrame::mouseMoveEvent(event);
 }
 
@@ -224,6 +226,7 @@ bool CandidateCard::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
+  if (event->type() == QEvent::MouseMove) pointed_at(*static_cast<QMouseEvent*>(event));
   if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
     QMetaObject::invokeMethod(this, &CandidateCard::look_at_attention, Qt::QueuedConnection);
   return QFrame::eventFilter(watched, event);
@@ -251,27 +254,8 @@ bool CandidateCard::event(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && action_) set_main(is_main_);
   if (event->type() != QEvent::ToolTip) return QFrame::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const CardLayout layout = lay_out(state_, width());
-  QString text = state_.words;
-  if (layout.error.contains(help->pos()))
-    text = tr("The error that would be left on observations that the fit has not seen: %1. Today %2; the noise "
-              "(hatched) is %3.")
-               .arg(with_unit_text(state_.error.left, state_.error.unit),
-                    with_unit_text(state_.error.now, state_.error.unit),
-                    with_unit_text(state_.error.noise, state_.error.unit));
-  else if (layout.evidence.contains(help->pos()))
-    text = state_.evidence;
-  else if (layout.check.contains(help->pos()))
-    text = state_.check;
-  else if (layout.prediction.contains(help->pos()) || layout.answer.contains(help->pos()))
-    text = state_.check_number->prediction + QLatin1Char(' ') + state_.check_number->answer;
-  for (std::size_t i = 0; i < layout.sizes.size() && i < state_.sizes.size(); ++i)
-    if (layout.sizes[i].contains(help->pos()))
-      text = tr("%1 %2: the size that the fit wants, against what is plausible (± %3).")
-                 .arg(state_.sizes[i].of, state_.sizes[i].name,
-                      with_unit_text(state_.sizes[i].plausible, state_.sizes[i].unit))
-                 .trimmed();
-  QToolTip::showText(help->globalPos(), text, this);
+  const CardTip tip = card_tip(state_, lay_out(state_, width()), help->pos());
+  show_tip(this, *help, tip.area.toAlignedRect(), tip.text);
   return true;
 }
 

@@ -45,7 +45,6 @@ class CandidateCard : public QFrame {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
-  void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void moveEvent(QMoveEvent* event) override;
@@ -62,6 +61,7 @@ class CandidateCard : public QFrame {
   void show_check(const std::optional<CardCheck>& before);
   void take_measured();
   void look_at_attention();  // hover or focus came or went
+  void pointed_at(const QMouseEvent& move);
 
   CardState state_;
   /// Where the pointer lay while the card came to lie below it: until it moves, nobody points at the card.

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double outer_margin = 10, drawing_size = 96, size_row = 18, error_row = 20, least_card = 168;
 constexpr double field_height = 24, field_width = 116;
-constexpr int most_sizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3;
+constexpr int most_sizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3,
+              most_caution_lines = 3;
 
 QString card_text(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
 
@@ -141,8 +143,7 @@ QString display_name(const ModelParameter& p, const std::vector<ModelParameter>&
 
 void paint_size(QPainter& painter, const ModelParameter& p, const QString& name, const QRectF& row) {
   const Colors& c = colors();
-  QString value = with_sigma_text(p.value, p.sigma);
-  if (p.value && !p.unit.isEmpty()) value += QChar(0x00A0) + p.unit;
+  const QString value = with_sigma_unit_text(p.value, p.sigma, p.unit);
   painter.setFont(number_font(TextRole::small));
   // A long name takes room from the bar, down to half of it.
   const double wanted = QFontMetricsF(painter.font()).horizontalAdvance(value) + 2 +
@@ -229,7 +230,7 @@ CardLayout lay_out(const CardState& state, double width) {
     l.error = {left, y, wide, error_row};
     y += error_row + 3;
   }
-  l.caution = text(small(), state.caution, 2);
+  l.caution = text(small(), state.caution, most_caution_lines);
   l.evidence = text(small(), state.evidence, most_evidence_lines);
   const std::size_t shown = std::min<std::size_t>(state.sizes.size(), most_sizes);
   const std::size_t rows = shown + (state.sizes.size() > shown ? 1 : 0);
@@ -262,6 +263,44 @@ CardLayout lay_out(const CardState& state, double width) {
   return l;
 }
 
+namespace {
+
+QString about_size(const ModelParameter& size) {
+  return card_text("%1 %2: the size that the fit wants, against what is plausible (± %3).")
+      .arg(size.of, size.name, with_unit_text(size.plausible, size.unit))
+      .trimmed();
+}
+
+QString about_error(const ErrorLeft& error) {
+  return card_text(
+             "The error that would be left on observations that the fit has not seen: %1. Today %2; the noise "
+             "(hatched) is %3.")
+      .arg(with_unit_text(error.left, error.unit), with_unit_text(error.now, error.unit),
+           with_unit_text(error.noise, error.unit));
+}
+
+}  // namespace
+
+CardTip card_tip(const CardState& state, const CardLayout& l, const QPointF& at) {
+  if (l.error.contains(at)) return {l.error, about_error(state.error)};
+  for (std::size_t i = 0; i < l.sizes.size() && i < state.sizes.size(); ++i)
+    if (l.sizes[i].contains(at)) return {l.sizes[i], about_size(state.sizes[i])};
+  const auto texts = {
+      std::tuple(l.where, state.where, body(), most_where_lines),
+      std::tuple(l.words, state.words, body(), state.kind == CardKind::candidate ? most_words_lines : 6),
+      std::tuple(l.caution, state.caution, small(), most_caution_lines),
+      std::tuple(l.evidence, state.evidence, small(), most_evidence_lines),
+      std::tuple(l.told_from, indistinguishable_text(state), small(), 2),
+      std::tuple(l.check, check_text(state), small(), 2)};
+  for (const auto& [area, text, font, lines] : texts)
+    if (area.contains(at)) return {area, is_shortened(font, text, area.width(), lines) ? text : QString()};
+  if (state.check_number && l.answer.contains(at))
+    return {l.answer, is_shortened(small(), state.check_number->answer, l.answer.width(), 2)
+                          ? state.check_number->answer
+                          : QString()};
+  return {};
+}
+
 void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) {
   const Colors& c = colors();
   if (state.kind == CardKind::candidate)
@@ -273,7 +312,7 @@ void paint_card(QPainter& painter, const CardState& state, const CardLayout& l) 
   draw_lines(painter, body(), l.words, state.words, state.kind == CardKind::candidate ? most_words_lines : 6);
   if (!l.error.isEmpty()) paint_error(painter, state.error, l.error);
   painter.setPen(c.care);
-  draw_lines(painter, small(), l.caution, state.caution, 2);
+  draw_lines(painter, small(), l.caution, state.caution, most_caution_lines);
   painter.setPen(c.ink2);
   draw_lines(painter, small(), l.evidence, state.evidence, most_evidence_lines);
   for (std::size_t i = 0; i < l.sizes.size(); ++i) {

@@ -25,4 +25,13 @@ QString indistinguishable_text(const CardState& state);
 QString check_text(const CardState& state);
 QString error_left_text(const ErrorLeft& error);
 
+/// A part of a card and what is to be said of it.
+struct CardTip {
+  QRectF area;
+  QString text;  // empty: what stands there is all
+};
+
+/// What a bar means, and what a text would say that is shortened there.
+CardTip card_tip(const CardState& state, const CardLayout& layout, const QPointF& at);
+
 }  // namespace handsight::widgets

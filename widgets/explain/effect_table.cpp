@@ -76,6 +76,7 @@ void EffectTable::set_rows(std::vector<EffectRow> rows) {
 
 /// Name and verdict are whole; where it is has the rest, and its tool tip.
 void EffectTable::fit_columns() {
+  constexpr int where_column = 2;
   constexpr int least_name = 150, least_verdict = 176, beside_text = 2 * layout_gap, mark = 24;
   const QFontMetrics metrics(text_font(TextRole::body));
   const auto width = [&](int row, int column) {
@@ -88,6 +89,11 @@ void EffectTable::fit_columns() {
   }
   view_->setColumnWidth(0, name);
   view_->setColumnWidth(1, verdict);
+  // The beginnings of names tell nothing: they stand whole in the line below the table.
+  constexpr int least_where = 120;
+  const bool has_room = view_->viewport()->width() - name - verdict >= least_where;
+  view_->setColumnHidden(where_column, !has_room);
+  view_->horizontalHeader()->setSectionResizeMode(1, has_room ? QHeaderView::Interactive : QHeaderView::Stretch);
 }
 
 void EffectTable::set_filter(const QString& text) { text_->setText(text); }
@@ -139,6 +145,7 @@ bool EffectTable::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
+  if (watched == view_->viewport() && event->type() == QEvent::Resize) fit_columns();
   if (watched == view_->viewport() && (event->type() == QEvent::MouseMove || event->type() == QEvent::Leave)) {
     QString id;
     if (event->type() == QEvent::MouseMove) {

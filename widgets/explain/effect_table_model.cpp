@@ -86,11 +86,9 @@ QVariant EffectTableModel::data(const QModelIndex& index, int role) const {
   const auto column = static_cast<EffectColumn>(index.column());
   if (role == Qt::DisplayRole) return make_text(row, column);
   if (role == verdict_role) return static_cast<int>(row.verdict);
-  if (role == Qt::ToolTipRole && column != EffectColumn::name) {
-    if (column == EffectColumn::where && !row.where.isEmpty()) return row.where;  // all of them, where there is no room
-    const bool is_unseen = column == EffectColumn::verdict && row.verdict == EffectVerdict::cannot_be_seen;
-    return is_unseen ? table_text("These poses could not show it, if it were there.") : row.reason;
-  }
+  if (role == Qt::ToolTipRole && column == EffectColumn::where) return row.where;  // all, where there is no room
+  if (role == Qt::ToolTipRole && column == EffectColumn::verdict && row.verdict == EffectVerdict::cannot_be_seen)
+    return table_text("These poses could not show it, if it were there.");
   return {};
 }
 

@@ -5,11 +5,11 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -266,7 +266,8 @@ bool PatternPage::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const int place = place_at(help->pos());
-  QToolTip::showText(help->globalPos(), place < 0 ? QString() : make_text(place, nullptr), this);
+  show_tip(this, *help, place < 0 ? rect() : plot_rect(place).toAlignedRect(),
+           place < 0 ? QString() : make_text(place, nullptr));
   return true;
 }
 

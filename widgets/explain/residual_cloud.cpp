@@ -4,12 +4,12 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/motion.h"
 #include "widgets/base/number_text.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -253,11 +253,10 @@ void ResidualCloud::keyPressEvent(QKeyEvent* event) {
 
 bool ResidualCloud::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                     tr("Each dot is the residual of one corner, to the right and down in %1; the rings are one and "
-                        "three sigma of the noise. F fits the axes, L makes them linear.")
-                         .arg(unit_name(unit_)),
-                     this);
+  show_tip(this, *static_cast<QHelpEvent*>(event), rect(),
+           tr("Each dot is the residual of one corner, to the right and down in %1; the rings are one and "
+              "three sigma of the noise. F fits the axes, L makes them linear.")
+               .arg(unit_name(unit_)));
   return true;
 }
 

@@ -5,7 +5,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +12,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 #include "widgets/explain/staircase_paint.h"
 
 namespace handsight::widgets {
@@ -186,12 +186,11 @@ bool Staircase::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const int step = step_at(help->pos());
-  QToolTip::showText(help->globalPos(),
-                     step >= 0 ? step_text(step)
-                               : tr("The error of each version on observations that the fit has not seen, and on those "
-                                    "that it has. A gap between the two is over-fitting. Ctrl and click marks two "
-                                    "versions for a comparison."),
-                     this);
+  show_tip(this, *help, rect(),
+           step >= 0 ? step_text(step)
+                     : tr("The error of each version on observations that the fit has not seen, and on those "
+                          "that it has. A gap between the two is over-fitting. Ctrl and click marks two "
+                          "versions for a comparison."));
   return true;
 }
 

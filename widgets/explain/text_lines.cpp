@@ -40,6 +40,10 @@ double lines_height(const QFont& font, const QString& text, double width, int mo
   return lines * QFontMetricsF(font).lineSpacing();
 }
 
+bool is_shortened(const QFont& font, const QString& text, double width, int most_lines) {
+  return static_cast<int>(pieces_of(font, text, width, most_lines).size()) > most_lines;
+}
+
 void draw_lines(QPainter& painter, const QFont& font, const QRectF& area, const QString& text, int most_lines) {
   const QFontMetricsF metrics(font);
   painter.setFont(font);

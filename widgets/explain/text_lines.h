@@ -12,6 +12,9 @@ namespace handsight::widgets {
 /// Height that the text takes at that width, at most `most_lines` lines; 0 for an empty text.
 double lines_height(const QFont& font, const QString& text, double width, int most_lines);
 
+/// Whether so many lines of that width do not hold it.
+bool is_shortened(const QFont& font, const QString& text, double width, int most_lines);
+
 /// Draws it from the top of the area in the painter's pen; what does not fit is shortened with "...".
 void draw_lines(QPainter& painter, const QFont& font, const QRectF& area, const QString& text, int most_lines);
 

@@ -5,24 +5,30 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 #include "widgets/explain/text_lines.h"
 
 namespace handsight::widgets {
 namespace {
 
-constexpr double row_length = 40;
+constexpr double row_length = 40, truth_verdict_width = 92;
 
 /// Sign, word and ink of a verdict.
 struct Look {
   QString sign, word;
   QColor ink;
 };
+
+/// "joint elasticity of arm_2, compliance (urad/(N m))"
+QString truth_name(const TruthRow& r) {
+  const QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
+  return r.unit.isEmpty() ? name : name + QStringLiteral(" (%1)").arg(r.unit);
+}
 
 }  // namespace
 
@@ -70,14 +76,11 @@ void TruthPanel::paint_row(QPainter& painter, int row) const {
                     : r.verdict == TruthVerdict::off    ? Look{QStringLiteral("≠"), tr("off"), c.care}
                     : r.verdict == TruthVerdict::missed ? Look{QStringLiteral("✗"), tr("missed"), c.bad}
                                                         : Look{QStringLiteral("+"), tr("not hidden"), c.bad};
-  constexpr double verdict_width = 92;
-  const double half = (room.width() - verdict_width) / 2;
+  const double half = (room.width() - truth_verdict_width) / 2;
   painter.setFont(text_font(TextRole::body));
   painter.setPen(c.ink1);
-  QString name = r.parameter.isEmpty() ? r.what : QStringLiteral("%1, %2").arg(r.what, r.parameter);
-  if (!r.unit.isEmpty()) name += QStringLiteral(" (%1)").arg(r.unit);
-  draw_text(painter, QRectF(room.left(), room.top(), room.width() - verdict_width - layout_gap, 18),
-            Qt::AlignLeft | Qt::AlignVCenter, name);
+  draw_text(painter, QRectF(room.left(), room.top(), room.width() - truth_verdict_width - layout_gap, 18),
+            Qt::AlignLeft | Qt::AlignVCenter, truth_name(r));
   painter.setFont(number_font(TextRole::body));
   painter.setPen(c.ink2);
   const QRectF lower(room.left(), room.top() + 18, half, 18);
@@ -85,7 +88,7 @@ void TruthPanel::paint_row(QPainter& painter, int row) const {
             with_sigma_text(r.hidden, {}));
   draw_text(painter, lower.translated(half, 0).adjusted(0, 0, -layout_gap, 0), Qt::AlignLeft | Qt::AlignVCenter,
             with_sigma_text(r.found, r.sigma));
-  const QRectF verdict(room.right() - verdict_width, room.top(), verdict_width, room.height());
+  const QRectF verdict(room.right() - truth_verdict_width, room.top(), truth_verdict_width, room.height());
   painter.setPen(look.ink);
   painter.setFont(text_font(TextRole::body));
   const bool has_remark = !r.remark.isEmpty();
@@ -114,7 +117,7 @@ void TruthPanel::paintEvent(QPaintEvent*) {
   draw_lines(painter, text_font(TextRole::title), QRectF(layout_gap, layout_gap, width() - 2.0 * layout_gap, 80),
              sentence_, 3);
   if (rows_.empty()) return;
-  const double head = top_of_rows() - row_height_px, half = (width() - 2.0 * layout_gap - 92) / 2;
+  const double head = top_of_rows() - row_height_px, half = (width() - 2.0 * layout_gap - truth_verdict_width) / 2;
   painter.setFont(text_font(TextRole::small));
   painter.setPen(c.ink3);
   draw_text(painter, QRectF(layout_gap, head, half, row_height_px), Qt::AlignLeft | Qt::AlignVCenter, tr("Hidden was"));
@@ -144,15 +147,27 @@ void TruthPanel::keyPressEvent(QKeyEvent* event) {
   if (is_enter) emit row_chosen(focused_);
 }
 
+/// What of a row does not stand there whole.
+QString TruthPanel::shortened_of(int row) const {
+  const TruthRow& r = rows_[static_cast<std::size_t>(row)];
+  const double room = width() - 3 * layout_gap - truth_verdict_width;
+  QString text;
+  if (QFontMetricsF(text_font(TextRole::body)).horizontalAdvance(truth_name(r)) > room) text = truth_name(r);
+  if (QFontMetricsF(number_font(TextRole::small)).horizontalAdvance(r.remark) > truth_verdict_width)
+    text = (text + QLatin1Char('\n') + r.remark).trimmed();
+  return text;
+}
+
 bool TruthPanel::event(QEvent* event) {
   if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  QString text;
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i)
-    if (row_rect(i).contains(help->pos()))
-      text = rows_[static_cast<std::size_t>(i)].what + QLatin1Char(' ') + rows_[static_cast<std::size_t>(i)].remark;
-  QToolTip::showText(help->globalPos(), text, this);
+    if (row_rect(i).contains(help->pos())) {
+      show_tip(this, *help, row_rect(i).toAlignedRect(), shortened_of(i));
+      return true;
+    }
+  show_tip(this, *help, rect(), {});
   return true;
 }
 

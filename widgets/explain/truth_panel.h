@@ -47,6 +47,7 @@ class TruthPanel : public QWidget {
  private:
   void paint_row(QPainter& painter, int row) const;
   double top_of_rows() const;
+  QString shortened_of(int row) const;
 
   std::vector<TruthRow> rows_;
   QString sentence_, empty_text_;

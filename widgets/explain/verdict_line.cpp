@@ -6,13 +6,13 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 #include "widgets/explain/text_lines.h"
 
 namespace handsight::widgets {
@@ -226,7 +226,7 @@ bool VerdictLine::event(QEvent* event) {
                  ? tr("How much of the error the tracker (T), the marker body (B) and the robot (R) can answer for.")
                  : tr("How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for."))
           : QString();  // the sentence stands there
-  QToolTip::showText(help->globalPos(), text, this);
+  show_tip(this, *help, rect(), text);
   return true;
 }
 

@@ -18,10 +18,12 @@ namespace {
 QString version_text(const char* text) { return QCoreApplication::translate("handsight::widgets::VersionList", text); }
 
 QString change_text(const VersionEntry& version, const QString& unit) {
+  constexpr double unseen = 1e-4;  // of the error
   if (!version.change) return {};
-  return version_text("change %1 %2")
-      .arg(version.change_sigma ? with_sigma_text(version.change, version.change_sigma) : short_text(version.change),
-           unit);
+  if (version.held_out && std::abs(*version.change) < unseen * *version.held_out) return version_text("no change");
+  return version_text("change %1")
+      .arg(version.change_sigma ? with_sigma_unit_text(version.change, version.change_sigma, unit)
+                                : with_unit_text(version.change, unit));
 }
 
 QString second_line(const VersionEntry& version, const QString& unit) {

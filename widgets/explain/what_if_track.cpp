@@ -5,13 +5,13 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -170,9 +170,8 @@ bool WhatIfTrack::event(QEvent* event) {
                            ? tr(" The size that fits best is %1 %2.")
                                  .arg(with_sigma_text(parameter_.best, parameter_.best_sigma), parameter_.unit)
                            : QString();
-  QToolTip::showText(
-      static_cast<QHelpEvent*>(event)->globalPos(),
-      tr("Plausible within about ± %1.").arg(with_unit_text(parameter_.plausible, parameter_.unit)) + best, this);
+  show_tip(this, *static_cast<QHelpEvent*>(event), rect(),
+           tr("Plausible within about ± %1.").arg(with_unit_text(parameter_.plausible, parameter_.unit)) + best);
   return true;
 }
 

@@ -3,13 +3,13 @@
 
 #include <QHelpEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -110,10 +110,9 @@ void AttributionBar::paintEvent(QPaintEvent*) {
 
 bool AttributionBar::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                     QObject::tr("How much of this residual the cameras (C), the marker body (B) and the robot (R) "
-                                 "can answer for."),
-                     this);
+  show_tip(this, *static_cast<QHelpEvent*>(event), rect(),
+           QObject::tr("How much of this residual the cameras (C), the marker body (B) and the robot (R) "
+                       "can answer for."));
   return true;
 }
 

@@ -4,12 +4,12 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -261,10 +261,7 @@ bool ObservationStrip::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const int index = find_index(cell_at(help->pos()));
-    if (index < 0)
-      QToolTip::hideText();
-    else
-      QToolTip::showText(help->globalPos(), cell_text(cells_[static_cast<std::size_t>(index)]), this);
+    show_tip(this, *help, rect(), index < 0 ? QString() : cell_text(cells_[static_cast<std::size_t>(index)]));
     return true;
   }
   return QWidget::event(event);

@@ -66,14 +66,14 @@ void set_up_view(QTableView& view) {
   header.setSectionResizeMode(static_cast<int>(TableColumn::reason), QHeaderView::Stretch);
 }
 
-// Two letters of a reason tell nothing: without room for more the state's tool tip gives it.
-void give_room_to_reason(QTableView& view) {
-  constexpr int least_width = 90;
+// The beginning of a reason tells little: without room for more the line below the table has it alone.
+void give_room_to_reason(QTableView& view, bool has_reasons) {
+  constexpr int least_width = 200;
   const int state_needs = state_width(view);
   const int reason = static_cast<int>(TableColumn::reason), state = static_cast<int>(TableColumn::state);
   int room = view.viewport()->width() - state_needs;
   for (int i = 0; i < state; ++i) room -= view.isColumnHidden(i) ? 0 : view.columnWidth(i);
-  const bool is_hidden = room < least_width;
+  const bool is_hidden = room < least_width || !has_reasons;
   if (view.isColumnHidden(reason) == is_hidden) return;
   view.setColumnHidden(reason, is_hidden);
   view.horizontalHeader()->setSectionResizeMode(state, is_hidden ? QHeaderView::Stretch : QHeaderView::Interactive);
@@ -137,6 +137,14 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   foot->addWidget(summary_, 1);
   foot->addWidget(resort_);
   layout->addLayout(foot);
+  reason_ = new QLabel(this);
+  reason_->setObjectName("row_reason_line");
+  reason_->setFont(text_font(TextRole::small));
+  reason_->setWordWrap(true);
+  reason_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  reason_->setMinimumHeight(2 * QFontMetrics(reason_->font()).lineSpacing());
+  reason_->hide();
+  layout->addWidget(reason_);
 
   connect(filter_buttons_, &QButtonGroup::idClicked, this, [this](int id) { set_filter(static_cast<RowFilter>(id)); });
   connect(text_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -165,7 +173,7 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
 void ObservationTable::set_units(SizeUnit first, std::optional<SizeUnit> second) {
   model_->set_units(first, second.value_or(first));
   view_->setColumnHidden(static_cast<int>(TableColumn::other_size), !second);
-  give_room_to_reason(*view_);
+  give_room_to_reason(*view_, has_reasons_);
   const int sorted_by = view_->horizontalHeader()->sortIndicatorSection();
   resort_->setVisible(!filter_->is_in_order() && sorted_by >= 0);
 }
@@ -178,7 +186,9 @@ void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
     constexpr int with_mark = 64;
     view_->setColumnWidth(static_cast<int>(TableColumn::id), std::max(with_mark, view_->columnWidth(0)));
   }
+  has_reasons_ = std::any_of(rows.begin(), rows.end(), [](const ObservationRow& row) { return !row.reason.isEmpty(); });
   model_->set_rows(std::move(rows));
+  give_room_to_reason(*view_, has_reasons_);
   filter_->refilter();
   if (is_first)
     filter_->sort(view_->horizontalHeader()->sortIndicatorSection(), view_->horizontalHeader()->sortIndicatorOrder());
@@ -190,6 +200,7 @@ void ObservationTable::set_rows(std::vector<ObservationRow> rows) {
 
 void ObservationTable::set_row(const ObservationRow& row) {
   model_->set_row(row);
+  if (!row.reason.isEmpty() && !std::exchange(has_reasons_, true)) give_room_to_reason(*view_, true);
   update_summary();
 }
 
@@ -207,6 +218,7 @@ void ObservationTable::set_selected(ObservationId id) {
     view_->clearSelection();
   }
   is_telling_ = false;
+  show_reason();
 }
 
 void ObservationTable::set_selected_many(const std::vector<ObservationId>& ids, ObservationId current) {
@@ -240,6 +252,21 @@ void ObservationTable::select_again(const std::vector<ObservationId>& ids) {
 void ObservationTable::set_hovered(ObservationId id) {
   hovered_ = id;
   model_->set_hovered(id);
+  show_reason();
+}
+
+/// Of the row that is pointed at, else of the chosen one. Where any row has one, its lines are kept for it.
+void ObservationTable::show_reason() {
+  reason_->setVisible(!view_->isHidden() && has_reasons_);
+  QString text;
+  for (const ObservationId id : {hovered_, selected_}) {
+    const int at = model_->find_row(id);
+    if (at < 0 || !text.isEmpty()) continue;
+    const ObservationRow& row = model_->rows()[static_cast<std::size_t>(at)];
+    if (!row.reason.isEmpty())
+      text = QStringLiteral("%1 %2, %3: %4").arg(QObject::tr("obs")).arg(id).arg(state_name(row.state), row.reason);
+  }
+  reason_->setText(text);
 }
 
 void ObservationTable::set_highlighted(std::vector<ObservationId> ids) { model_->set_highlighted(std::move(ids)); }
@@ -282,6 +309,7 @@ void ObservationTable::report_selection() {
   const bool were_many = std::exchange(are_many_, ids.size() > 1);
   if (ids.size() != 1 || (ids.front() == selected_ && !were_many)) return;
   selected_ = ids.front();
+  show_reason();
   emit observation_selected(selected_);
 }
 
@@ -332,6 +360,7 @@ void ObservationTable::update_summary() {
   empty_action_->setText(action);
   empty_action_->setVisible(is_empty && !action.isEmpty());
   summary_->setVisible(!is_empty);
+  show_reason();
 }
 
 bool ObservationTable::eventFilter(QObject* watched, QEvent* event) {
@@ -346,7 +375,7 @@ bool ObservationTable::eventFilter(QObject* watched, QEvent* event) {
       emit observation_hovered(id);
     }
   } else if (watched == view_->viewport() && event->type() == QEvent::Resize) {
-    give_room_to_reason(*view_);
+    give_room_to_reason(*view_, has_reasons_);
   } else if (watched == view_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Delete || key == Qt::Key_Insert) {

@@ -62,6 +62,7 @@ class ObservationTable : public QWidget {
   void select_again(const std::vector<ObservationId>& ids);
   void show_menu(const QPoint& position);
   void update_summary();
+  void show_reason();
   void ask_for_change(bool exclude);
 
   ObservationTableModel* model_;
@@ -69,7 +70,8 @@ class ObservationTable : public QWidget {
   QTableView* view_ = nullptr;
   QButtonGroup* filter_buttons_;
   QLineEdit* text_;
-  QLabel *summary_, *empty_;
+  QLabel *summary_, *empty_, *reason_ = nullptr;
+  bool has_reasons_ = false;
   QPushButton *empty_action_, *resort_;
   QString empty_text_, empty_action_text_;
   ObservationId selected_ = no_observation, hovered_ = no_observation;

@@ -127,7 +127,6 @@ QVariant ObservationTableModel::data(const QModelIndex& index, int role) const {
   const auto column = static_cast<TableColumn>(index.column());
   if (role == Qt::DisplayRole) return shown(row, column, units_, decimals_);
   if (role == sort_role) return sort_value(row, column, units_);
-  if (role == Qt::ToolTipRole && column >= TableColumn::state && !row.reason.isEmpty()) return row.reason;
   if (role == Qt::TextAlignmentRole)
     return static_cast<int>((is_number(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   return {};
@@ -138,14 +137,13 @@ QVariant ObservationTableModel::headerData(int section, Qt::Orientation orientat
   const std::array<QString, 7> names = {
       QObject::tr("obs"),   QString(),         QString(), QObject::tr("deg"), QObject::tr("worst"),
       QObject::tr("state"), QObject::tr("why")};
-  const std::array<QString, 7> tips = {
-      QObject::tr("The observation's id"),
-      QString(),
-      QString(),
-      QObject::tr("How far TCPest is turned from the TCP, degrees"),
-      QObject::tr("The marker and image with the largest residual; sorts by its size"),
-      QObject::tr("Whether the fit uses it; odd: it stands out of the others; on a row: why"),
-      QObject::tr("Why it is rejected or excluded, or what is to be said of it")};
+  const std::array<QString, 7> tips = {QObject::tr("The observation's id"),
+                                       QString(),
+                                       QString(),
+                                       QObject::tr("How far TCPest is turned from the TCP, degrees"),
+                                       QObject::tr("The marker and image with the largest residual; sorts by its size"),
+                                       QObject::tr("Whether the fit uses it; odd: it stands out of the others"),
+                                       QObject::tr("Why it is rejected or excluded, or what is to be said of it")};
   if (section < 0 || section >= static_cast<int>(names.size())) return {};
   if (const auto own = own_heads_.find({section, role}); own != own_heads_.end()) return own->second;
   if (const auto column = static_cast<TableColumn>(section); is_size(column)) {

@@ -6,13 +6,13 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
-#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
+#include "widgets/base/tool_tip.h"
 
 namespace handsight::widgets {
 namespace {
@@ -239,7 +239,7 @@ bool ThreeNumbers::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const int step = step_at(help->pos());
-  QToolTip::showText(help->globalPos(), step >= 0 ? step_text(step) : about_numbers(numbers_.unit), this);
+  show_tip(this, *help, rect(), step >= 0 ? step_text(step) : about_numbers(numbers_.unit));
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "widgets/plots/histogram_bins.h"
+#include "widgets/plots/marked_ticker.h"
 
 namespace handsight::widgets {
 namespace {
@@ -47,7 +48,11 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   for (double decade = 0.001; decade < 2000; decade *= 10)
     for (const double size : {decade, 3 * decade}) ticker->addTick(std::log10(size), short_text(size, 1));
   plot_->xAxis->setTicker(ticker);
-  plot_->yAxis->ticker()->setTickStepStrategy(QCPAxisTicker::tssReadability);
+  const QSharedPointer<QCPAxisTickerFixed> counts(new MarkedTicker<QCPAxisTickerFixed>);  // no half observations
+  counts->setTickStep(1);
+  counts->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  counts->setTickStepStrategy(QCPAxisTicker::tssReadability);
+  plot_->yAxis->setTicker(counts);
   style_axes();
   HistogramPlot::restyle();
 }
@@ -84,9 +89,9 @@ void HistogramPlot::set_noise(std::optional<double> sigma, const QString& unit) 
   replot();
 }
 
-void HistogramPlot::set_touches(bool are_touches) {
-  if (are_touches == are_touches_) return;
-  are_touches_ = are_touches;
+void HistogramPlot::set_distance_name(const QString& name) {
+  if (name == distance_name_) return;
+  distance_name_ = name;
   fill();
   replot();
 }
@@ -107,7 +112,7 @@ QString HistogramPlot::axis_name() const {
                   : QObject::tr("rms / noise");
   // The noise is hatched, and its figure stands in the window's header.
   if (unit_ == SizeUnit::pixel) return QObject::tr("rms of a coordinate (px)");
-  if (are_touches_) return QObject::tr("off along the reading (mm)");
+  if (!distance_name_.isEmpty()) return distance_name_;
   const bool is_of_cameras = noise_unit_ != QStringLiteral("mm");
   return is_of_cameras ? QObject::tr("error of the hand (mm)") : QObject::tr("rms of the markers' distances (mm)");
 }

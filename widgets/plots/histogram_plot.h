@@ -23,8 +23,8 @@ class HistogramPlot : public PlotWidget {
   void set_unit(SizeUnit unit);
   /// px (or mm) of one sigma, for the axis's name; absent: the noise is not known, and no noise curve is drawn.
   void set_noise(std::optional<double> sigma, const QString& unit);
-  /// What is measured is read by touch: in mm it is how far off along the reading.
-  void set_touches(bool are_touches);
+  /// The axis's name in mm where it is not the markers' distances; empty: it is.
+  void set_distance_name(const QString& name);
   void set_selected(ObservationId id);
   void set_threshold(std::optional<double> size);  // absent: none is shown
   std::optional<double> threshold() const { return threshold_; }
@@ -60,7 +60,8 @@ class HistogramPlot : public PlotWidget {
   SizeUnit unit_ = SizeUnit::sigma;
   QString noise_unit_ = "px";
   ObservationId selected_ = no_observation;
-  bool is_moving_threshold_ = false, are_touches_ = false;
+  bool is_moving_threshold_ = false;
+  QString distance_name_;
   std::shared_ptr<Bars> bars_;
 };
 

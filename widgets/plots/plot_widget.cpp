@@ -32,7 +32,7 @@ PlotWidget::PlotWidget(QWidget* parent)
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setContextMenuPolicy(Qt::CustomContextMenu);
-  plot_->axisRect()->setMinimumMargins(QMargins(8, 4, 10, 6));
+  plot_->axisRect()->setMinimumMargins(QMargins(8, 8, 10, 6));  // half a number stands above the axis
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis})
     axis->setTicker(QSharedPointer<MarkedTicker<QCPAxisTicker>>::create());
   plot_->installEventFilter(this);

@@ -32,7 +32,7 @@ struct ProofNumber {
 /// One scalar site: what the numbers of one term do there.
 struct ProofPlot {
   std::string of;            // the joint, the marker, "" for the session
-  Message quantity;          // of y: "angle of arm_2"; a number of its own where no site is scalar
+  Message quantity;          // of y: "error of arm_2"; a number of its own where no site is scalar
   std::string unit;          // of y: rad
   Message against;           // of x: "gravity torque at arm_2"
   std::string against_unit;  // of x: N m

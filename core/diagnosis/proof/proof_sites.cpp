@@ -220,8 +220,7 @@ std::pair<Message, std::string> quantity_of(const Entry& e, const Robot& robot) 
     case EntryKind::angle:
     case EntryKind::compliance:
     case EntryKind::gap:
-      return {slides ? message("position of {}", joint->name) : message("angle of {}", joint->name),
-              slides ? "m" : "rad"};
+      return {message("error of {}", joint->name), slides ? "m" : "rad"};
     case EntryKind::bend:
       return {message("bend across the axis of {}", joint->name), "rad"};
     case EntryKind::motion:

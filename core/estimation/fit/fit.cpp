@@ -65,11 +65,15 @@ void set_body(const FitOptions& options, const Eigen::MatrixXd& factor, Fit& fit
   set_model_covariance(frame, factor, fit);
   const Rigid body_from_tcp = inverse(frame.tcp_from_body);
   for (const Vector3& x : fit.solution.unknowns.markers_in_tcp) fit.markers_in_body.push_back(body_from_tcp * x);
-  if (!fit.rotation_is_observed)
+  if (fit.rotation_is_observed) return;
+  if (fit.sides.markers.size() == 1)
     fit.notes.push_back(
-        message("With {} the rotation of tcp_from_body is {} observable; what is not is left at its start value.",
-                fit.sides.markers.size() == 1 ? "one marker" : "two markers",
-                fit.sides.markers.size() == 1 ? "not" : "only partly"));
+        message("{} cannot show how the body is turned on the hand: its rotation stays as it was at the start.",
+                fit.problem.source->chain.is_touch ? "A tip" : "One marker"));
+  else
+    fit.notes.push_back(
+        "Two markers show only partly how the body is turned on the hand: its turn about the line through both stays "
+        "as it was at the start.");
 }
 
 /// Directions of the fixtures' frames that mean nothing: a plane turned and shifted in itself.
@@ -123,9 +127,8 @@ void add_notes(const Session& session, Fit& fit) {
         "labels.");
   else if (fit.objective == Objective::image && fit.solution.converged && looks_lost(fit.problem, fit.solution))
     fit.notes.push_back(
-        "What is left is more than few robots explain: look for a wrong mount, rig, joint or label before any number "
-        "is "
-        "used.");
+        "So large an error is rare: before any number is used, make sure that mount, rig, joints and labels are "
+        "right.");
   else if (!fit.solution.converged)
     fit.notes.push_back(message("The fit did not converge in {} iterations.", fit.solution.iterations));
   for (std::size_t t = 0; t < fit.problem.terms.size(); ++t)

@@ -2,11 +2,13 @@
 #include "experiment/recheck/recheck_log.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <optional>
 
 #include "base/files.h"
+#include "base/message_xml.h"
 #include "base/numbers.h"
 #include "base/text.h"
 
@@ -15,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char old_columns[] = "utc,id,e_value,changed,what,where,text";
-constexpr char columns[] = "utc,id,e_value,changed,what,where,text,numbers";
+// What a log has is told by its first line: each of these was the newest once.
+constexpr std::array headers{"utc,id,e_value,changed,what,where,text", "utc,id,e_value,changed,what,where,text,numbers",
+                             "utc,id,e_value,changed,what,where,text,numbers,parts"};
 constexpr std::size_t least_columns = 7;
 
 std::string quoted(const std::string& text) {
@@ -86,8 +89,31 @@ std::vector<RecheckNumber> list_numbers(const std::string& text) {
   return numbers;
 }
 
+/// The message as XML in one line.
+std::string parts_text(const Message& text) {
+  tinyxml2::XMLDocument document;
+  tinyxml2::XMLElement* const root = document.NewElement("text");
+  document.InsertEndChild(root);
+  write_message(*root, text);
+  tinyxml2::XMLPrinter printer(nullptr, true);
+  document.Print(&printer);
+  return printer.CStr();
+}
+
+/// What parts_text wrote; the English of the line where it is nothing of that kind.
+Message message_of(const std::string& parts, const std::string& english, const std::string& file) {
+  try {
+    const auto document = parse_xml(parts, file);
+    const auto all = children(require_root(*document, file, "text"));
+    if (all.size() == 1) return read_message(all.front());
+  } catch (const InputError&) {
+  }
+  return verbatim(english);
+}
+
 RecheckEntry find_entry(const std::vector<std::string>& cells, const std::string& file, int line) {
-  RecheckEntry e{.utc = cells[0], .changed = cells[3] == "1", .what = cells[4], .where = cells[5], .text = cells[6]};
+  RecheckEntry e{
+      .utc = cells[0], .changed = cells[3] == "1", .what = cells[4], .where = cells[5], .text = verbatim(cells[6])};
   const auto id = parse_integer(cells[1]);
   const auto value = parse_number(cells[2]);
   if (!id || !value || (cells[3] != "0" && cells[3] != "1"))
@@ -97,10 +123,11 @@ RecheckEntry find_entry(const std::vector<std::string>& cells, const std::string
   e.id = *id;
   e.e_value = *value;
   if (cells.size() > least_columns) e.numbers = list_numbers(cells[least_columns]);
+  if (cells.size() > least_columns + 1) e.text = message_of(cells[least_columns + 1], cells[6], file);
   return e;
 }
 
-bool is_header(const std::string& line) { return line == columns || line == old_columns; }
+bool is_header(const std::string& line) { return std::find(headers.begin(), headers.end(), line) != headers.end(); }
 
 /// Of a log that is there.
 std::string header_of(const fs::path& csv) {
@@ -137,12 +164,14 @@ RecheckEntry recheck_entry(const std::string& utc, std::int64_t id, const WatchS
 void add_to_log(const fs::path& csv, const RecheckEntry& e) {
   std::error_code error;
   const bool is_new = !fs::exists(csv, error) || fs::file_size(csv, error) == 0;
-  const bool with_numbers = is_new || header_of(csv) != old_columns;
+  const std::string header = is_new ? headers.back() : header_of(csv);
   std::ofstream file(csv, std::ios::app | std::ios::binary);
-  if (is_new) file << columns << '\n';
-  file << fmt::format("{},{},{:.6g},{},{},{},{}{}\n", e.utc, e.id, e.e_value, e.changed ? 1 : 0, e.what,
-                      quoted(e.where), quoted(e.text),
-                      with_numbers ? "," + quoted(numbers_text(e.numbers)) : std::string());
+  if (is_new) file << header << '\n';
+  std::string line = fmt::format("{},{},{:.6g},{},{},{},{}", e.utc, e.id, e.e_value, e.changed ? 1 : 0, e.what,
+                                 quoted(e.where), quoted(e.text.english()));
+  if (header != headers[0]) line += ',' + quoted(numbers_text(e.numbers));
+  if (header == headers.back()) line += ',' + quoted(parts_text(e.text));
+  file << line << '\n';
   if (!file.flush()) throw InputError(message("{} cannot be written; is the disk full?", shown_path(csv)));
 }
 
@@ -159,7 +188,7 @@ std::vector<RecheckEntry> read_recheck_log(const fs::path& csv) {
     from = to + 1;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (++number == 1 && !is_header(line))
-      refuse(name, 1, message("is no log of recheck; expected the columns {}.", columns));
+      refuse(name, 1, message("is no log of recheck; expected the columns {}.", headers.back()));
     if (number == 1 || line.empty()) continue;
     const auto cells = split_cells(line);
     if (!cells || cells->size() < least_columns)

@@ -23,7 +23,8 @@ struct RecheckEntry {
   std::int64_t id = 0;
   double e_value = 0;
   bool changed = false;
-  std::string what, where, text;       // the likeliest change, as WatchStep has it
+  std::string what, where;             // the likeliest change, as WatchStep has it
+  Message text;                        // with its parts, so that it is said in the reader's language
   std::vector<RecheckNumber> numbers;  // of mount, body and joint zeros
 };
 
@@ -32,7 +33,8 @@ double compute_e_value(const WatchStep& step);
 
 RecheckEntry recheck_entry(const std::string& utc, std::int64_t id, const WatchStep& step);
 
-/// A line more, with a header where the file is new. A log that was begun without numbers goes on without them.
+/// A line more, with a header where the file is new. A log that was begun without numbers or without the parts of its
+/// texts goes on without them.
 /// InputError where it cannot be written.
 void add_to_log(const std::filesystem::path& csv, const RecheckEntry& entry);
 

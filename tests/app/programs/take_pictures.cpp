@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QPainter>
 #include <QTabWidget>
 
 #include "app/programs/pictures/photographer.h"
@@ -105,6 +106,40 @@ TEST(Pictures, OfEveryWorkspace) {
   photo.take("find");
 }
 
+/// What is drawn of a robot: clearly darker (or lighter) than the ground and its grid, and not the axes or the cube in
+/// the lower left corner.
+QRect drawn_in(const QImage& picture) {
+  const QRgb ground = picture.pixel(picture.width() / 2, 4);
+  QRect all;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const bool is_corner = x < picture.width() / 3 && y > picture.height() * 7 / 10;
+      if (!is_corner && std::abs(qGray(picture.pixel(x, y)) - qGray(ground)) > 48) all |= QRect(x, y, 1, 1);
+    }
+  return all;
+}
+
+/// The robot as large as it can be, with more contrast than the 3D view has: it is looked at small.
+QImage thumbnail_of(const QImage& picture) {
+  constexpr int width = 288, height = 192;
+  QRectF part = drawn_in(picture);
+  const double rim = 0.05 * std::max(part.width(), part.height());
+  part.adjust(-rim, -rim, rim, rim);
+  const QSizeF wanted = QSizeF(width, height).scaled(part.size(), Qt::KeepAspectRatioByExpanding);
+  part = QRectF(part.center() - QPointF(wanted.width() / 2, wanted.height() / 2), wanted);
+  QImage all(part.size().toSize(), QImage::Format_RGB32);
+  all.fill(picture.pixel(picture.width() / 2, 4));
+  QPainter(&all).drawImage(-part.topLeft(), picture);
+  const bool is_light = qGray(all.pixel(0, 0)) > 128;
+  for (int y = 0; y < all.height() && is_light; ++y)
+    for (int x = 0; x < all.width(); ++x) {
+      const QColor c(all.pixel(x, y));
+      const auto darker = [](int v) { return static_cast<int>(255 * std::pow(v / 255.0, 1.6)); };
+      all.setPixel(x, y, qRgb(darker(c.red()), darker(c.green()), darker(c.blue())));
+    }
+  return all.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
 /// Of the sample sessions without images, for the start page (resources/pictures).
 TEST(Thumbnails, OfTheRobots) {
   for (const char* name : {"thesis_simulation", "hidden_1", "hidden_2", "hidden_3", "hidden_4", "hidden_5", "hidden_6",
@@ -118,11 +153,10 @@ TEST(Thumbnails, OfTheRobots) {
     const std::size_t shown = s.observations.size() / (s.fixtures.empty() ? 2 : 3);  // where the whole arm is in view
     view.set_posture(app::link_motions(s, s.observations[shown].position));
     view.look(widgets::StandardView::all);
-    view.picture(1);
-    const QRect part = s.fixtures.empty() ? QRect(55, 15, 270, 180) : QRect(0, 35, 330, 220);
-    const QImage picture = view.picture(1).copy(part);
-    picture.scaled(144, 96, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-        .save(folder_of_pictures + "/" + name + ".png");
+    view.picture(2);
+    QImage picture = view.picture(2);
+    picture.setDevicePixelRatio(1);
+    thumbnail_of(picture).save(folder_of_pictures + "/" + name + ".png");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <qcustomplot.h>
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -180,8 +181,10 @@ TEST_F(Compare, FromTheBoxThatFindsEverythingAndBackWithEscape) {
   for (const char c : std::string("compare with")) QTest::keyClick(desk.window.windowHandle(), c);
   desk.key(Qt::Key_Return);
   ASSERT_TRUE(desk.window.is_comparing());
-  auto* dialog = desk.window.findChild<QDialog*>("compare_dialog");
+  const auto where = QString::fromStdString(desk.document().file().parent_path().parent_path().string());
+  auto* dialog = desk.window.findChild<QFileDialog*>("compare_dialog");
   ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->directory().absolutePath(), where) << "it opens beside the session";
   dialog->reject();
   EXPECT_TRUE(desk.find<QLabel>("compare_empty")->isVisible()) << "nothing chosen: it says what could be";
   EXPECT_FALSE(desk.find<app::RailButton>("rail_explain")->isChecked());
@@ -191,6 +194,11 @@ TEST_F(Compare, FromTheBoxThatFindsEverythingAndBackWithEscape) {
   desk.key(Qt::Key_Escape);
   EXPECT_FALSE(desk.window.is_comparing());
   EXPECT_EQ(desk.window.workspace(), place);
+  desk.key(Qt::Key_O, Qt::ControlModifier);
+  auto* open = desk.window.findChild<QFileDialog*>("open_dialog");
+  ASSERT_NE(open, nullptr);
+  EXPECT_EQ(open->directory().absolutePath(), where);
+  open->reject();
 }
 
 TEST_F(Compare, StoppedItSaysSoAndCanBeTriedAgain) {

@@ -31,7 +31,7 @@ TEST_F(Explain, TheCardThatIsLookedAtShowsItsProofAndAfterTheAdditionItIsLevel) 
       << "a spring a plot; the patterns have a tab of their own";
   for (int i = 0; i < 3; ++i) {
     const widgets::PatternPlot& proof = page->plots()[static_cast<std::size_t>(i)];
-    EXPECT_EQ(proof.against, "gravity torque at " + QString(proof.what).remove("angle of ")) << i;
+    EXPECT_EQ(proof.against, "gravity torque at " + QString(proof.what).remove("error of ")) << i;
     EXPECT_EQ(proof.y_unit, "mrad");
     EXPECT_FALSE(proof.candidate.empty());
     for (std::size_t p = 1; p < proof.candidate.size(); ++p) EXPECT_LE(proof.candidate[p - 1].x, proof.candidate[p].x);
@@ -107,7 +107,7 @@ TEST_F(Explain, TheProofStaysWhileThePointerIsOnIt) {
   ASSERT_TRUE(desk.wait([&] { return page->plots().size() == 3 && is_proof(2); }));
   desk.click(page, page->plot_rect(1).center().toPoint());
   auto* words = desk.find<QLabel>("proof_sentence");
-  const QString of = QString(page->plots()[1].what).remove("angle of ");
+  const QString of = QString(page->plots()[1].what).remove("error of ");
   EXPECT_TRUE(words->text().startsWith(of + " gives way by ")) << words->text().toStdString();
   const auto is_of_lead = [&] { return words->text().contains(" gives way by "); };  // backlash, the second, does not
   for (auto* area : explain.cards()->findChildren<QScrollArea*>()) area->ensureWidgetVisible(explain.cards()->card(1));

@@ -30,6 +30,28 @@ TEST_F(Explain, LookingAtACardShowsWhatItWouldDoAndChangesNothing) {
   EXPECT_EQ(desk.document().undo_stack().index(), 0);
 }
 
+/// A dialog that closes over a card, a workspace that comes: the pointer is there and points at nothing.
+TEST_F(Explain, APointerThatOnlyRestsWhereACardAppearsTriesNothing) {
+  open("hidden_3");
+  auto* card = explain.cards()->card(0);
+  const QPointF at(60, 40);
+  QEnterEvent enter(at, card->mapTo(card->window(), at), card->mapToGlobal(at));
+  QApplication::sendEvent(card, &enter);
+  QTest::qWait(400);
+  EXPECT_FALSE(desk.window.workbench().predicted_error()) << "nobody has moved the pointer";
+  QTest::mouseMove(card->window()->windowHandle(), card->mapTo(card->window(), QPoint(64, 44)));
+  EXPECT_TRUE(desk.wait([this] { return desk.window.workbench().predicted_error().has_value(); }));
+}
+
+/// Also where it comes to the card at a button of it.
+TEST_F(Explain, APointerOnACardsButtonTriesTheCard) {
+  open("hidden_3");
+  auto* button = explain.cards()->card(0)->what_if_button();
+  desk.scroll_to(button, button->rect().center());
+  QTest::mouseMove(button->window()->windowHandle(), button->mapTo(button->window(), button->rect().center()));
+  EXPECT_TRUE(desk.wait([this] { return desk.window.workbench().predicted_error().has_value(); }));
+}
+
 TEST_F(Explain, BrushedObservationsSayWhatTheyHaveInCommon) {
   open("hidden_3");
   auto* plot = desk.find<widgets::ScatterPlot>("pattern_large");

@@ -56,6 +56,23 @@ TEST_F(InspectTest, SeveralChosenRowsStayChosenAndDeleteTakesThemAll) {
   EXPECT_EQ(excluded(), 0U);
 }
 
+TEST_F(InspectTest, WhyAnObservationIsNotUsedStandsThereWhole) {
+  desk.window.resize(1366, 768);
+  open("hidden_3");
+  auto* reason = desk.find<QLabel>("row_reason_line");
+  EXPECT_FALSE(reason->isVisible()) << "all are used: no line is kept for it";
+  const int why = 6;
+  EXPECT_TRUE(inspect.table()->view()->isColumnHidden(why)) << "nor a column";
+  click_row(2);
+  desk.key(Qt::Key_Delete);
+  ASSERT_TRUE(desk.settle());
+  const std::string said =
+      app::translated(desk.document().session().observations[2].reason).toStdString();  // of who excluded it
+  ASSERT_FALSE(said.empty());
+  EXPECT_NE(reason->text().toStdString().find(said), std::string::npos) << reason->text().toStdString();
+  EXPECT_GE(reason->height(), reason->heightForWidth(reason->width()));
+}
+
 TEST_F(InspectTest, OneOfSeveralCanBeChosenAlone) {
   open("hidden_3");
   click_row(2);

@@ -14,18 +14,6 @@
 namespace handsight::test {
 namespace {
 
-/// Everything that is painted now, a line a widget.
-QStringList painted(QWidget& window) {
-  QStringList lines;
-  for (QWidget* w : window.findChildren<QWidget*>()) {
-    if (!w->isVisible() || w->visibleRegion().isEmpty()) continue;
-    QStringList own;
-    for (const PaintedText& t : texts_of(*w)) own << t.text;
-    if (!own.isEmpty()) lines << own.join(' ');
-  }
-  return lines;
-}
-
 /// Figures of this unit in a text.
 QStringList figures_in(const QString& text, const QString& unit) {
   static const QRegularExpression one(

@@ -96,4 +96,16 @@ inline std::vector<PaintedText> texts_of(QWidget& widget) {
   return recorder.texts;
 }
 
+/// Everything that is painted now, a line a widget.
+inline QStringList painted(QWidget& window) {
+  QStringList lines;
+  for (QWidget* w : window.findChildren<QWidget*>()) {
+    if (!w->isVisible() || w->visibleRegion().isEmpty()) continue;
+    QStringList own;
+    for (const PaintedText& t : texts_of(*w)) own << t.text;
+    if (!own.isEmpty()) lines << own.join(' ');
+  }
+  return lines;
+}
+
 }  // namespace handsight::test

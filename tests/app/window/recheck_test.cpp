@@ -8,6 +8,7 @@
 #include "experiment/written_session.h"
 #include "temporary_folder.h"
 #include "widgets/plots/history_plot.h"
+#include "window/language.h"
 
 namespace handsight::test {
 namespace {
@@ -69,6 +70,23 @@ TEST_F(RecheckInWindow, AHandThatHasSlippedIsNamed) {
   EXPECT_TRUE(log().back().changed);
   EXPECT_EQ(log().back().what, "body_slip");
   EXPECT_TRUE(reported().contains("Something has changed")) << reported().toStdString();
+}
+
+TEST_F(RecheckInWindow, WhatHasChangedIsSaidInTheReadersLanguage) {
+  app::Translation german("de");
+  QCoreApplication::installTranslator(&german);
+  const Message text = message("The marker body slipped on the hand by {} and turned by {}", message("{} mm", 3.0),
+                               message("{} degrees", 0.5));
+  add_to_log(
+      session / "recheck.csv",
+      {.utc = "2026-11-26T05:09:00Z", .id = 1, .e_value = 1e200, .changed = true, .what = "body_slip", .text = text});
+  page.show_tab(0);
+  page.show_tab(1);
+  EXPECT_TRUE(desk.wait([this] { return reported().contains("verrutscht"); }, 5000)) << reported().toStdString();
+  EXPECT_FALSE(reported().contains("slipped"));
+  const QString more = desk.find<QLabel>("recheck_more")->text();
+  EXPECT_TRUE(more.contains(QString::fromUtf8("10¹⁵"))) << "as far as the plot goes: " << more.toStdString();
+  QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(RecheckInWindow, AFileThatIsNoLogIsSaid) {

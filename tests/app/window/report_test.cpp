@@ -35,6 +35,17 @@ class ReportTest : public testing::Test {
       pictures.push_back(QImage::fromData(QByteArray::fromBase64(match.next().captured(1).toLatin1())));
     return pictures;
   }
+  std::vector<QImage> pages_of(const QString& reader, const std::filesystem::path& pdf) const {
+    const QString stem = QString::fromStdString((folder.path / "page").string());
+    EXPECT_EQ(QProcess::execute(reader, {"-png", "-r", "60", QString::fromStdString(pdf.string()), stem}), 0);
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path))
+      if (file.path().filename().string().starts_with("page")) files.push_back(file.path());
+    std::sort(files.begin(), files.end());
+    std::vector<QImage> pages;
+    for (const auto& file : files) pages.emplace_back(QString::fromStdString(file.string()));
+    return pages;
+  }
   /// The share of pixels that differ clearly from the commonest colour: what is drawn on the ground.
   static double ink(const QImage& image, const QRect& area) {
     std::map<QRgb, int> counts;
@@ -93,14 +104,7 @@ TEST_F(ReportTest, ThePagesOfThePdfShowPlotsWithinTheirMargins) {
   ASSERT_FALSE(reader.isEmpty()) << "pdftoppm is missing: install poppler-utils, as ./test does.";
   open("hundred_poses");
   const auto pdf = written("report_pdf", "out.pdf");
-  const QString stem = QString::fromStdString((folder.path / "page").string());
-  ASSERT_EQ(QProcess::execute(reader, {"-png", "-r", "60", QString::fromStdString(pdf.string()), stem}), 0);
-  std::vector<QImage> pages;
-  std::vector<std::filesystem::path> files;
-  for (const auto& file : std::filesystem::directory_iterator(folder.path))
-    if (file.path().filename().string().starts_with("page")) files.push_back(file.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) pages.emplace_back(QString::fromStdString(file.string()));
+  const std::vector<QImage> pages = pages_of(reader, pdf);
   ASSERT_GE(pages.size(), 2U);
   double most = 0;
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -110,6 +114,25 @@ TEST_F(ReportTest, ThePagesOfThePdfShowPlotsWithinTheirMargins) {
     most = std::max(most, ink(page, page.rect()));
   }
   EXPECT_GT(most, 0.05) << "no page has a plot on it";
+}
+
+/// The first page has the story with its picture; the last one is not half empty.
+TEST_F(ReportTest, NoLastPageIsHalfEmpty) {
+  const QString reader = QStandardPaths::findExecutable("pdftoppm");
+  ASSERT_FALSE(reader.isEmpty()) << "pdftoppm is missing: install poppler-utils, as ./test does.";
+  open("hidden_3");
+  ExplainPage explain{desk};
+  ASSERT_TRUE(explain.open());
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const auto pages = pages_of(reader, written("report_pdf", "out.pdf"));
+  ASSERT_GE(pages.size(), 2U);
+  const QRect upper_half(0, 0, pages[0].width(), pages[0].height() / 2);
+  EXPECT_GT(ink(pages.front(), upper_half), 0.02) << "the story and its picture";
+  const QImage& last = pages.back();
+  const int number = last.height() * 25 / 297;  // mm of A4: below the page's number stands
+  EXPECT_GT(ink(last, {0, last.height() / 2, last.width(), last.height() / 2 - number}), 1e-3)
+      << "nothing below the middle of the last page";
 }
 
 /// The certificate is made in the background and stands beside the XML.

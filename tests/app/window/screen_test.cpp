@@ -60,6 +60,24 @@ TEST_F(Screen, NumbersPanelAndStripStandOnEveryScreen) {
   }
 }
 
+TEST_F(Screen, TheStartPageFillsALargeScreen) {
+  auto* page = desk.find<QScrollArea>("start_page");
+  // Sessions that were opened lately stand above the samples.
+  const auto high = [&] {
+    QRect all;
+    for (auto* button : page->findChildren<QAbstractButton*>())
+      if (button->objectName().startsWith("sample_")) all |= QRect(button->mapTo(page, QPoint()), button->size());
+    return all.height();
+  };
+  desk.window.resize(1366, 768);
+  QTest::qWait(30);
+  EXPECT_LE(high(), 768 * 2 / 3) << "all samples on a laptop";
+  desk.window.resize(1920, 1080);
+  QTest::qWait(30);
+  EXPECT_GT(high(), 1080 * 3 / 5) << "a third of the page is empty";
+  EXPECT_LE(high(), 1080 * 3 / 4);
+}
+
 TEST_F(Screen, OnALaptopTheFirstCandidateCanBeAddedWithoutScrolling) {
   open();
   desk.window.resize(1366, 728);

@@ -66,7 +66,7 @@ TEST(Proof, TheSlopeOfASpringAgainstItsOwnTorqueIsItsCompliance) {
     against.insert(plot.against);
     EXPECT_EQ(plot.against, "gravity torque at " + plot.of);
     EXPECT_EQ(plot.against_unit, "N m");
-    EXPECT_EQ(plot.quantity, "angle of " + plot.of);
+    EXPECT_EQ(plot.quantity, "error of " + plot.of);
     EXPECT_EQ(plot.unit, "rad");
     ASSERT_EQ(plot.numbers.size(), 1U);
     const ProofNumber& n = plot.numbers.front();
@@ -195,7 +195,7 @@ TEST(Proof, BeforeASlipThePointsAreLevel) {
 
 TEST(Proof, SaysTheSlopeInWordsAndUnits) {
   ProofPlot plot;
-  plot.of = "arm_2", plot.quantity = "angle of arm_2", plot.unit = "rad";
+  plot.of = "arm_2", plot.quantity = "error of arm_2", plot.unit = "rad";
   plot.against = "gravity torque at arm_2", plot.against_unit = "N m";
   plot.numbers = {{0, 0, "compliance", "rad/(N m)", 1.5e-4, 6e-7, 1.5e-4}};
   plot.points.resize(2);
