@@ -2,6 +2,9 @@
 // A diagnosis, and what a fit leaves out, for people and as JSON.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "command.h"
 #include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/verdict/diagnosis_result.h"

@@ -24,7 +24,8 @@ inline constexpr double largest_built = 30;
 inline constexpr double largest_plausible = 3;
 
 /// Up to where a number of a term is built, in its own unit: largest_built times what is usual, and of a spring what
-/// bends by 3 degrees under the heaviest load that its joint can have: light arms have soft bearings and series springs.
+/// bends by 3 degrees under the heaviest load that its joint can have: light arms have soft bearings and series
+/// springs.
 double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain);
 
 /// Is a number of the term that a fit moves larger than robots are built?
