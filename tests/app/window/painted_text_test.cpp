@@ -144,6 +144,7 @@ TEST_P(PaintedTexts, AreWholeAndApartInTheStory) {
 TEST_P(PaintedTexts, AreWholeAndApartInTheWizard) {
   Desk desk;
   desk.window.resize(size);
+  QTest::qWait(30);  // the start page lays itself out anew on a large screen
   desk.press_button("start_new");
   auto* wizard = desk.window.findChild<QDialog*>("wizard");
   ASSERT_NE(wizard, nullptr);
