@@ -16,6 +16,10 @@
 #include "json_values.h"
 
 namespace handsight::cli {
+std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit) {
+  return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
+}
+
 namespace {
 
 std::string with_sigma(const char* name, double value, double sigma, const char* unit) {
@@ -40,10 +44,6 @@ void print_pose(const Output& out, const Rigid& pose, const Matrix6& covariance,
     else
       out.line(with_sigma(names[i], value, (is_place ? 1e3 : degrees) * sigma[i], is_place ? "mm" : "deg"));
   }
-}
-
-std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit) {
-  return value ? fmt::format("{:.3f} {}", scale * *value, unit) : "unknown";
 }
 
 Json parameters_json(const Session& session, const Fit& fit, const std::string& id) {

@@ -2,10 +2,16 @@
 // A fit for people, as JSON, and as a calibration.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "command.h"
 #include "estimation/report/fit_report.h"
 
 namespace handsight::cli {
+
+/// "2.695 mm": `value` times `scale`; "unknown" where there is none.
+std::string text_or_unknown(const std::optional<double>& value, double scale, const char* unit);
 
 void print_fit(const Output& output, const Session& session, const Fit& fit, const FitReport& reported,
                const FitOptions& options);
