@@ -63,7 +63,9 @@ std::string diagnosis_line(const std::string& path, const Diagnosis& d, const Se
 std::string find_line(const std::string& path, bool improves) {
   try {
     const Session session = is_collection(path) ? open_session(path) : read_session(path);
-    if (improves) return diagnosis_line(path, improve(session).last, session);
+    ImprovementOptions options;
+    options.with_choosing = false;
+    if (improves) return diagnosis_line(path, improve(session, options).last, session);
     return diagnosis_line(path, diagnose(session), session);
   } catch (const InputError& error) {
     return failure(path, error.what());

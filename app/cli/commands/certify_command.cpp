@@ -30,6 +30,7 @@ struct CertifyArguments {
 /// The model that `improve` finds.
 CertificateRequest from_improvement(const Session& session, Progress& progress) {
   ImprovementOptions options;
+  options.with_choosing = false;
   options.on_progress = [&](double done) {
     progress.at(static_cast<std::size_t>(60 * done));
     return true;

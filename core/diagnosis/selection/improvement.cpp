@@ -393,7 +393,8 @@ class Improving {
 };
 
 void try_choosing(const Session& session, const ImprovementOptions& options, Improvement& m) {
-  const bool has_chosen = m.steps.size() > 1 && !m.stopped && m.last.verdict != Verdict::too_few_observations;
+  const bool has_chosen =
+      options.with_choosing && m.steps.size() > 1 && !m.stopped && m.last.verdict != Verdict::too_few_observations;
   const Fit& chosen = m.last.model.fit;
   if (!has_chosen || !session.parts.empty() || has_no_answer(chosen) || !are_few_to_choose_by(chosen) ||
       !is_cheap_to_choose(chosen, m.models))

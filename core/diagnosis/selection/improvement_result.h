@@ -44,6 +44,7 @@ struct ImprovementOptions {
   int most_models = 80;  // the budget: no change is begun once so many models were fitted and held out
   /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
   bool with_curves = true;
+  bool with_choosing = true;  // Improvement::held_out_choosing
   bool with_held_out = true;  // of the candidates that every diagnosis fits, too; improve() goes without
   /// After every diagnosis and before every change; returning false stops with what there is.
   std::function<bool(const ImprovementStep& latest)> on_step;
