@@ -2,29 +2,10 @@
 #include "session/sample.h"
 
 #include "session/by_time.h"
+#include "session/without_observations.h"
 
 namespace handsight {
 namespace {
-
-/// All but the observations: copies of a long session are made without them.
-Session without_observations(const Session& session) {
-  // Every field by its name: one that a session gets some day is missing here until it is named too.
-  const auto& [file, title, robot_file, robot, tcp, repeatability, gravity, mount, rig, sigma_pixel, sigma_point,
-               pose_sensor, target, shape, marker_count, joints, parts, other_mounts, fixtures, distances, observations,
-               effect_definitions, notes, source] = session;
-  return Session{file,         title,
-                 robot_file,   robot,
-                 tcp,          repeatability,
-                 gravity,      mount,
-                 rig,          sigma_pixel,
-                 sigma_point,  pose_sensor,
-                 target,       shape,
-                 marker_count, joints,
-                 parts,        other_mounts,
-                 fixtures,     distances,
-                 {},           effect_definitions,
-                 notes,        source};
-}
 
 Session part(const Session& session, const std::vector<int>& order, const std::vector<char>& is_taken) {
   Session some = without_observations(session);
