@@ -129,11 +129,12 @@ void fits(int count, std::uint64_t first, const trials::TableOutput& output) {
   }
 }
 
-/// Noncentrality: squares in units of the noise that the effect leaves in a model without it.
+/// Noncentrality: squares in units of the noise that the effect leaves in a model without it, fitted as a diagnosis
+/// fits (see trials::noncentrality_of).
 double noncentrality(const Session& like, SimulationOptions o, double noise) {
   o.noise = 1e-6 * noise;
   o.declare_noise = false;
-  return fit(simulate_session(like, o).session, {}).solution.normal.data_cost() / (noise * noise);
+  return fit(simulate_session(like, o).session, {.smallest_step = 1e-9}).solution.normal.data_cost() / (noise * noise);
 }
 
 void diagnose_kind(const std::string& name, const Session& like, double noise, int count, std::uint64_t first,
