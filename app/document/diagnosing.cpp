@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/diagnosing.h"
 
+#include "diagnosis/selection/model_changes.h"
 #include "document/curve_words.h"
 
 namespace handsight::app {

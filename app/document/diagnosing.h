@@ -8,7 +8,7 @@
 
 #include "diagnosis/proof/proof.h"
 #include "diagnosis/residuals/residual_views.h"
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 #include "document/document.h"
 #include "jobs/jobs.h"
 

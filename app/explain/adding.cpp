@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/verdict/finding.h"
 #include "document/effect_words.h"
 #include "document/refusal.h"

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "base/xml.h"
+#include "diagnosis/selection/model_changes.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/own_effect.h"

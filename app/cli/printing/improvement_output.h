@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command.h"
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/improvement_result.h"
 
 namespace handsight::cli {
 

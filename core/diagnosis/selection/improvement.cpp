@@ -1,75 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/improvement.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "diagnosis/ranking/curves.h"
-#include "diagnosis/ranking/posture_remainder.h"
-#include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/choosing.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/model_search.h"
-#include "diagnosis/selection/pruning.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
-#include "diagnosis/verdict/explanation.h"
-#include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/sampled.h"
-#include "diagnosis/verdict/stand_in.h"
-#include "effects/units.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/report/fit_report.h"
 
 namespace handsight {
 namespace {
-
-/// "mass -6 kg" and the like: numbers that no robot has.
-std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
-  std::vector<std::string> list;
-  for (const EffectTerm& term : terms) {
-    const Effect& effect = term_effect(term);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p) {
-      const EffectParameter& parameter = effect.parameters[p];
-      if (parameter.is_choice || std::abs(term.values[p]) <= find_largest_built(term, p, chain)) continue;
-      const std::string place = place_name(effect, term.place, chain.robot);
-      list.push_back(fmt::format("{}{} {:.3g} {}", parameter.name, place.empty() ? "" : " of " + place, term.values[p],
-                                 unit_at(effect, p, term.place, chain.robot)));
-    }
-  }
-  return list;
-}
-
-std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
-  const std::vector<EffectTerm>& all = d.model_options.estimated;
-  return {all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end()};
-}
-
-/// A curve that hardly curves over the poses is a shift, and a shift of the hand is the hand's own place: then both
-/// grow without bound, and TCP->Body is lost.
-bool plays_against_what_rests(const Fit& before, const Diagnosis& after, std::size_t terms) {
-  constexpr double far_less_sure = 100;  // times the variance
-  const Fit& fit = after.model.fit;
-  if (implausible_numbers(last_group(after, terms), fit.problem.source->chain).empty()) return false;
-  const auto variance_of_place = [](const Fit& f) { return f.covariance.topLeftCorner<3, 3>().trace(); };
-  return variance_of_place(fit) > far_less_sure * variance_of_place(before);
-}
-
-void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
-  ImprovementStep step = find_step(next);
-  step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
-  step.where = candidate.where;
-  step.terms = last_group(next, candidate.terms.size());
-  step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
-  if (candidate.unnamed) {
-    step.formula = formula_text(*candidate.terms.front().own->definition);
-    step.variable = candidate.unnamed->empirical_error.variable->name;
-  }
-  change.steps.push_back(std::move(step));
-}
 
 /// Without curves beside them, names that leave an unnamed curve on top have explained nothing.
 void take_back(Improvement& settled, Improvement& m) {
@@ -80,189 +25,10 @@ void take_back(Improvement& settled, Improvement& m) {
   m.last = std::move(settled.last);
 }
 
-/// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
-/// in random order. Why one is refused; empty where it is not, and for everything else.
-Message unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
-  if (candidate.unnamed) return "";
-  if (is_change_between_sessions(candidate.terms.front()))
-    return candidate.ln_bayes_factor >= model.threshold + ln_odds_against_change
-               ? ""
-               : "what belongs to the robot seldom changes between sessions, and the evidence is too weak for that";
-  if (!follows_time(candidate.terms.front())) return "";
-  const double least = model.threshold + ln_odds_against_time(candidate.terms.front());
-  const char* kind = slip_order(candidate.terms) ? "slips" : "drifts";
-  if (candidate.ln_bayes_factor < least)
-    return message("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
-                   candidate.ln_bayes_factor, least);
-  const NoiseModel by = noise_model(model.model.fit);
-  const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.repeatability, by);
-  if (beside >= least) return "";
-  return message(
-      "what follows the posture may explain as much: beside that its evidence is ln {:.1f}, below the "
-      "ln {:.1f} that is asked of {}",
-      beside, least, kind);
-}
-
 /// What was not taken beside other names and is in the model now was not refused.
 void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
   std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
 }
-
-}  // namespace
-
-bool is_outdone(const Diagnosis& d) {
-  return !d.candidates.empty() && d.candidates.front().unnamed && d.candidates.front().ln_bayes_factor >= d.threshold;
-}
-
-Diagnosis diagnosed(const Session& session, const ImprovementOptions& options) {
-  return diagnosed_from(session, options, options.estimated, {});
-}
-
-ModelChange add_candidate(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
-                          const DiagnosisCandidate& candidate) {
-  ModelChange change;
-  const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
-  if (const Message why = unlikely_in_time(model, candidate); !why.empty()) {
-    change.refused.push_back({id, candidate.where, why});
-    return change;
-  }
-  FitOptions from = candidate.full_fit.value_or(model.model_options);
-  if (!candidate.full_fit) from.estimated.insert(from.estimated.end(), candidate.terms.begin(), candidate.terms.end());
-  const double before = as_good * held_out_error(model);
-  Diagnosis next = model_from(session, options, from.estimated, from.start, before);
-  change.models = 1;
-  change.stopped = next.stopped;
-  if (next.stopped) return change;
-  if (has_no_answer(next.model.fit)) {
-    change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
-    return change;
-  }
-  if (candidate.unnamed && plays_against_what_rests(model.model.fit, next, candidate.terms.size())) {
-    change.refused.push_back(
-        {id, candidate.where,
-         "it is larger than robots are built, and the hand's place would be known ten times worse: "
-         "it plays against what never moves"});
-    return change;
-  }
-  if (held_out_error(next) >= before) {
-    change.refused.push_back({id, candidate.where, "the held-out error does not fall"});
-    return change;
-  }
-  if (const Message why = worse_elsewhere(model, next); !why.empty()) {
-    change.refused.push_back({id, candidate.where, why});
-    return change;
-  }
-  if (const auto order = slip_order(candidate.terms);
-      order && !slip_is_confirmed(model.model.session, model.model.fit, model.model_options, next.model.fit,
-                                  next.model_options, *order)) {
-    change.refused.push_back(
-        {id, candidate.where, "held out in blocks of time, the observations on both sides of the moment do not agree"});
-    return change;
-  }
-  note_addition(candidate, next, change);
-  change.model = std::move(next);
-  prune(session, options, before, change);
-  if (!change.stopped) {
-    change.model = diagnosed_on(session, options, std::move(*change.model));
-    change.stopped = change.model->stopped;
-  }
-  if (change.stopped) {
-    change.model.reset();
-    return change;
-  }
-  set_errors_elsewhere(*change.model);
-  change.steps.back().held_out_region = change.model->report.held_out_region;
-  change.steps.back().held_out_session = change.model->report.held_out_session;
-  return change;
-}
-
-std::vector<const DiagnosisCandidate*> candidates_to_try(const Diagnosis& model, bool with_curves) {
-  std::vector<const DiagnosisCandidate*> order;
-  if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return order;
-  for (const DiagnosisCandidate& c : model.candidates) {
-    const bool can_be_taken = !c.unnamed || (with_curves && c.refitted);
-    if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
-    if (has_no_answer(model.model.fit) && !c.refitted)
-      continue;  // nor has the fit with it, or it was not among the likeliest
-    order.push_back(&c);
-  }
-  std::stable_partition(order.begin(), order.end(),
-                        [&](const DiagnosisCandidate* c) { return comes_before(*c, model.candidates.front()); });
-  return order;
-}
-
-ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
-  ModelChange all;
-  for (const DiagnosisCandidate* candidate : candidates_to_try(model, options.with_curves)) {
-    ModelChange one = add_candidate(session, options, model, *candidate);
-    all.refused.insert(all.refused.end(), one.refused.begin(), one.refused.end());
-    all.model = std::move(one.model);
-    all.steps = std::move(one.steps);
-    all.stopped = one.stopped;
-    all.models += one.models;
-    if (all.stopped || all.model) break;
-  }
-  return all;
-}
-
-ModelChange search_models(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
-  ModelChange change;
-  const auto goes_on = [&] {
-    if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
-    return !change.stopped;
-  };
-  const auto other = search_models(model, options.estimated.size(), goes_on);
-  if (!other || change.stopped) return change;
-  const double most = as_good_as_reported * held_out_error(model);
-  Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
-  change.models = 1;
-  change.stopped = next.stopped;
-  if (next.stopped || held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return change;
-  ImprovementStep step = find_step(next);
-  step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
-  step.exchanged = other->come;
-  change.steps.push_back(std::move(step));
-  change.model = std::move(next);
-  return change;
-}
-
-ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
-                       const InclusionProbabilities& inclusion_probabilities) {
-  ModelChange change;
-  const bool has_names =
-      std::any_of(inclusion_probabilities.names.begin(), inclusion_probabilities.names.end(),
-                  [](const InclusionProbability& n) { return n.is_in_model && n.id.find("curve_") != 0; });
-  if (!has_names) return change;
-  const double before = held_out_error(model);
-  for (const LikelyName& likely : inclusion_probabilities.likely) {
-    std::vector<EffectTerm> estimated(options.estimated);
-    estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
-    ++change.models;
-    Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), before);
-    change.stopped = next.stopped;
-    if (next.stopped) return change;
-    if (has_no_answer(next.model.fit) || held_out_error(next) >= before) {
-      change.refused.push_back({likely.name.id, likely.name.where, "the held-out error does not fall"});
-      continue;
-    }
-    if (const Message why = worse_elsewhere(model, next); !why.empty()) {
-      change.refused.push_back({likely.name.id, likely.name.where, why});
-      continue;
-    }
-    ImprovementStep step = find_step(next);
-    step.added = likely.name.id;
-    step.where = likely.name.where;
-    step.terms = last_group(next, estimated.size() - model.model_options.estimated.size());
-    step.stands = implausible_numbers(step.terms, next.model.fit.problem.source->chain);
-    step.likely = likely.name.probability;
-    change.steps.push_back(std::move(step));
-    change.model = std::move(next);
-    return change;
-  }
-  return change;
-}
-
-namespace {
 
 /// One model after another, until nothing is left to add.
 class Improving {

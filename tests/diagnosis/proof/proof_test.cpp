@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/model_changes.h"
 #include "effects/own_effect.h"
 #include "fixtures/arms.h"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/simulated_stand.h"
 
 namespace handsight {

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_posterior.h"
 #include "diagnosis/simulated_stand.h"
 #include "effects/term_numbers.h"

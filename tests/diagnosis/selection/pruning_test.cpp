@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/selection/improvement.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/simulated_stand.h"
 
 namespace handsight {
