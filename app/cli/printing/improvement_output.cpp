@@ -57,6 +57,28 @@ Json inclusion_probabilities_json(const InclusionProbabilities& inclusion_probab
   return list;
 }
 
+Json step_json(const ImprovementStep& s, bool tracker) {
+  const Json null = nullptr;
+  return {{"added", s.added.empty() ? null : Json(s.added)},
+          {"removed", s.removed.empty() ? null : Json(s.removed)},
+          {"exchanged", s.exchanged},
+          {"where", s.where},
+          {"formula", s.formula.empty() ? null : Json(s.formula)},
+          {"variable", s.variable.empty() ? null : Json(s.variable)},
+          {"stands_in", s.stands},
+          {"rms_pixel", number(s.fitted.rms_pixel)},
+          {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
+          {"noise_pixel", tracker ? null : number(s.noise)},
+          {"rms_m", number(s.fitted.rms_m)},
+          {"mean_m", number(s.fitted.mean_m)},
+          {"held_out_rms_m", number(s.held_out.rms_m)},
+          {"held_out_mean_m", number(s.held_out.mean_m)},
+          {"held_out_region_pixel", number(s.held_out_region.rms_pixel)},
+          {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
+          {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
+          {"noise_m", tracker ? number(s.noise) : null}};
+}
+
 }  // namespace
 
 static std::set<std::string> list_refused(const Improvement& m) {
@@ -79,6 +101,11 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
     if (const std::string changes = i > 0 ? changes_text(s) : ""; !changes.empty()) out.line("     " + changes);
   }
+  if (m.unweighed)
+    out.line(fmt::format(
+        "     the last weighs the robot's own error from pose to pose beside the noise; without it {} fitted, "
+        "{} held out",
+        error_text(m.unweighed->fitted), error_text(m.unweighed->held_out)));
   for (const RefusedStep& r : m.refused)
     out.line(
         fmt::format("     not taken: {}{}: {}", r.id, r.where.empty() ? "" : " (" + listed(r.where) + ")", r.reason));
@@ -107,25 +134,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
   const Session& fitted = m.last.sample ? m.last.model.session : session;
   Json j = fit_json(fitted, m.last.model.fit, m.last.report, m.last.model_options);
   Json steps = Json::array(), refused = Json::array();
-  for (const ImprovementStep& s : m.steps)
-    steps.push_back({{"added", s.added.empty() ? null : Json(s.added)},
-                     {"removed", s.removed.empty() ? null : Json(s.removed)},
-                     {"exchanged", s.exchanged},
-                     {"where", s.where},
-                     {"formula", s.formula.empty() ? null : Json(s.formula)},
-                     {"variable", s.variable.empty() ? null : Json(s.variable)},
-                     {"stands_in", s.stands},
-                     {"rms_pixel", number(s.fitted.rms_pixel)},
-                     {"held_out_rms_pixel", number(s.held_out.rms_pixel)},
-                     {"noise_pixel", tracker ? null : number(s.noise)},
-                     {"rms_m", number(s.fitted.rms_m)},
-                     {"mean_m", number(s.fitted.mean_m)},
-                     {"held_out_rms_m", number(s.held_out.rms_m)},
-                     {"held_out_mean_m", number(s.held_out.mean_m)},
-                     {"held_out_region_pixel", number(s.held_out_region.rms_pixel)},
-                     {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
-                     {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
-                     {"noise_m", tracker ? number(s.noise) : null}});
+  for (const ImprovementStep& s : m.steps) steps.push_back(step_json(s, tracker));
   for (std::size_t i = 0; !session.parts.empty() && i < steps.size(); ++i) {
     const ErrorSummary& e = m.steps[i].held_out_session;
     steps[i]["held_out_session_pixel"] = number(e.rms_pixel);
@@ -139,6 +148,7 @@ Json improvement_json(const Session& session, const Improvement& m) {
     j["held_out_choosing_mean_m"] = number(m.held_out_choosing->mean_m);
   }
   j["steps"] = steps;
+  if (m.unweighed) j["unweighed"] = step_json(*m.unweighed, tracker);
   j["refused"] = refused;
   j["models"] = {{"tried", m.models}, {"most", m.most_models}, {"spent", m.is_budget_spent}};
   j["verdict"] = verdict_text(m.last.verdict);

@@ -76,6 +76,7 @@ class Improving {
     set_errors_elsewhere(d);
     const ImprovementStep now = find_step(d);
     ImprovementStep& last = m_.steps.back();
+    m_.unweighed = last;
     last.fitted = now.fitted;
     last.held_out = now.held_out;
     last.held_out_region = now.held_out_region;

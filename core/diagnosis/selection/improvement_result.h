@@ -72,6 +72,9 @@ struct Improvement {
   /// Of few observations, of which a model with causes was chosen: the error where each part takes no part in choosing
   /// either (choosing.h). What is held out otherwise has had its say in what the model holds.
   std::optional<ErrorSummary> held_out_choosing;
+  /// The last step as it was before the robot's own error from pose to pose was weighed beside the noise: then less is
+  /// left in the images, of an answer that is less likely. Absent where there is no such error.
+  std::optional<ImprovementStep> unweighed;
   int models = 0;                // that were fitted and held out
   int most_models = 0;           // ImprovementOptions::most_models
   bool is_budget_spent = false;  // then more may be missing than was looked for

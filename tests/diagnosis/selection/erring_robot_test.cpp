@@ -22,6 +22,13 @@ TEST(ErringRobot, ImprovementAnswersAsTheFitDoes) {
   EXPECT_LT((f.covariance - plain.covariance).norm(), 1e-3 * plain.covariance.norm());
   ASSERT_TRUE(m.last.report.held_out.rms_pixel);
   EXPECT_EQ(m.steps.back().held_out.rms_pixel, m.last.report.held_out.rms_pixel);
+  ASSERT_TRUE(m.unweighed);  // pixels alone leave less in the images
+  EXPECT_LT(*m.unweighed->fitted.rms_pixel, *m.steps.back().fitted.rms_pixel);
+}
+
+TEST(ErringRobot, OneThatRepeatsIsNotWeighed) {
+  const SimulatedSession s = fixture::erring_robot(fixture::ErringRig::board, {.poses = 40, .joints = 0, .seed = 2});
+  EXPECT_FALSE(improve(s.session).unweighed);
 }
 
 }  // namespace
