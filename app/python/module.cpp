@@ -10,6 +10,7 @@
 #include "compare/comparison.h"
 #include "correct/robot_file.h"
 #include "diagnosis/ranking/outlier_rejection.h"
+#include "diagnosis/selection/improvement.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"

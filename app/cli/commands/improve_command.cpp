@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "diagnosis/selection/improvement.h"
 #include "estimation/report/export.h"
 #include "options/named_effects.h"
 #include "printing/blunder_output.h"
