@@ -20,6 +20,14 @@ QString cause_of(const BillRow& row, const Fit& fit) {
 }
 
 QString built_text(const BillRow& row) {
+  if (row.stands_in() && !row.stands_in_at.empty()) {
+    QStringList places;
+    for (const std::string& place : row.stands_in_at) places << QString::fromStdString(place);
+    const QString at = places.join(", ");
+    return row.pushes_back
+               ? QObject::tr("at %1 a spring that pushes back: there it stands in for another cause").arg(at)
+               : QObject::tr("at %1 larger than robots are built: there it stands in for another cause").arg(at);
+  }
   if (row.pushes_back) return QObject::tr("a spring that pushes back: it stands in for another cause");
   if (row.too_large) return QObject::tr("larger than robots are built: it stands in for another cause");
   if (row.held) return QObject::tr("held, not estimated");

@@ -5357,6 +5357,14 @@
         <translation>Mit einem Marker nicht aufzuteilen</translation>
     </message>
     <message>
+        <source>at %1 a spring that pushes back: there it stands in for another cause</source>
+        <translation>bei %1 eine Feder, die zurückdrückt: Dort vertritt sie eine andere Ursache</translation>
+    </message>
+    <message>
+        <source>at %1 larger than robots are built: there it stands in for another cause</source>
+        <translation>bei %1 größer, als Roboter gebaut sind: Dort vertritt sie eine andere Ursache</translation>
+    </message>
+    <message>
         <source>a spring that pushes back: it stands in for another cause</source>
         <translation>eine Feder, die zurückdrückt: Sie vertritt eine andere Ursache</translation>
     </message>

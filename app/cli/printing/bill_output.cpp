@@ -27,6 +27,7 @@ Json bill_json(const std::vector<BillRow>& rows) {
                     {"probability", number(row.probability)},
                     {"too_large", row.too_large},
                     {"pushes_back", row.pushes_back},
+                    {"stands_in_at", row.stands_in_at},
                     {"cannot_be_told_from", row.indistinguishable_from ? Json(*row.indistinguishable_from) : null}});
   return list;
 }

@@ -95,7 +95,10 @@ std::vector<BillRow> make_bill(const Fit& fit, const InclusionProbabilities* inc
   }
   for (const StandIn& odd : stand_ins(fit))
     for (BillRow& row : rows)
-      if (row.id == odd.id) (odd.pushes_back ? row.pushes_back : row.too_large) = true;
+      if (row.id == odd.id) {
+        (odd.pushes_back ? row.pushes_back : row.too_large) = true;
+        if (!odd.is_everywhere) row.stands_in_at = odd.where;
+      }
   std::stable_sort(rows.begin(), rows.end(), [](const BillRow& a, const BillRow& b) { return a.hand_m > b.hand_m; });
   return inclusion_probabilities ? with_inclusion_probabilities(std::move(rows), *inclusion_probabilities) : rows;
 }
@@ -120,8 +123,9 @@ std::string cause_text(const BillRow& row) {
 }
 
 std::string model_uncertainty_of(const BillRow& row) {
-  if (row.pushes_back) return "stands in: a spring that pushes back";
-  if (row.too_large) return "stands in: larger than robots are built";
+  const std::string at = row.stands_in_at.empty() ? "" : fmt::format(" at {}", listed(row.stands_in_at));
+  if (row.pushes_back) return fmt::format("stands in{}: a spring that pushes back", at);
+  if (row.too_large) return fmt::format("stands in{}: larger than robots are built", at);
   return row.held ? "held" : row.unnamed ? "no name" : "plausible";
 }
 

@@ -25,7 +25,8 @@ struct BillRow {
   double hand_sigma_m = 0;   // one sigma of it, by the covariance of the cause's own numbers; 0 where it is held
   bool too_large = false;    // larger than robots are built (stand_in.h)
   bool pushes_back = false;  // a spring that does
-  std::optional<double> probability;  // that it is there at all; nothing where nobody has looked
+  std::vector<std::string> stands_in_at;  // those of its places where either is so; empty: at all of them, or nowhere
+  std::optional<double> probability;      // that it is there at all; nothing where nobody has looked
   /// Ids of what could do the same to the measurements on these poses; nothing where nobody has looked.
   std::optional<std::vector<std::string>> indistinguishable_from;
 

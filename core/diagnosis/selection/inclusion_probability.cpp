@@ -301,7 +301,8 @@ void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, co
   const std::set<std::string> in_model = all.list_names(all.present());
   const std::vector<SmallCauses> small_instead = find_small_causes(all);
   std::set<std::string> odd;
-  for (const StandIn& s : stand_ins(fit)) odd.insert(s.id);
+  for (const StandIn& s : stand_ins(fit))
+    if (s.is_everywhere) odd.insert(s.id);
   for (std::size_t n = 0; n < all.names().size(); ++n) {
     InclusionProbability name{all.names()[n].id, {}, of_name(n, all, units, weights), false};
     name.is_in_model = in_model.contains(name.id);

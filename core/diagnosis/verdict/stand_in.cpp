@@ -33,6 +33,10 @@ bool is_spring(const Effect& effect, std::size_t parameter) {
   return effect.scope == EffectScope::joint && effect.parameters[parameter].unit == "rad/(N m)";
 }
 
+bool is_estimated(const FittedEffect& effect) {
+  return std::any_of(effect.sigmas.begin(), effect.sigmas.end(), [](double s) { return s > 0; });
+}
+
 }  // namespace
 
 double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain) {
@@ -55,8 +59,7 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
   if (!fit.problem.source) return list;
   const Chain& chain = fit.problem.source->chain;
   for (const FittedEffect& f : fit.effects) {
-    const bool is_estimated = std::any_of(f.sigmas.begin(), f.sigmas.end(), [](double s) { return s > 0; });
-    if (!is_estimated || term_effect(f.term).is_unnamed()) continue;
+    if (!is_estimated(f) || term_effect(f.term).is_unnamed()) continue;
     const bool back = pushes_back({f.term}, {f.sigmas});
     if (!back && !is_too_large(f.term, chain)) continue;
     auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
@@ -65,6 +68,10 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
     if (!place.empty()) same->where.push_back(place);
     same->pushes_back = same->pushes_back || back;
   }
+  for (const FittedEffect& f : fit.effects)
+    for (StandIn& s : list)
+      if (s.id == f.term.id && is_estimated(f) && !pushes_back({f.term}, {f.sigmas}) && !is_too_large(f.term, chain))
+        s.is_everywhere = false;
   return list;
 }
 

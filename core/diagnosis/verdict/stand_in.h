@@ -14,6 +14,7 @@ struct StandIn {
   std::string id;
   std::vector<std::string> where;  // the places whose numbers are so
   bool pushes_back = false;
+  bool is_everywhere = true;  // false: it is in the model at other places too, and there robots are built so
 };
 
 /// Usual sizes: what is larger stands in for something else. Beyond the widest that a prior has (evidence.h): zeros set

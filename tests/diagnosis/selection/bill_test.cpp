@@ -124,6 +124,28 @@ TEST(Bill, WhatNoRobotIsBuiltLikeStandsIn) {
   EXPECT_EQ(held.hand_sigma_m, 0);
 }
 
+/// One spring that pushes back makes the others of the arm no less sure.
+TEST(Bill, WhatStandsInAtOnePlaceIsToldThere) {
+  const EffectTerm pushes = {"joint_elasticity", 1, {-1.5e-4}}, gives_way = {"joint_elasticity", 2, {2e-4}};
+  DiagnosisOptions o;
+  o.with_held_out = false;
+  o.estimated = {pushes, gives_way};
+  const Diagnosis d = diagnose(simulated({pushes, gives_way}, 6), o);
+  const InclusionProbabilities c = inclusion_probabilities(d, 0, [] { return true; });
+  const BillRow row = make_bill(d.model.fit, &c).front();
+  EXPECT_TRUE(row.pushes_back);
+  EXPECT_EQ(row.stands_in_at, std::vector<std::string>{d.model.session.robot.joints[1].name});
+  EXPECT_GT(row.probability.value_or(0), 0.9);
+  EXPECT_THAT(bill_lines({row})[1], testing::HasSubstr("stands in at " + row.stands_in_at.front()));
+
+  o.estimated = {pushes};
+  const Diagnosis alone = diagnose(simulated({pushes}, 6), o);
+  const InclusionProbabilities of_one = inclusion_probabilities(alone, 0, [] { return true; });
+  const BillRow only = make_bill(alone.model.fit, &of_one).front();
+  EXPECT_TRUE(only.stands_in_at.empty());
+  EXPECT_LE(only.probability.value_or(1), 0.05);
+}
+
 /// A joint that stands in two places alone cannot tell a wrong scale from an eccentric encoder: both add two numbers
 /// to it. Where it stands everywhere they differ.
 TEST(Bill, TellsWhatThePosesCannotTellApart) {
