@@ -9127,8 +9127,8 @@
         <translation>die Schätzung findet damit keine Lösung: Halter, Kameras und Marken prüfen</translation>
     </message>
     <message>
-        <source>it is larger than robots are built, and the hand&apos;s place would be known ten times worse: it plays against what never moves</source>
-        <translation>sie ist größer, als Roboter gebaut sind, und der Ort der Hand wäre zehnmal schlechter bekannt: sie spielt gegen das aus, was sich nie bewegt</translation>
+        <source>it is larger than robots are built, and the hand&apos;s or the sensor&apos;s place would be known ten times worse: it plays against what never moves</source>
+        <translation>sie ist größer, als Roboter gebaut sind, und der Ort der Hand oder des Sensors wäre zehnmal schlechter bekannt: sie spielt gegen das aus, was sich nie bewegt</translation>
     </message>
     <message>
         <source>the held-out error does not fall</source>

@@ -44,14 +44,27 @@ std::vector<EffectTerm> last_group(const Diagnosis& d, std::size_t count) {
   return {all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end()};
 }
 
-/// A curve that hardly curves over the poses is a shift, and a shift of the hand is the hand's own place: then both
-/// grow without bound, and TCP->Body is lost.
+/// The sum of the variances of where the sensor's mount is, m^2; 0 where it is not estimated.
+double variance_of_mount(const Fit& fit) {
+  if (!fit.problem.mount_is_estimated) return 0;
+  const Eigen::Index at = fit.problem.mount_column();
+  return fit.parameter_covariance.block<3, 3>(at, at).trace();
+}
+
+/// A curve that hardly curves over the poses is a shift, and a shift of the hand is the hand's own place; a link that
+/// is longer along the first joint's axis is another place of the sensor. Then both grow without bound, held by a
+/// trace of something else that is missing, and TCP->Body or the mount is lost.
 bool plays_against_what_rests(const Fit& before, const Diagnosis& after, std::size_t terms) {
   constexpr double far_less_sure = 100;  // times the variance
   const Fit& fit = after.model.fit;
-  if (implausible_numbers(last_group(after, terms), fit.problem.source->chain).empty()) return false;
-  const auto variance_of_place = [](const Fit& f) { return f.covariance.topLeftCorner<3, 3>().trace(); };
-  return variance_of_place(fit) > far_less_sure * variance_of_place(before);
+  const std::vector<EffectTerm> added = last_group(after, terms);
+  const bool is_of_the_robot = std::all_of(added.begin(), added.end(), [](const EffectTerm& t) {
+    return term_effect(t).is_unnamed() || term_effect(t).scope == EffectScope::joint;
+  });
+  if (!is_of_the_robot || implausible_numbers(added, fit.problem.source->chain).empty()) return false;
+  const auto variance_of_hand = [](const Fit& f) { return f.covariance.topLeftCorner<3, 3>().trace(); };
+  return variance_of_hand(fit) > far_less_sure * variance_of_hand(before) ||
+         variance_of_mount(fit) > far_less_sure * variance_of_mount(before);
 }
 
 void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
@@ -119,10 +132,10 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
     change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
     return change;
   }
-  if (candidate.unnamed && plays_against_what_rests(model.model.fit, next, candidate.terms.size())) {
+  if (plays_against_what_rests(model.model.fit, next, candidate.terms.size())) {
     change.refused.push_back(
         {id, candidate.where,
-         "it is larger than robots are built, and the hand's place would be known ten times worse: "
+         "it is larger than robots are built, and the hand's or the sensor's place would be known ten times worse: "
          "it plays against what never moves"});
     return change;
   }
