@@ -166,8 +166,11 @@ class Work {
       d_.lack_of_fit_p = lack->p;
       d_.excess = lack->excess();
     }
-    if (noise_model_.knowledge.known)
+    if (noise_model_.knowledge.known) {
       d_.beyond_repeatability = beyond_usual_repeatability(session_, f, model_, noise_model_.knowledge);
+      d_.ln_against_usual_repeatability =
+          find_ln_against_usual_repeatability(session_, f, model_, noise_model_.knowledge, d_.repeatability);
+    }
     find_all_patterns();
     for (const RankedEffect& r : ranking_.effects) {
       if (r.visibility < least_seen && r.ln_bayes_factor < d_.threshold)

@@ -78,6 +78,7 @@ struct Diagnosis {
   std::optional<double> lack_of_fit_p;
   std::optional<double> excess;                // chi-squared over what noise leaves, external residuals
   std::optional<double> beyond_repeatability;  // times: what is left by what noise and usual scatter leave (judging.h)
+  double ln_against_usual_repeatability = 0;   // of the Bayes factor for robots that repeat worse than is usual
   std::vector<DiagnosisCandidate> candidates;  // named and unnamed, best first
   std::vector<DiagnosisPattern> patterns;      // those that are no chance, most structured first
   std::vector<std::string> invisible;          // effects that these poses could not show

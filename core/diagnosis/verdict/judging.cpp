@@ -42,25 +42,48 @@ static double squares_of_noise(const LinearModel& model) {
   return model.internal(error, error) - gradient.dot(pseudo_inverse(information) * gradient);
 }
 
+static Repeatability usual_of(const Session& session) {
+  return {session.repeatability.value_or(usual_repeatability.joints), usual_repeatability.place};
+}
+
+/// What the fit leaves, over what poses that were measured again leave; nothing where none were.
+static std::optional<double> beyond_repeats(const Fit& fit) {
+  const auto repeated = noise_from_repeats(fit.problem, estimate(fit));
+  return repeated && repeated->sigma > 0 ? std::optional(fit.residual_rms / repeated->sigma) : std::nullopt;
+}
+
 double beyond_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
                                   const NoiseKnowledge& noise) {
-  const Repeatability usual{session.repeatability.value_or(usual_repeatability.joints), usual_repeatability.place};
+  const Repeatability usual = usual_of(session);
   // The rows that the body's motions reach: of a board the others are many, and noise alone.
   const double outer = std::max(whiten(model, usual, noise).residual_squares - squares_of_noise(model), 0.0);
   const auto degrees =
       static_cast<double>(std::max(model.external_error.size() - unknowns_of_motions(fit), Eigen::Index{1}));
   const double chance = 1 + quite_sure / std::sqrt(2 * degrees);
   const double beyond = std::sqrt(outer / degrees) / chance;
-  const auto repeated = noise_from_repeats(fit.problem, estimate(fit));
-  const double of_repeats = repeated && repeated->sigma > 0 ? fit.residual_rms / repeated->sigma : beyond;
-  return std::min(beyond, of_repeats);
+  return std::min(beyond, beyond_repeats(fit).value_or(beyond));
+}
+
+double find_ln_against_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
+                                           const NoiseKnowledge& noise, const Repeatability& best) {
+  Repeatability usual = usual_of(session);
+  usual.joints *= clearly;
+  usual.place *= clearly;
+  if (best.joints <= usual.joints && best.place <= usual.place) return 0;
+  if (beyond_repeats(fit).value_or(2 * clearly) <= clearly) return 0;
+  const auto ln_evidence = [&](const Repeatability& r) { return whiten(model, r, noise).ln_evidence; };
+  const double likeliest =
+      std::max({ln_evidence(usual), ln_evidence({usual.joints, 0}), ln_evidence({0, usual.place})});
+  return ln_evidence(best) - likeliest;
 }
 
 bool follows_a_pattern(const Diagnosis& d) {
   return !d.patterns.empty() && d.patterns.front().p_value < 1e-4 && d.patterns.front().strength > 0.2;
 }
 
-bool repeats_too_badly(const Diagnosis& d) { return d.beyond_repeatability && *d.beyond_repeatability > clearly; }
+bool repeats_too_badly(const Diagnosis& d) {
+  return (d.beyond_repeatability && *d.beyond_repeatability > clearly) || d.ln_against_usual_repeatability > ln_20;
+}
 
 void judge_what_is_left(bool knows_noise, Diagnosis& d) {
   if (!knows_noise) {

@@ -17,6 +17,11 @@ inline constexpr Repeatability usual_repeatability{3e-4, 3e-4};
 double beyond_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
                                   const NoiseKnowledge& noise);
 
+/// ln of the Bayes factor of `best`, the repeatability that suits the model, against the likeliest that is no worse
+/// than declared (else usual_repeatability) and a tenth more; 0 where it is, or poses measured again scatter as much.
+double find_ln_against_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
+                                           const NoiseKnowledge& noise, const Repeatability& best);
+
 /// Does what is left follow something clearly? The first of the patterns decides.
 bool follows_a_pattern(const Diagnosis& diagnosis);
 

@@ -116,5 +116,15 @@ TEST(Judging, ScatterBeyondThatOfRobotsIsUnexplained) {
   EXPECT_EQ(declared.verdict, Verdict::adequate) << declared.reason;
 }
 
+/// What the hand's whole usual scatter could make as large is told from it where the poses do: joints that repeat to
+/// 0.9 mrad move the hand otherwise than a hand that is put down anew.
+TEST(Judging, JointsThatScatterAsMuchAsAHandMayAreTold) {
+  const Diagnosis d = with_repeatability(9e-4);
+  ASSERT_TRUE(d.beyond_repeatability);
+  EXPECT_LT(*d.beyond_repeatability, 1.1) << "no more than noise and all usual scatter together";
+  EXPECT_GT(d.ln_against_usual_repeatability, ln_20);
+  EXPECT_EQ(d.verdict, Verdict::unexplained) << d.reason;
+}
+
 }  // namespace
 }  // namespace handsight
