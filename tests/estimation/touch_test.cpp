@@ -226,6 +226,27 @@ TEST(Touch, ATipThatIsDeterminedIsNotSaidNotToBe) {
   }
 }
 
+/// What nothing tells of a plate that is touched once must not pass for something that is not known of the tip.
+TEST(Touch, AFixtureThatIsTouchedTooSeldomLeavesTheTipDetermined) {
+  for (const int plates : {1, 2}) {
+    Bench b = workbench();
+    add(b, &fixtures::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
+    touch(b, 0, 10, 5);
+    for (int p = 0; p < plates; ++p) {
+      const Rigid plate = at({0.45, 0, 0.25 + 0.1 * p}, {0.3 * p, 0, 0});
+      add(b, &fixtures::plane, "plate_" + std::to_string(p), plate, plate);
+      touch(b, static_cast<std::size_t>(p) + 1, 1, 6);
+    }
+    const Fit found = fit(b.session, {});
+    ASSERT_TRUE(found.converged());
+    EXPECT_EQ(undetermined_tip(b.session, found), (std::array<bool, 3>{})) << plates << " plates";
+    std::vector<char> untold(static_cast<std::size_t>(plates) + 1, 1);
+    untold[0] = 0;
+    EXPECT_EQ(undetermined_fixtures(b.session, found), untold) << plates << " plates";
+    for (Eigen::Index i = 0; i < 3; ++i) EXPECT_LT(found.parameter_covariance(i, i), 1e-4);
+  }
+}
+
 TEST(Touch, WhatNothingTellsHasAnUnknownSigma) {
   Bench b = workbench();
   add(b, &fixtures::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
