@@ -9859,6 +9859,10 @@
         <translation>%1 lässt sich nicht vergleichen: die Anpassung findet keine Antwort; rufe `handsight-cli fit` damit auf, schließe die Beobachtungen aus, die dort auffallen, und vergleiche noch einmal.</translation>
     </message>
     <message>
+        <source>A calibration does not say where what is touched stood; name the earlier session of touches in its place.</source>
+        <translation>Eine Kalibrierung sagt nicht, wo stand, was berührt wird; nenne an ihrer Stelle die frühere Sitzung mit Berührungen.</translation>
+    </message>
+    <message>
         <source>%1: a session of touches is compared with one other at a time; name two.</source>
         <translation>%1: eine Sitzung mit Berührungen wird jeweils mit einer anderen verglichen; nenne zwei.</translation>
     </message>
