@@ -6,8 +6,10 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "session/fixtures/fixture_kind.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "words/core_words.h"
 #include "workbench/heading.h"
 #include "workbench/touch_views.h"
 
@@ -22,20 +24,20 @@ QString in_mm(std::optional<double> metres) {
 QString place_text(const Session& s, const SessionPart& part, const FitPart& found) {
   if (!found.place_is_determined) return QObject::tr("not determined");
   const Rigid& m = found.mount_from_sensor;
-  const FixtureKind kind = s.fixtures[static_cast<std::size_t>(part.fixture)].kind;
+  const FixtureKind& kind = *s.fixtures[static_cast<std::size_t>(part.fixture)].kind;
   const Vector3 z = m.rotation.col(2);
   const auto three = [](const Vector3& v, int decimals) {
     return QStringList{widgets::fixed_text(v.x(), decimals), widgets::fixed_text(v.y(), decimals),
                        widgets::fixed_text(v.z(), decimals)}
         .join(' ');
   };
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge)
+  if (kind.place == FixturePlace::height)
     return QObject::tr("%1 mm along %2").arg(widgets::fixed_text(1e3 * z.dot(m.translation), 2), three(z, 3));
   return QObject::tr("%1 mm").arg(three(1e3 * m.translation, 2));
 }
 
 QStringList split_cells(const Session& s, const SessionPart& part, const PartReport& report) {
-  return {kind_text(s.fixtures[static_cast<std::size_t>(part.fixture)].kind), QString::number(report.used),
+  return {translated(s.fixtures[static_cast<std::size_t>(part.fixture)].kind->name()), QString::number(report.used),
           in_mm(report.fitted.rms_m), in_mm(report.held_out.rms_m), place_text(s, part, report.found)};
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "effects/own_effect.h"
+#include "session/fixtures/find_fixture.h"
 #include "session/session_xml.h"
 
 namespace handsight::app {
@@ -59,7 +60,7 @@ Json state_json(const EditableState& state) {
     }
     if (s.point) one["point"] = point_json(*s.point);
     if (s.along) one["along"] = point_json(*s.along);
-    if (s.by_distance) one["by_distance"] = true;
+    if (s.reading) one["reading"] = s.reading->name;
     if (s.point_sigma) one["sigma"] = *s.point_sigma;
     sightings.push_back(std::move(one));
   }
@@ -81,6 +82,15 @@ std::optional<PixelSigma> sigma_of(const Json& parent, const char* key) {
   return numbers ? std::optional(PixelSigma{numbers->x(), numbers->y(), numbers->z()}) : std::nullopt;
 }
 
+/// Null: a point, or a coordinate of one.
+const Reading* reading_of(const Json& sighting) {
+  if (sighting.value("by_distance", false)) return find_reading("distance");  // before readings had names
+  if (!sighting.contains("reading")) return nullptr;
+  const Reading* const reading = find_reading(sighting.at("reading").get<std::string>());
+  if (!reading) throw InputError("A reading in the journal is of no known kind.");
+  return reading;
+}
+
 EditableState parse_state(const Json& json) {
   EditableState state;
   for (const Json& one : json.at("sightings")) {
@@ -89,7 +99,7 @@ EditableState parse_state(const Json& json) {
     s.by = static_cast<MarkedBy>(within(one.at("by"), 0, 2));
     s.point = point_of<Vector3>(one, "point");
     s.along = point_of<Vector3>(one, "along");
-    s.by_distance = one.value("by_distance", false);
+    s.reading = reading_of(one);
     for (int c = 0; c < max_cameras; ++c)
       if (const auto pixel = point_of<Vector2>(one, find_key(c).c_str()))
         see(s, c, *pixel, sigma_of(one, (find_key(c) + "_sigma").c_str()));

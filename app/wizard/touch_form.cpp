@@ -7,41 +7,40 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "convert/touch_table.h"
+#include "session/fixtures/list.h"
 #include "widgets/base/picture_choice.h"
 #include "widgets/base/theme.h"
+#include "words/core_words.h"
 #include "workbench/heading.h"
 
 namespace handsight::app {
 namespace {
 
-constexpr std::array<const char*, 5> fixture_tags{"plane", "point", "line", "gauge", "length"};
-
-/// What a name says, as the engine takes it where nobody tells.
+/// What a name lets one think of; the first kind where it does not.
 int likely_kind(const QString& name) {
-  const std::array<std::pair<const char*, int>, 6> words{
-      {{"socket", 1}, {"point", 1}, {"edge", 2}, {"gauge", 3}, {"dial", 3}, {"bar", 4}}};
-  for (const auto& [word, kind] : words)
-    if (name.contains(QLatin1String(word), Qt::CaseInsensitive)) return kind;
+  const auto kinds = fixture_kinds();
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (const char* word : kinds[k]->perhaps)
+      if (name.contains(QLatin1String(word), Qt::CaseInsensitive)) return static_cast<int>(k);
   return 0;
 }
 
+const FixtureKind& kind_at(int row) { return *fixture_kinds()[static_cast<std::size_t>(std::max(0, row))]; }
+
 /// What has to be said of such a fixture, or may be.
 QString hint_of(int kind) {
-  switch (kind) {
-    case 2:
-      return QStringLiteral("xyz=0.5,0,0.3 direction=0,1,0");
-    case 3:
-      return QStringLiteral("xyz=0.6,0,0.5 axis=0,1,0");
-    case 4:
-      return QStringLiteral("to=0.2,0.1,0.2");
-    default:
-      return QObject::tr("nothing need be known of it");
-  }
+  return kind_at(kind).frame_through ? QObject::tr("nothing need be known of it") : QString(kind_at(kind).example);
+}
+
+std::vector<widgets::PictureOption> list_pictures() {
+  std::vector<widgets::PictureOption> pictures;
+  for (const FixtureKind* kind : fixture_kinds())
+    pictures.push_back({kind->picture, translated(kind->title()), translated(kind->what())});
+  return pictures;
 }
 
 }  // namespace
@@ -93,14 +92,7 @@ TouchForm::Row TouchForm::add_row(const QString& name) {
   auto* column = new QVBoxLayout(row.page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  row.kind = new widgets::PictureChoice(
-      "fixture_" + name,
-      {{"touch_plane", tr("Plane"), tr("A plate: the tip touches it, or stands as much above it as was read.")},
-       {"touch_socket", tr("Socket"), tr("The tip's ball sits in it.")},
-       {"touch_edge", tr("Edge"), tr("The tip lies against a straight edge.")},
-       {"touch_gauge", tr("Dial gauge"), tr("It reads how far the tip is along its axis.")},
-       {"touch_length", tr("Ball bar, wire"), tr("It reads how far the tip is from a point.")}},
-      5);
+  row.kind = new widgets::PictureChoice("fixture_" + name, list_pictures(), static_cast<int>(fixture_kinds().size()));
   row.known = new QLineEdit;
   row.known->setObjectName("known_of_" + name);
   row.known->setAccessibleName(tr("What is known of %1").arg(name));
@@ -134,8 +126,8 @@ void TouchForm::ask(const QStringList& fixtures) {
 std::vector<std::string> TouchForm::described() const {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    list.push_back((QLatin1String(fixture_tags[static_cast<std::size_t>(std::max(0, rows_[i].kind->current()))]) + ' ' +
-                    names_[static_cast<qsizetype>(i)] + ' ' + rows_[i].known->text())
+    list.push_back((QLatin1String(kind_at(rows_[i].kind->current()).tag) + ' ' + names_[static_cast<qsizetype>(i)] +
+                    ' ' + rows_[i].known->text())
                        .trimmed()
                        .toStdString());
   return list;

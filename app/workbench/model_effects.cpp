@@ -10,6 +10,7 @@
 #include "document/curve_words.h"
 #include "document/effect_words.h"
 #include "effects/units.h"
+#include "session/fixtures/fixture_kind.h"
 #include "widgets/base/number_text.h"
 #include "words/core_words.h"
 #include "words/counted.h"
@@ -221,7 +222,8 @@ void add_mounts(const Session& session, const std::vector<PartReport>& parts, st
 }
 
 /// What touches tell of where a fixture stands: a point's place; how far out along its axis another one is.
-std::vector<widgets::ModelParameter> place_of_fixture(FixtureKind kind, const Rigid& place, const Matrix6& covariance) {
+std::vector<widgets::ModelParameter> place_of_fixture(FixturePlace told, const Rigid& place,
+                                                      const Matrix6& covariance) {
   const auto in_mm = [](const QString& name, double value, double variance) {
     widgets::ModelParameter p{.name = name, .unit = "mm"};
     p.value = 1e3 * value;
@@ -230,7 +232,7 @@ std::vector<widgets::ModelParameter> place_of_fixture(FixtureKind kind, const Ri
     return p;
   };
   const Vector3 z = place.rotation.col(2);
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge)
+  if (told == FixturePlace::height)
     return {in_mm(QObject::tr("along its normal"), z.dot(place.translation), covariance(2, 2))};
   const Matrix3 of_place = place.rotation * covariance.topLeftCorner<3, 3>() * place.rotation.transpose();
   std::vector<widgets::ModelParameter> list;
@@ -238,7 +240,7 @@ std::vector<widgets::ModelParameter> place_of_fixture(FixtureKind kind, const Ri
   for (int i = 0; i < 3; ++i) {
     list.push_back(in_mm(names[static_cast<std::size_t>(i)], place.translation[i], of_place(i, i)));
     // An edge may be shifted along itself.
-    if (kind == FixtureKind::line && std::abs(z[i]) > 1e-3) list.back().sigma = std::nan("");
+    if (told == FixturePlace::axis && std::abs(z[i]) > 1e-3) list.back().sigma = std::nan("");
   }
   return list;
 }
@@ -254,8 +256,8 @@ void add_fixtures(const Session& session, const Fit& fit, std::vector<widgets::M
     shown.help = QObject::tr("Where it stands on %1, estimated with the rest.")
                      .arg(QString::fromStdString(find_mount(session, part.mount).link));
     shown.parameters =
-        place_of_fixture(session.fixtures[static_cast<std::size_t>(part.fixture)].kind, estimate(fit).mount(part.mount),
-                         fit.parameter_covariance.block<6, 6>(column, column));
+        place_of_fixture(session.fixtures[static_cast<std::size_t>(part.fixture)].kind->place,
+                         estimate(fit).mount(part.mount), fit.parameter_covariance.block<6, 6>(column, column));
     list.push_back(std::move(shown));
   }
 }

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "session/fixtures/fixture_kind.h"
+#include "session/touch_xml.h"
 #include "widgets/base/number_text.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -14,48 +17,15 @@ const Fixture* fixture_of(const Session& s, int part) {
   return fixture < 0 ? nullptr : &s.fixtures[static_cast<std::size_t>(fixture)];
 }
 
-QString reading_text(const Sighting& s) {
-  return widgets::fixed_text(1e3 * (s.by_distance ? s.point->x() : s.point->z()), 3);
-}
-
 QString what_was_touched(const Fixture& fixture, const Sighting& s) {
-  const QString name = QString::fromStdString(fixture.id);
-  switch (fixture.kind) {
-    case FixtureKind::plane:
-      return s.point->z() == 0 ? QObject::tr("Plane %1: the tip touched it.").arg(name)
-                               : QObject::tr("Plane %1: the tip stood %2 mm above it.").arg(name, reading_text(s));
-    case FixtureKind::point:
-      return QObject::tr("Socket %1: the tip's ball sat in it.").arg(name);
-    case FixtureKind::line:
-      return QObject::tr("Edge %1: the tip lay against it.").arg(name);
-    case FixtureKind::gauge:
-      return QObject::tr("Dial gauge %1: it read %2 mm.").arg(name, reading_text(s));
-    case FixtureKind::length:
-      return QObject::tr("Length %1: it read %2 mm.").arg(name, reading_text(s));
-  }
-  return {};
+  const double value = touch_value(s);
+  return translated(fixture.kind->touched(fixture.id, widgets::fixed_text(1e3 * value, 3).toStdString(), value == 0));
 }
 
 }  // namespace
 
 const Fixture* touched_fixture(const Session& session, const Observation& observation) {
   return fixture_of(session, observation.part);
-}
-
-QString kind_text(FixtureKind kind) {
-  switch (kind) {
-    case FixtureKind::plane:
-      return QObject::tr("plane");
-    case FixtureKind::point:
-      return QObject::tr("socket");
-    case FixtureKind::line:
-      return QObject::tr("edge");
-    case FixtureKind::gauge:
-      return QObject::tr("dial gauge");
-    case FixtureKind::length:
-      return QObject::tr("length");
-  }
-  return {};
 }
 
 QString touched_text(const Session& session, const Observation& o, const InspectionRow* row,
@@ -66,8 +36,8 @@ QString touched_text(const Session& session, const Observation& o, const Inspect
   QStringList lines{what_was_touched(*fixture, o.sightings.front())};
   if (session.marker_count > 1) lines << QObject::tr("By tip %1.").arg(o.sightings.front().marker);
   if (row && row->rms)
-    lines << (fixture->kind == FixtureKind::point ? QObject::tr("Off by %1 in space.")
-                                                  : QObject::tr("Off by %1 along what was read."))
+    lines << (measures_place(*fixture->kind) ? QObject::tr("Off by %1 in space.")
+                                             : QObject::tr("Off by %1 along what was read."))
                  .arg(units.text(measure_size(*row)));
   return lines.join('\n');
 }
@@ -127,34 +97,29 @@ std::vector<Extent> extents_of(const Session& s, const Inspection* inspection) {
 }
 
 /// `tip` in the fixture's frame where it is the one that is touched.
-void set_extent(FixtureKind kind, const Extent& extent, const std::optional<Vector3>& tip,
+void set_extent(FixtureShape shape, const Extent& extent, const std::optional<Vector3>& tip,
                 widgets::SceneFixture& fixture) {
-  using widgets::SceneFixtureKind;
   constexpr double margin = 0.04, arrow = 0.1;  // m
   const Vector3 middle = (extent.low + extent.high) / 2;
-  switch (kind) {
-    case FixtureKind::plane:
-      fixture.kind = SceneFixtureKind::plane;
+  fixture.shape = shape;
+  switch (shape) {
+    case FixtureShape::patch:
       fixture.from = extent.low - Vector3(margin, margin, extent.low.z());
       fixture.to = extent.high + Vector3(margin, margin, -extent.high.z());
       return;
-    case FixtureKind::point:
-      fixture.kind = SceneFixtureKind::socket;
+    case FixtureShape::ring:
       return;
-    case FixtureKind::line:
-      fixture.kind = SceneFixtureKind::edge;
+    case FixtureShape::rod:
       fixture.from = {0, 0, extent.low.z() - margin};
       fixture.to = {0, 0, extent.high.z() + margin};
       return;
-    case FixtureKind::gauge: {  // along its axis, where it is touched: across the axis it has no place of its own
+    case FixtureShape::arrow: {  // along its axis, where it is touched: across the axis it has no place of its own
       const Vector3 at = tip.value_or(middle);
-      fixture.kind = SceneFixtureKind::gauge;
       fixture.from = {at.x(), at.y(), -arrow};
       fixture.to = {at.x(), at.y(), 0};
       return;
     }
-    case FixtureKind::length:
-      fixture.kind = SceneFixtureKind::length;
+    case FixtureShape::bar:
       fixture.to = tip.value_or(extent.is_known ? middle : Vector3(0, 0, arrow));
       return;
   }
@@ -186,7 +151,7 @@ std::vector<widgets::SceneFixture> scene_fixtures(const Document& document, cons
     if (f.is_touched && inspection && index >= 0 && static_cast<std::size_t>(index) < inspection->rows.size())
       if (const auto& markers = inspection->rows[static_cast<std::size_t>(index)].markers; !markers.empty())
         tip = markers.front().predicted_in_sensor;
-    set_extent(of->kind, extents[p], tip, f);
+    set_extent(of->kind->shape, extents[p], tip, f);
   }
   return fixtures;
 }

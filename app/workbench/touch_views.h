@@ -10,9 +10,6 @@ namespace handsight::app {
 /// What an observation touches; null where it is watched.
 const Fixture* touched_fixture(const Session& session, const Observation& observation);
 
-/// "plane", "socket", "edge", "dial gauge", "length".
-QString kind_text(FixtureKind kind);
-
 /// Fixture, kind and reading, a sentence each, and with a row how far off; for the panel that else shows an image.
 QString touched_text(const Session& session, const Observation& observation, const InspectionRow* row,
                      const DisplayUnits& units);

@@ -104,6 +104,10 @@ void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<s
 void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::string>& attributes,
                   std::initializer_list<std::string_view> elements, bool holds_text = false);
 
+/// The same with elements that are known only then.
+void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
+                  const std::vector<std::string>& elements);
+
 /// "session.xml: element <foo> in <bar> is not known and is ignored (12 times, first at line 30)."
 std::vector<Message> ignored_sentences(const Ignored& ignored, std::string_view file);
 

@@ -34,9 +34,9 @@ class TwoSpacesPrinter : public tinyxml2::XMLPrinter {
 
 namespace {
 
-template <class Names>
-void note_others(Ignored& ignored, const XmlNode& node, const Names& attributes,
-                 std::initializer_list<std::string_view> elements, bool holds_text) {
+template <class Attributes, class Elements>
+void note_others(Ignored& ignored, const XmlNode& node, const Attributes& attributes, const Elements& elements,
+                 bool holds_text) {
   const std::string tag = shortened(node.tag());
   for (auto* attribute = node.element->FirstAttribute(); attribute; attribute = attribute->Next())
     if (!is_among(attribute->Name(), attributes))
@@ -59,6 +59,11 @@ void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<s
 void note_unknown(Ignored& ignored, const XmlNode& node, const std::vector<std::string>& attributes,
                   std::initializer_list<std::string_view> elements, bool holds_text) {
   note_others(ignored, node, attributes, elements, holds_text);
+}
+
+void note_unknown(Ignored& ignored, const XmlNode& node, std::initializer_list<std::string_view> attributes,
+                  const std::vector<std::string>& elements) {
+  note_others(ignored, node, attributes, elements, false);
 }
 
 std::vector<Message> ignored_sentences(const Ignored& ignored, std::string_view file) {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify/touch_page.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "certify/pdf_layout.h"
+#include "session/fixtures/list.h"
 
 namespace handsight {
 namespace {
 
 constexpr PdfColor metal{0.72, 0.76, 0.8}, tip{0.13, 0.42, 0.66};
-constexpr double ball = 2.2, sketch_height = 26, sketch_width = 48;  // mm
+constexpr double sketch_height = 26, sketch_width = 48;  // mm
 
 /// A circle's line.
 void ring(PdfDocument& pdf, double x, double y, double radius) {
@@ -25,72 +25,34 @@ void ring(PdfDocument& pdf, double x, double y, double radius) {
 
 /// The probe from above, its ball here.
 void probe(PdfDocument& pdf, double x, double y) {
-  pdf.line(x, y - ball, x + 5, y - 15, 0.8, ink);
-  pdf.dot(x, y, ball, tip);
+  pdf.line(x, y - sketch_ball, x + 5, y - 15, 0.8, ink);
+  pdf.dot(x, y, sketch_ball, tip);
 }
 
-/// Each in a field whose left upper corner is at x, y.
-void draw_plane(PdfDocument& pdf, double x, double y) {
-  pdf.rectangle(x + 4, y + 19, 36, 3, metal);
-  probe(pdf, x + 20, y + 19 - ball);
+/// In a field whose left upper corner is at x, y.
+void draw(const SketchStroke& s, PdfDocument& pdf, double x, double y) {
+  const PdfColor color = s.is_metal ? metal : ink;
+  switch (s.kind) {
+    case SketchStroke::Kind::line:
+      return pdf.line(x + s.x, y + s.y, x + s.to_x, y + s.to_y, s.width, color);
+    case SketchStroke::Kind::rectangle:
+      return pdf.rectangle(x + s.x, y + s.y, s.to_x, s.to_y, color);
+    case SketchStroke::Kind::ball:
+      return pdf.dot(x + s.x, y + s.y, sketch_ball, color);
+    case SketchStroke::Kind::ring:
+      return ring(pdf, x + s.x, y + s.y, s.width);
+    case SketchStroke::Kind::probe:
+      return probe(pdf, x + s.x, y + s.y);
+  }
 }
 
-void draw_point(PdfDocument& pdf, double x, double y) {
-  pdf.rectangle(x + 12, y + 18, 18, 6, metal);
-  pdf.line(x + 17.5, y + 18, x + 21, y + 22.5, 0.4, ink);
-  pdf.line(x + 24.5, y + 18, x + 21, y + 22.5, 0.4, ink);
-  probe(pdf, x + 21, y + 18.5);
-}
-
-void draw_line(PdfDocument& pdf, double x, double y) {
-  pdf.line(x + 4, y + 23, x + 38, y + 14, 1.2, metal);
-  probe(pdf, x + 19, y + 17);
-}
-
-void draw_gauge(PdfDocument& pdf, double x, double y) {
-  ring(pdf, x + 33, y + 18, 6);
-  pdf.line(x + 33, y + 18, x + 36, y + 14.5, 0.3, ink);
-  pdf.line(x + 27, y + 18, x + 18 + ball, y + 18, 0.8, ink);
-  probe(pdf, x + 18, y + 18);
-}
-
-void draw_length(PdfDocument& pdf, double x, double y) {
-  pdf.line(x + 36, y + 22, x + 12, y + 18, 1, metal);
-  pdf.dot(x + 36, y + 22, ball, metal);
-  probe(pdf, x + 12, y + 18);
-}
-
-struct Kind {
-  const char* name;
-  void (*draw)(PdfDocument&, double, double);
-  const char* how;
-};
-
-constexpr std::array<Kind, 5> kinds{
-    {{"plane", draw_plane,
-      "A plate: granite, glass, a machined face. Lower the ball until it touches, twenty times or more, near and far, "
-      "with the wrist and elbow turned. Put it in two more places, tilted against the first. Reads nothing."},
-     {"point", draw_point,
-      "A socket: a cone or three balls in which the tip's ball sits without play. Put it in again and again, each time "
-      "from another posture. Two sockets on a bar of known distance tell how long a metre is. Reads nothing."},
-     {"line", draw_line,
-      "A straight edge or a taut wire that the ball is laid against from two sides. Say about where it is. Reads "
-      "nothing."},
-     {"gauge", draw_gauge,
-      "A dial gauge that the tip pushes along its axis. Write down what it shows, and in which unit. Say about where "
-      "it "
-      "is and where its axis points."},
-     {"length", draw_length,
-      "A ball bar or a draw wire from a fixed ball to the tip. Write down its length. Say about where the fixed end "
-      "is."}}};
-
-void add_kind(const Kind& kind, PdfLayout& page) {
+void add_kind(const FixtureKind& kind, PdfLayout& page) {
   const double y = page.room(sketch_height + 4);
-  kind.draw(page.pdf(), PdfLayout::left, y);
+  for (const SketchStroke& stroke : kind.sketch) draw(stroke, page.pdf(), PdfLayout::left, y);
   const double text = PdfLayout::left + sketch_width;
-  page.pdf().text(text, y + 6, kind.name, 11, PdfFont::bold);
+  page.pdf().text(text, y + 6, kind.tag, 11, PdfFont::bold);
   double line = y + 11;
-  for (const std::string& words : pdf_lines(kind.how, PdfLayout::right - text, 9)) {
+  for (const std::string& words : pdf_lines(kind.how_to, PdfLayout::right - text, 9)) {
     page.pdf().text(text, line, words, 9);
     line += 4.2;
   }
@@ -115,7 +77,7 @@ void add_lines_to_fill(PdfLayout& page) {
 std::string touch_page_pdf(const std::string& software) {
   PdfLayout page("Touching: how to", software, software);
   page.title("Calibrating by touch", "With a probe on the hand: what to touch, how, and what to write down");
-  for (const Kind& kind : kinds) add_kind(kind, page);
+  for (const FixtureKind* kind : fixture_kinds()) add_kind(*kind, page);
   page.heading("At the robot");
   for (const char* step :
        {"1. Fix the probe so that it cannot turn. Where its tip is need not be known; it must not change.",

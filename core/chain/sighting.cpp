@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
 namespace {
@@ -17,15 +18,14 @@ std::optional<Eigen::Matrix2d> weighting(const std::optional<PixelSigma>& sigma,
   return usual * (Eigen::Matrix2d() << 1 / sigma->u, 0, -slope / (sigma->u * across), 1 / across).finished();
 }
 
-/// How far it is, and by the point.
-struct Distance {
+/// What is read off, and by the point.
+struct ReadingResidual {
   double error = 0;
-  Vector3 direction = Vector3::UnitX();
+  Vector3 by_point;
 };
 
-Distance distance_of(const Sighting& s, const Vector3& x) {
-  const double far = x.norm();
-  return {s.point->norm() - far, far > 0 ? Vector3(x / far) : Vector3(Vector3::UnitX())};
+ReadingResidual reading_residual(const Sighting& s, const Vector3& x) {
+  return {s.reading->of(*s.point) - s.reading->of(x), s.reading->by_tip(x)};
 }
 
 double point_weight(const Sighting& s) {
@@ -66,11 +66,11 @@ SightingResidual sighting_residual(const Rig* rig, const Sighting& sighting, con
   r.rows = row_count(sighting);
   r.error.resize(r.rows);
   r.by_point.resize(r.rows, 3);
-  if (sighting.by_distance) {
+  if (sighting.reading) {
     const double weight = point_weight(sighting);
-    const Distance distance = distance_of(sighting, x_in_sensor);
-    r.error[0] = weight * distance.error;
-    r.by_point = weight * distance.direction.transpose();
+    const ReadingResidual reading = reading_residual(sighting, x_in_sensor);
+    r.error[0] = weight * reading.error;
+    r.by_point = weight * reading.by_point.transpose();
     return r;
   }
   if (sighting.along) {
@@ -148,11 +148,11 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
   n.rows = row_count(sighting);
   if (sighting.point) {
     const double weight = point_weight(sighting) * point_weight(sighting);
-    if (sighting.by_distance) {
-      const Distance distance = distance_of(sighting, x_in_sensor);
-      n.information = weight * distance.direction * distance.direction.transpose();
-      n.gradient = weight * distance.error * distance.direction;
-      n.cost = weight * distance.error * distance.error;
+    if (sighting.reading) {
+      const ReadingResidual reading = reading_residual(sighting, x_in_sensor);
+      n.information = weight * reading.by_point * reading.by_point.transpose();
+      n.gradient = weight * reading.error * reading.by_point;
+      n.cost = weight * reading.error * reading.error;
       return n;
     }
     const Vector3 error = *sighting.point - x_in_sensor;
@@ -181,7 +181,7 @@ SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const V
 }
 
 int row_count(const Sighting& sighting) {
-  if (sighting.along || sighting.by_distance) return 1;
+  if (sighting.along || sighting.reading) return 1;
   return sighting.point ? 3 : 2 * static_cast<int>(sighting.in_cameras.size());
 }
 

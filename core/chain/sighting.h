@@ -16,7 +16,7 @@ using SightingRows = Eigen::Matrix<double, Eigen::Dynamic, Columns, 0, max_rows,
 using SightingColumn = SightingRows<1>;
 
 /// Residuals measured - predicted of one sighting: u v (px) of each camera that saw it, in their order, or x y z (m),
-/// or the one coordinate along the sighting's direction, or the distance from the sensor's origin.
+/// or the one coordinate along the sighting's direction, or what its reading tells.
 /// Where the sighting has a sigma of its own they are times W, W^T W = usual_sigma^2
 /// covariance^-1: all residuals then have the noise of a usual one. Far beyond the image and behind a camera the
 /// prediction is `project_anywhere`'s: it grows with the angle to the axis, so that the residual leads back.
@@ -58,8 +58,8 @@ struct SightingNormal {
 /// Unweighted (W = 1): px^2 or m^2.
 SightingNormal sighting_normal(const Rig* rig, const Sighting& sighting, const Vector3& x_in_sensor);
 
-/// Number of coordinates that a sighting measures: 2 a camera, 3 of a point, 1 of a point along a direction or by its
-/// distance.
+/// Number of coordinates that a sighting measures: 2 a camera, 3 of a point, 1 of a point along a direction or by a
+/// reading.
 int row_count(const Sighting& sighting);
 
 /// The marker in the first camera's frame by the rays of all cameras that saw it, weighed by the sigmas of their own in

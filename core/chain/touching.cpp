@@ -5,28 +5,13 @@
 
 namespace handsight {
 
-Eigen::VectorXd held_by(FixtureKind kind, const Vector3& in_fixture) {
-  switch (kind) {
-    case FixtureKind::point:
-      return in_fixture;
-    case FixtureKind::line:
-      return in_fixture.head<2>();
-    case FixtureKind::length:
-      return Eigen::VectorXd::Constant(1, in_fixture.norm());
-    case FixtureKind::plane:
-    case FixtureKind::gauge:
-      return Eigen::VectorXd::Constant(1, in_fixture.z());
-  }
-  return {};
-}
-
 namespace {
 
 constexpr double longest_step = 0.3;    // rad (m)
 constexpr double close_enough = 1e-11;  // m
 
 /// d held / d position, by small steps.
-Eigen::MatrixXd by_position(const TipInFixture& tip, FixtureKind kind, const Eigen::VectorXd& at,
+Eigen::MatrixXd by_position(const TipInFixture& tip, const FixtureKind& kind, const Eigen::VectorXd& at,
                             const Eigen::VectorXd& held) {
   constexpr double step = 1e-6;
   Eigen::MatrixXd by(held.size(), at.size());
@@ -40,7 +25,7 @@ Eigen::MatrixXd by_position(const TipInFixture& tip, FixtureKind kind, const Eig
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> touching_posture(const TipInFixture& tip, FixtureKind kind,
+std::optional<Eigen::VectorXd> touching_posture(const TipInFixture& tip, const FixtureKind& kind,
                                                 const Eigen::VectorXd& wanted, const Eigen::VectorXd& start,
                                                 const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   constexpr int most_steps = 60;

@@ -4,20 +4,16 @@
 
 #include <functional>
 
-#include "session/session.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
-
-/// What a fixture holds of a tip at this place of its frame (m): its height above a plane or along a gauge's axis, all
-/// three coordinates in a socket, the two across an edge, the distance from a length's end.
-Eigen::VectorXd held_by(FixtureKind kind, const Vector3& in_fixture);
 
 /// Where a tip is in the fixture's frame (m) in a posture (rad or m, in the order of the session's joints).
 using TipInFixture = std::function<Vector3(const Eigen::VectorXd& position)>;
 
-/// The posture near `start`, within these limits, in which the fixture holds `wanted` of the tip, to 1e-11 m; nothing
-/// where the search gets stuck.
-std::optional<Eigen::VectorXd> touching_posture(const TipInFixture& tip, FixtureKind kind,
+/// The posture near `start`, within these limits, in which the fixture holds `wanted` of the tip (held_by), to 1e-11 m;
+/// nothing where the search gets stuck.
+std::optional<Eigen::VectorXd> touching_posture(const TipInFixture& tip, const FixtureKind& kind,
                                                 const Eigen::VectorXd& wanted, const Eigen::VectorXd& start,
                                                 const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 

@@ -45,6 +45,9 @@ Eigen::MatrixXd known_covariance(const CalibratedRobot& before, const Problem& p
 }  // namespace
 
 Session as_calibrated(const CalibratedRobot& before, const Session& after) {
+  if (after.is_touch())
+    throw InputError(
+        "A calibration does not say where what is touched stood; name the earlier session of touches in its place.");
   Session session = after;
   session.marker_count = std::max(session.marker_count, static_cast<int>(before.calibration.markers.size()));
   if (session.tcp != before.tcp || session.mount.link != before.mount || session.joints != before.joint_names)

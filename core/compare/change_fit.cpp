@@ -4,12 +4,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "compare/change_evidence.h"
 #include "compare/change_limits.h"
-#include "diagnosis/evidence/candidates.h"
-#include "diagnosis/evidence/evidence.h"
+#include "compare/change_normal.h"
 
 namespace handsight {
 namespace {
@@ -38,7 +35,7 @@ class Comparer {
   struct Found {
     std::vector<EffectTerm> terms;
     Eigen::VectorXd sigma;
-    double ln_bayes_factor = 0, explained = 0, visible = 0;
+    double explained = 0;
   };
 
   bool is_wide() const { return sides_.reported_effects >= 0; }  // hundreds of columns
@@ -55,15 +52,7 @@ class Comparer {
   Problem changed(const std::vector<EffectTerm>& terms, const Unknowns& u) const {
     Problem with_held = after_.problem;
     for (const EffectTerm& t : held_) with_held.terms.push_back(t);
-    Candidates c = list_candidates(with_held, terms);
-    Eigen::VectorXd values(c.problem.effect_count());
-    values.head(base_effects_) = u.effects.head(base_effects_);
-    Eigen::Index next = base_effects_;
-    for (const EffectTerm& t : terms)
-      for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!term_effect(t).parameters[p].is_choice) values[next++] = t.values[p];
-    set_effects(c.problem, values);
-    return std::move(c.problem);
+    return with_changes(with_held, terms, u.effects.head(base_effects_));
   }
 
   /// Rows of both sides with these changes' columns behind the shared ones.
@@ -101,7 +90,7 @@ class Comparer {
       const Eigen::Index base = shared_columns(sides_);
       r.state = moved_by(sides_, r.state, step.head(base));
       r.change += step.tail(step.size() - base);
-      r.terms = with_change(r.terms, r.change);
+      r.terms = with_numbers(std::move(r.terms), r.change.cwiseProduct(sizes_));
       if (n.gradient.dot(step) < (is_wide() ? least_change_gain_wide : least_change_gain)) break;
     }
     return r;
@@ -114,14 +103,6 @@ class Comparer {
       for (std::size_t p = 0; p < t.values.size(); ++p)
         if (!term_effect(t).parameters[p].is_choice) change[c] = t.values[p] / sizes_[c], ++c;
     return change;
-  }
-
-  std::vector<EffectTerm> with_change(std::vector<EffectTerm> terms, const Eigen::VectorXd& change) const {
-    Eigen::Index c = 0;
-    for (EffectTerm& t : terms)
-      for (std::size_t p = 0; p < t.values.size(); ++p)
-        if (!term_effect(t).parameters[p].is_choice) t.values[p] = change[c] * sizes_[c], ++c;
-    return terms;
   }
 
   /// Normal equations of the linearised model with all changes, and priors.
@@ -171,79 +152,45 @@ class Comparer {
 
   /// Of every unit by the linearised model; those worth a fit of their own, best first.
   std::vector<std::size_t> rank_linearly() {
-    const ScatteredNormal n = with_priors(free_change_scale);
-    const Eigen::Index base = shared_columns(sides_), changes = n.gradient.size() - base;
-    const Eigen::LDLT<Eigen::MatrixXd> shared(n.information.topLeftCorner(base, base));
-    const Eigen::MatrixXd cross = n.information.topRightCorner(base, changes);
-    const Eigen::MatrixXd information =
-        n.information.bottomRightCorner(changes, changes) - cross.transpose() * shared.solve(cross);
-    const Eigen::VectorXd gradient = n.gradient.tail(changes) - cross.transpose() * shared.solve(n.gradient.head(base));
-    found_.assign(units_.size(), {});
-    std::vector<std::size_t> order;
-    std::vector<ChangePlace> places;
-    Eigen::Index at = 0;
-    for (std::size_t u = 0; u < units_.size(); ++u) {
-      Eigen::Index count = 0;
-      for (const EffectTerm& t : units_[u].terms)
-        for (const EffectParameter& p : term_effect(t).parameters) count += !p.is_choice;
-      const Eigen::MatrixXd a = information.block(at, at, count, count);
-      Found& f = found_[u];
-      f.visible = a.trace();
-      f.terms = units_[u].terms;
-      f.sigma = Eigen::VectorXd::Zero(count);
-      if (f.visible >= least_visible_change) {
-        f.ln_bayes_factor = change_evidence(a, gradient.segment(at, count));
-        order.push_back(u);
-        places.push_back({units_[u].group, at, count});
-      }
-      at += count;
+    found_.clear();
+    findings_.clear();
+    for (const ChangeUnit& unit : units_) {
+      findings_.push_back({unit.group, count_numbers(unit.terms)});
+      found_.push_back({unit.terms, Eigen::VectorXd::Zero(findings_.back().numbers)});
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return found_[a].ln_bayes_factor > found_[b].ln_bayes_factor;
-    });
-    threshold_ = change_threshold(information, places);
+    LinearRanking ranking = handsight::rank_linearly(with_priors(free_change_scale), findings_);
+    threshold_ = ranking.threshold;
+    std::vector<std::size_t> order = std::move(ranking.order);
     if (is_wide()) keep_best_of_groups(order);
     if (order.size() > most_refitted) order.resize(most_refitted);
-    std::erase_if(order, [&](std::size_t u) { return found_[u].ln_bayes_factor < 0.3 * threshold_; });
+    std::erase_if(order, [&](std::size_t u) { return findings_[u].ln_bayes_factor < 0.3 * threshold_; });
     return order;
   }
 
   /// One of the best units fitted in full; the Bayes factor then by Laplace's approximation at its answer.
   void refit(std::size_t u) {
     const Refitted r = fitted(units_[u].terms);
-    const Eigen::Index base = shared_columns(sides_), count = r.change.size();
-    Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(base + count, count);
-    ends.bottomRows(count).setIdentity();
-    const Eigen::MatrixXd covariance = r.information.ldlt().solve(ends).bottomRows(count);
-    // Held while it was fitted; the prior of each scale is counted in the evidence.
-    const double gained = none_squares_ - (r.squares - change_weight * r.change.squaredNorm());
-    const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(count, count);
-    const double evidence = change_evidence_at(covariance.ldlt().solve(one) - change_weight * one, r.change, gained);
+    const Eigen::MatrixXd covariance = last_covariance(r.information, r.change.size());
+    const auto [evidence, gained] =
+        evidence_at(covariance, r.change, none_squares_, r.squares - change_weight * r.change.squaredNorm());
     if (!std::isfinite(evidence) || !covariance.allFinite()) return;  // the linearised answer stands
+    findings_[u].ln_bayes_factor = evidence;
     Found& f = found_[u];
-    f.ln_bayes_factor = evidence;
     f.explained = gained;
     f.terms = r.terms;
     f.sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(sizes_);
   }
 
   std::vector<Change> grouped() const {
-    std::map<std::string, std::vector<double>> factors;
-    std::map<std::string, std::size_t> best;
-    for (std::size_t u = 0; u < units_.size(); ++u) {
-      if (found_[u].visible < least_visible_change) continue;
-      factors[units_[u].group].push_back(found_[u].ln_bayes_factor);
-      const auto [place, is_new] = best.emplace(units_[u].group, u);
-      if (!is_new && found_[u].ln_bayes_factor > found_[place->second].ln_bayes_factor) place->second = u;
-    }
     std::vector<Change> changes;
-    for (const auto& [group, u] : best) {
+    for (const auto& [group, evidence] : group_evidence(findings_)) {
+      const std::size_t u = evidence.best;
       Change c{group,
                {},
                found_[u].terms,
                found_[u].sigma,
                list_number_units(found_[u].terms, after_.problem.source->chain.robot),
-               ln_mean_exp(factors[group]),
+               evidence.ln_bayes_factor,
                found_[u].explained};
       if (!units_[u].where.empty()) c.where = {units_[u].where};
       changes.push_back(std::move(c));
@@ -263,7 +210,8 @@ class Comparer {
   Eigen::VectorXd sizes_;  // plausible, of the changes' columns of the last rows
   ChangeRows linear_;
   LeftOver left_;
-  std::vector<Found> found_;
+  std::vector<Found> found_;             // by unit
+  std::vector<ChangeFinding> findings_;  // the same
   double none_squares_ = 0, threshold_ = 0;
 };
 

@@ -6,7 +6,6 @@
 #include "compare/change_verdict.h"
 #include "compare/number_changes.h"
 #include "compare/touch_numbers.h"
-#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 
 namespace handsight {
@@ -55,12 +54,6 @@ bool are_alike(const Rig& a, const Rig& b) {
       if (a.at(c).camera.*n.value != b.at(c).camera.*n.value) return false;
   }
   return true;
-}
-
-ComparedSide side_of(const Fit& f) {
-  const NoiseModel w = noise_model(f);
-  const bool is_estimated = f.noise_estimate && w.noise == f.noise_estimate->sigma;
-  return {f.problem, 1 / w.noise, is_estimated ? f.noise_estimate->degrees : 0.0};
 }
 
 std::vector<NumberChange> list_numbers(const Session& session, const Session& second, const Fit& a, const Fit& b) {
@@ -112,8 +105,8 @@ Comparison compare(const Session& first, const Session& second, const std::vecto
   if (a.rig && b.rig && !are_alike(*a.rig, *b.rig))
     c.notes.push_back("The sessions name other calibrations of the cameras; each is measured by its own.");
   ComparedSides sides;
-  sides.before = side_of(clean_a.fit);
-  sides.after = side_of(clean_b.fit);
+  sides.before = make_side(clean_a.fit);
+  sides.after = make_side(clean_b.fit);
   sides.start = estimate(clean_a.fit);
   sides.progress = progress;
   c.numbers = list_numbers(a, b, clean_a.fit, clean_b.fit);

@@ -5,9 +5,6 @@
 #include <map>
 #include <tuple>
 
-#include "compare/several_normal.h"
-#include "diagnosis/evidence/candidates.h"
-
 namespace handsight {
 namespace {
 
@@ -36,7 +33,9 @@ void SeveralComparer::list_units() {
           known.emplace(std::tuple{term.id, term.place, owner, sides_.sides[k].number(owner)}, units_.size());
       if (is_new) units_.push_back({own.group, own.where, std::vector<int>(of_sides_.size(), -1), {}});
       SeveralUnit& unit = units_[at->second];
-      if (!unit.who.empty() && list_numbers(find_unit(unit.who.front(), at->second)) != list_numbers(own)) continue;
+      if (!unit.who.empty() && handsight::count_numbers(find_unit(unit.who.front(), at->second).terms) !=
+                                   handsight::count_numbers(own.terms))
+        continue;
       unit.at[k] = static_cast<int>(u);
       unit.who.push_back(k);
     }
@@ -57,7 +56,7 @@ void SeveralComparer::list_alternatives() {
 }
 
 Eigen::Index SeveralComparer::count_numbers(std::size_t unit) const {
-  return list_numbers(find_unit(units_[unit].who.front(), unit));
+  return handsight::count_numbers(find_unit(units_[unit].who.front(), unit).terms);
 }
 
 const ChangeUnit& SeveralComparer::find_unit(std::size_t side, std::size_t unit) const {
@@ -75,13 +74,7 @@ Eigen::VectorXd SeveralComparer::list_sizes(std::size_t unit) const {
 
 std::vector<EffectTerm> SeveralComparer::list_terms(std::size_t side, std::size_t unit,
                                                     const Eigen::VectorXd& change) const {
-  std::vector<EffectTerm> terms = find_unit(side, unit).terms;
-  const Eigen::VectorXd values = change.cwiseProduct(list_sizes(unit));
-  Eigen::Index next = 0;
-  for (EffectTerm& t : terms)
-    for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!term_effect(t).parameters[p].is_choice) t.values[p] = values[next++];
-  return terms;
+  return with_numbers(find_unit(side, unit).terms, change.cwiseProduct(list_sizes(unit)));
 }
 
 /// Rows of one side with these terms as its changes, standing at their values.
@@ -89,18 +82,11 @@ ChangeRows SeveralComparer::take_rows(std::size_t k, const SeveralState& state,
                                       const std::vector<EffectTerm>& terms) const {
   const SeveralSide& side = sides_.sides[k];
   SharedState own = read_state(side, state);
+  const Problem changed = with_changes(side.problem, terms, own.unknowns.effects);
+  own.unknowns.effects = effect_values(changed);
   const Eigen::Index base = side.problem.effect_count();
-  Candidates c = list_candidates(side.problem, terms);
-  Eigen::VectorXd values(c.problem.effect_count());
-  values.head(base) = own.unknowns.effects;
-  Eigen::Index next = base;
-  for (const EffectTerm& t : terms)
-    for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!term_effect(t).parameters[p].is_choice) values[next++] = t.values[p];
-  if (values.size() > 0) set_effects(c.problem, values);
-  own.unknowns.effects = values;
-  const ChangeColumns columns{base, &side.curves, column_count(side.curves), c.problem.effect_count() - base};
-  return change_rows(c.problem, own, columns, side.weight);
+  const ChangeColumns columns{base, &side.curves, column_count(side.curves), changed.effect_count() - base};
+  return change_rows(changed, own, columns, side.weight);
 }
 
 }  // namespace handsight

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "compare/change_candidates.h"
+#include "compare/change_normal.h"
 #include "compare/several_sides.h"
 
 namespace handsight {
@@ -31,17 +32,9 @@ struct ActiveChange {
 };
 
 /// What was found of one alternative beside those that are taken.
-struct FoundChange {
+struct FoundChange : ChangeFinding {
   Eigen::VectorXd change, sigma;  // prior sigmas; empty: it was not fitted in full
-  double ln_bayes_factor = 0, explained = 0;
-  bool is_visible = false;
-};
-
-/// Of one thing, over all places and sessions where it may be.
-struct GroupEvidence {
-  double ln_bayes_factor = 0;  // the mean's
-  std::size_t best = 0;        // alternative
-  std::size_t places = 0;      // how many alternatives there are
+  double explained = 0;
 };
 
 struct SeveralRanking {
@@ -106,7 +99,6 @@ class SeveralComparer {
   std::vector<std::size_t> worth_a_fit(const std::vector<std::size_t>& order, const SeveralRanking& ranking) const;
   void refit(std::size_t alternative, const std::vector<ActiveChange>& taken, double squares_without,
              SeveralRanking& ranking) const;
-  void group(SeveralRanking& ranking) const;
 
   SeveralSides sides_;
   SeveralState state_;

@@ -61,10 +61,7 @@ SeveralComparer::Fitted SeveralComparer::fitted(std::vector<ActiveChange> active
 
 SeveralComparer::Together SeveralComparer::fitted_together(const std::vector<ActiveChange>& changes) const {
   const Fitted r = fitted(changes);
-  const Eigen::Index count = r.information.rows() - sides_.columns();
-  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(r.information.rows(), count);
-  ends.bottomRows(count).setIdentity();
-  const Eigen::VectorXd variances = r.information.ldlt().solve(ends).bottomRows(count).diagonal();
+  const Eigen::VectorXd variances = last_covariance(r.information, r.information.rows() - sides_.columns()).diagonal();
   Together all{r.active, {}, r.squares};
   Eigen::Index at = 0;
   for (const ActiveChange& a : r.active) {

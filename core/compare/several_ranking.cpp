@@ -2,13 +2,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "compare/change_evidence.h"
 #include "compare/change_limits.h"
 #include "compare/several_changes.h"
 #include "compare/several_normal.h"
-#include "diagnosis/evidence/evidence.h"
 #include "estimation/fit/noise.h"
 
 namespace handsight {
@@ -57,7 +54,7 @@ SeveralComparer::Linear SeveralComparer::make_linear(const std::vector<ActiveCha
     const SeveralSide& side = sides_.sides[k];
     std::vector<Eigen::Triplet<double>> places = shared_places(sides_, side);
     std::vector<Eigen::Index> first{static_cast<Eigen::Index>(places.size())};  // column of each of its units
-    for (const ChangeUnit& unit : of_sides_[k]) first.push_back(first.back() + list_numbers(unit));
+    for (const ChangeUnit& unit : of_sides_[k]) first.push_back(first.back() + handsight::count_numbers(unit.terms));
     Eigen::Index all = sides_.columns();
     for (const ActiveChange& a : columns) {
       const Alternative& alternative = alternatives_[a.alternative];
@@ -136,39 +133,19 @@ void SeveralComparer::set_repeatability(const Linear& linear, const Eigen::Vecto
 std::vector<std::size_t> SeveralComparer::rank_linearly(const std::vector<ActiveChange>& taken,
                                                         SeveralRanking& ranking) {
   std::vector<ActiveChange> columns = taken;
-  const auto is_taken = [&](std::size_t a) {
-    return std::any_of(taken.begin(), taken.end(), [&](const ActiveChange& t) { return t.alternative == a; });
-  };
-  Eigen::Index base = sides_.columns();
-  for (const ActiveChange& a : taken) base += a.change.size();
-  for (std::size_t a = 0; a < alternatives_.size(); ++a)
-    if (!is_taken(a)) columns.push_back({a, Eigen::VectorXd::Zero(count_numbers(alternatives_[a].unit))});
-  const ScatteredNormal n = with_priors(make_linear(columns, true).normal, columns, taken.size(), free_change_scale);
-  const Eigen::Index changes = n.gradient.size() - base;
-  const Eigen::LDLT<Eigen::MatrixXd> shared(n.information.topLeftCorner(base, base));
-  const Eigen::MatrixXd cross = n.information.topRightCorner(base, changes);
-  const Eigen::MatrixXd information =
-      n.information.bottomRightCorner(changes, changes) - cross.transpose() * shared.solve(cross);
-  const Eigen::VectorXd gradient = n.gradient.tail(changes) - cross.transpose() * shared.solve(n.gradient.head(base));
-  std::vector<std::size_t> order;
-  std::vector<ChangePlace> places;
-  Eigen::Index at = 0;
-  for (std::size_t c = taken.size(); c < columns.size(); ++c) {
-    const Eigen::Index count = columns[c].change.size();
-    const std::size_t a = columns[c].alternative;
-    const Eigen::MatrixXd own = information.block(at, at, count, count);
-    if (own.trace() >= least_visible_change) {
-      ranking.found[a].is_visible = true;
-      ranking.found[a].ln_bayes_factor = change_evidence(own, gradient.segment(at, count));
-      order.push_back(a);
-      places.push_back({units_[alternatives_[a].unit].group, at, count});
-    }
-    at += count;
+  std::vector<ChangeFinding> free;
+  for (std::size_t a = 0; a < alternatives_.size(); ++a) {
+    if (std::any_of(taken.begin(), taken.end(), [&](const ActiveChange& t) { return t.alternative == a; })) continue;
+    columns.push_back({a, Eigen::VectorXd::Zero(ranking.found[a].numbers)});
+    free.push_back(ranking.found[a]);
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return ranking.found[a].ln_bayes_factor > ranking.found[b].ln_bayes_factor;
-  });
-  ranking.threshold = change_threshold(information, places);
+  const LinearRanking linear = handsight::rank_linearly(
+      with_priors(make_linear(columns, true).normal, columns, taken.size(), free_change_scale), free);
+  const auto alternative = [&](std::size_t i) { return columns[taken.size() + i].alternative; };
+  for (std::size_t i = 0; i < free.size(); ++i) static_cast<ChangeFinding&>(ranking.found[alternative(i)]) = free[i];
+  ranking.threshold = linear.threshold;
+  std::vector<std::size_t> order;
+  for (const std::size_t i : linear.order) order.push_back(alternative(i));
   return worth_a_fit(order, ranking);
 }
 
@@ -196,10 +173,7 @@ void SeveralComparer::refit(std::size_t alternative, const std::vector<ActiveCha
   active.push_back({alternative, Eigen::VectorXd::Zero(count_numbers(alternatives_[alternative].unit))});
   const Fitted r = fitted(std::move(active));
   const Eigen::VectorXd& change = r.active.back().change;
-  const Eigen::Index count = change.size();
-  Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(r.information.rows(), count);
-  ends.bottomRows(count).setIdentity();
-  const Eigen::MatrixXd covariance = r.information.ldlt().solve(ends).bottomRows(count);
+  const Eigen::MatrixXd covariance = last_covariance(r.information, change.size());
   const auto [evidence, gained] = evidence_at(covariance, change, squares_without, r.squares);
   if (!std::isfinite(evidence) || !covariance.allFinite()) return;  // the linearised answer stands
   FoundChange& f = ranking.found[alternative];
@@ -209,25 +183,10 @@ void SeveralComparer::refit(std::size_t alternative, const std::vector<ActiveCha
   f.sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
 }
 
-void SeveralComparer::group(SeveralRanking& ranking) const {
-  std::map<std::string, std::vector<double>> factors;
-  for (std::size_t a = 0; a < alternatives_.size(); ++a) {
-    const FoundChange& f = ranking.found[a];
-    if (!f.is_visible) continue;
-    const std::string& name = units_[alternatives_[a].unit].group;
-    factors[name].push_back(f.ln_bayes_factor);
-    const auto [place, is_new] = ranking.groups.emplace(name, GroupEvidence{0, a, 0});
-    if (!is_new && f.ln_bayes_factor > ranking.found[place->second.best].ln_bayes_factor) place->second.best = a;
-  }
-  for (auto& [name, evidence] : ranking.groups) {
-    evidence.ln_bayes_factor = ln_mean_exp(factors[name]);
-    evidence.places = factors[name].size();
-  }
-}
-
 SeveralRanking SeveralComparer::rank(const std::vector<ActiveChange>& taken, bool learns) {
   SeveralRanking ranking;
-  ranking.found.assign(alternatives_.size(), {});
+  for (const Alternative& a : alternatives_)
+    ranking.found.push_back({{units_[a.unit].group, count_numbers(a.unit)}, {}, {}});
   if (learns) {
     if (!sides_.is_wide) state_ = fitted({}).state;
     linearise({});
@@ -238,7 +197,7 @@ SeveralRanking SeveralComparer::rank(const std::vector<ActiveChange>& taken, boo
   if (!sides_.is_wide) state_ = without.state;
   linearise(without.active);
   for (const std::size_t a : rank_linearly(without.active, ranking)) refit(a, without.active, without.squares, ranking);
-  group(ranking);
+  ranking.groups = group_evidence({ranking.found.begin(), ranking.found.end()});
   return ranking;
 }
 

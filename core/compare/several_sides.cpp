@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/several_sides.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <map>
 #include <tuple>
 
-#include "diagnosis/evidence/noise_model.h"
+#include "compare/change_normal.h"
 
 namespace handsight {
 namespace {
@@ -91,23 +90,13 @@ void add_curves(SeveralSides& all) {
   all.curve_scales = Eigen::VectorXd::Ones(next);
 }
 
-SeveralSide several_side(const Fit& f) {
-  const NoiseModel w = noise_model(f);
-  SeveralSide side;
-  side.problem = f.problem;
-  side.weight = 1 / w.noise;
-  if (f.noise_estimate && w.noise == f.noise_estimate->sigma) side.noise_degrees = f.noise_estimate->degrees;
-  return side;
-}
-
+/// Of what is lacking, those of one name.
 std::vector<SizeGroup> effect_groups(const SeveralSides& all) {
-  std::map<std::pair<std::string, std::size_t>, SizeGroup> groups;
+  std::map<NumberName, std::vector<Eigen::Index>> columns;
   for (std::size_t c = 0; c < all.effects.size(); ++c)
     if (all.effects[c].is_lacking)
-      groups[{all.effects[c].id, all.effects[c].parameter}].columns.push_back(static_cast<Eigen::Index>(c));
-  std::vector<SizeGroup> list;
-  for (auto& [name, group] : groups) list.push_back(std::move(group));
-  return list;
+      columns[{all.effects[c].id, all.effects[c].parameter}].push_back(static_cast<Eigen::Index>(c));
+  return size_groups(columns);
 }
 
 std::vector<SizeGroup> curve_groups(const SeveralSides& all) {
@@ -116,11 +105,7 @@ std::vector<SizeGroup> curve_groups(const SeveralSides& all) {
   for (const SeveralSide& s : all.sides) {
     if (std::find(done.begin(), done.end(), s.hand) != done.end()) continue;
     done.push_back(s.hand);
-    Eigen::Index column = s.first_curve;
-    for (const SharedCurve& c : s.curves) {
-      SizeGroup& group = list.emplace_back();
-      for (Eigen::Index i = 0; i < c.columns(); ++i) group.columns.push_back(column++);
-    }
+    add_groups(s.curves, s.first_curve, list);
   }
   return list;
 }
@@ -160,7 +145,7 @@ SeveralSides several_sides(const std::vector<JoinedMember>& members, const std::
   SeveralSides all;
   std::vector<std::string> rigs, bodies;
   for (std::size_t k = 0; k < members.size(); ++k) {
-    SeveralSide side = several_side(fits[k]);
+    SeveralSide side{make_side(fits[k])};
     const Unknowns found = estimate(fits[k]);
     const std::size_t known_rigs = rigs.size(), known_bodies = bodies.size();
     side.rig = number_of(members[k].rig, rigs);
@@ -243,28 +228,17 @@ SeveralState moved_by(const SeveralSides& all, const SeveralState& from, const E
 }
 
 void add_priors(const SeveralSides& all, const SeveralState& state, ScatteredNormal& n) {
-  const auto add = [&](Eigen::Index column, double value, double scale) {
-    n.information(column, column) += 1 / (scale * scale);
-    n.gradient[column] -= value / (scale * scale);
-    n.squares += value * value / (scale * scale);
-  };
   const Eigen::VectorXd values = in_sizes(all, state.effects);
   const Eigen::Index first = all.first_effect();
-  for (Eigen::Index c = 0; c < values.size(); ++c) add(first + c, values[c], all.effect_scales[c]);
+  for (Eigen::Index c = 0; c < values.size(); ++c) add_prior(n, first + c, values[c], all.effect_scales[c]);
   for (Eigen::Index c = 0; c < state.curves.size(); ++c)
-    add(first + values.size() + c, state.curves[c], all.curve_scales[c]);
+    add_prior(n, first + values.size() + c, state.curves[c], all.curve_scales[c]);
 }
 
 void learn_sizes(SeveralSides& all, const SeveralState& state, const ScatteredNormal& n) {
   if (!all.is_wide) return;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(n.information);
-  const Eigen::VectorXd step = solver.solve(n.gradient);
-  const Eigen::VectorXd variances = solver.solve(Eigen::MatrixXd::Identity(step.size(), step.size())).diagonal().eval();
-  const Eigen::Index first = all.first_effect(), effects = state.effects.size(), curves = state.curves.size();
-  learn_scales(effect_groups(all), in_sizes(all, state.effects) + step.segment(first, effects),
-               variances.segment(first, effects), all.effect_scales);
-  learn_scales(curve_groups(all), state.curves + step.segment(first + effects, curves),
-               variances.segment(first + effects, curves), all.curve_scales);
+  learn_scales({all.first_effect(), in_sizes(all, state.effects), state.curves}, n, effect_groups(all),
+               curve_groups(all), all.effect_scales, all.curve_scales);
 }
 
 }  // namespace handsight

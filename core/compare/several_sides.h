@@ -4,7 +4,6 @@
 #pragma once
 
 #include "compare/shared_model.h"
-#include "estimation/fit/fit_result.h"
 #include "session/joined.h"
 
 namespace handsight {
@@ -13,10 +12,7 @@ namespace handsight {
 enum class Owner { robot, rig, body, session };
 Owner find_owner(const Effect& effect);
 
-struct SeveralSide {
-  Problem problem;                    // of this session by itself
-  double weight = 1;                  // of its rows: the noise's inverse
-  double noise_degrees = 0;           // of freedom that the noise was estimated from; 0: declared
+struct SeveralSide : ComparedSide {
   int rig = 0, body = 0;              // sessions with the same number have the same
   int hand = 0;                       // ... the same joints, TCP and mount: curves of the joints' angles describe these
   std::vector<Eigen::Index> effects;  // of its effect columns: which of SeveralSides::effects each is

@@ -6,7 +6,9 @@
 #include <map>
 
 #include "base/error.h"
+#include "compare/change_normal.h"
 #include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/noise_model.h"
 
 namespace handsight {
 namespace {
@@ -19,6 +21,12 @@ bool may_be_shared(const Effect& effect) {
 }
 
 }  // namespace
+
+ComparedSide make_side(const Fit& f) {
+  const NoiseModel w = noise_model(f);
+  const bool is_estimated = f.noise_estimate && w.noise == f.noise_estimate->sigma;
+  return {f.problem, 1 / w.noise, is_estimated ? f.noise_estimate->degrees : 0.0};
+}
 
 std::vector<EffectTerm> lacking_effects(const Problem& model) {
   std::vector<EffectTerm> terms;
@@ -48,30 +56,35 @@ Eigen::Index effects_first(const ComparedSides& sides) {
 
 double scale_at(const Eigen::VectorXd& scales, Eigen::Index i) { return scales.size() > i ? scales[i] : 1.0; }
 
+/// Of what is lacking, those of one name.
 std::vector<SizeGroup> effect_groups(const ComparedSides& sides) {
   const Problem& p = sides.after.problem;
-  std::map<std::pair<std::string, std::size_t>, SizeGroup> groups;
+  std::map<NumberName, std::vector<Eigen::Index>> columns;
   for (Eigen::Index c = sides.reported_effects; c < p.effect_count(); ++c) {
     const EffectColumn& column = p.columns_of_effects[static_cast<std::size_t>(c)];
-    groups[{p.terms[column.term].id, column.parameter}].columns.push_back(c);
+    columns[{p.terms[column.term].id, column.parameter}].push_back(c);
   }
-  std::vector<SizeGroup> all;
-  for (auto& [name, group] : groups) all.push_back(std::move(group));
-  return all;
-}
-
-std::vector<SizeGroup> curve_groups(const std::vector<SharedCurve>& curves) {
-  std::vector<SizeGroup> all;
-  Eigen::Index column = 0;
-  for (const SharedCurve& c : curves) {
-    SizeGroup& group = all.emplace_back();
-    for (Eigen::Index i = 0; i < c.columns(); ++i) group.columns.push_back(column++);
-  }
-  return all;
+  return size_groups(columns);
 }
 
 }  // namespace
 
+std::vector<SizeGroup> size_groups(const std::map<NumberName, std::vector<Eigen::Index>>& columns) {
+  std::vector<SizeGroup> all;
+  for (const auto& [name, of_it] : columns) all.push_back({of_it});
+  return all;
+}
+
+void add_groups(const std::vector<SharedCurve>& curves, Eigen::Index first, std::vector<SizeGroup>& all) {
+  for (const SharedCurve& c : curves) {
+    SizeGroup& group = all.emplace_back();
+    for (Eigen::Index i = 0; i < c.columns(); ++i) group.columns.push_back(first++);
+  }
+}
+
+namespace {
+
+/// Values and variances in prior sigmas.
 void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
                   Eigen::VectorXd& scales) {
   for (const SizeGroup& group : groups) {
@@ -83,8 +96,6 @@ void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& v
     for (const Eigen::Index c : group.columns) scales[c] = std::clamp(std::sqrt(squares / settled), 0.03, 30.0);
   }
 }
-
-namespace {
 
 /// Effects' numbers in units of their prior sigmas.
 Eigen::VectorXd in_sizes(const Problem& p, const Eigen::VectorXd& effects, Eigen::Index count) {
@@ -152,40 +163,43 @@ SharedState moved_by(const ComparedSides& sides, const SharedState& from, const 
 
 void add_priors(const ComparedSides& sides, const SharedState& s, const Eigen::VectorXd& change, double change_scale,
                 ScatteredNormal& n) {
-  const auto add = [&](Eigen::Index column, double value, double scale) {
-    n.information(column, column) += 1 / (scale * scale);
-    n.gradient[column] -= value / (scale * scale);
-    n.squares += value * value / (scale * scale);
-  };
   const Eigen::Index base = shared_columns(sides), effects = sides.after.problem.effect_count();
   const Eigen::Index first = effects_first(sides);
   if (!sides.known) {
     const Eigen::VectorXd values = in_sizes(sides.after.problem, s.unknowns.effects, effects);
-    for (Eigen::Index c = 0; c < effects; ++c) add(first + c, values[c], scale_at(sides.effect_scales, c));
+    for (Eigen::Index c = 0; c < effects; ++c) add_prior(n, first + c, values[c], scale_at(sides.effect_scales, c));
     for (Eigen::Index c = 0; c < s.curves.size(); ++c)
-      add(first + effects + c, s.curves[c], scale_at(sides.curve_scales, c));
+      add_prior(n, first + effects + c, s.curves[c], scale_at(sides.curve_scales, c));
   }
-  for (Eigen::Index c = 0; c < n.gradient.size() - base; ++c) add(base + c, change[c], change_scale);
+  for (Eigen::Index c = 0; c < n.gradient.size() - base; ++c) add_prior(n, base + c, change[c], change_scale);
   if (sides.known) {
     n.information.topLeftCorner(base, base) += *sides.known;
     n.gradient.head(base) -= *sides.known * s.moved;
     n.squares += s.moved.dot(*sides.known * s.moved);
   }
-  for (Eigen::Index i = 0; i < n.gradient.size(); ++i) n.information(i, i) += 1e-12 * n.information(i, i) + 1e-12;
+  stiffen(n);
 }
 
 void learn_sizes(ComparedSides& sides, const SharedState& state, const ScatteredNormal& n) {
   if (sides.reported_effects < 0) return;
+  const Eigen::Index effects = sides.after.problem.effect_count();
+  std::vector<SizeGroup> of_curves;
+  add_groups(sides.curves, 0, of_curves);
+  learn_scales({effects_first(sides), in_sizes(sides.after.problem, state.unknowns.effects, effects), state.curves}, n,
+               effect_groups(sides), of_curves, sides.effect_scales, sides.curve_scales);
+}
+
+void learn_scales(const SizedValues& at, const ScatteredNormal& n, const std::vector<SizeGroup>& of_effects,
+                  const std::vector<SizeGroup>& of_curves, Eigen::VectorXd& effect_scales,
+                  Eigen::VectorXd& curve_scales) {
   const Eigen::LDLT<Eigen::MatrixXd> solver(n.information);
   const Eigen::VectorXd step = solver.solve(n.gradient);
   const Eigen::VectorXd variances = solver.solve(Eigen::MatrixXd::Identity(step.size(), step.size())).diagonal().eval();
-  const Eigen::Index first = effects_first(sides), effects = sides.after.problem.effect_count();
-  const Eigen::VectorXd values =
-      in_sizes(sides.after.problem, state.unknowns.effects, effects) + step.segment(first, effects);
-  learn_scales(effect_groups(sides), values, variances.segment(first, effects), sides.effect_scales);
-  const Eigen::Index curves = state.curves.size();
-  learn_scales(curve_groups(sides.curves), state.curves + step.segment(first + effects, curves),
-               variances.segment(first + effects, curves), sides.curve_scales);
+  const Eigen::Index effects = at.effects.size(), curves = at.curves.size();
+  learn_scales(of_effects, at.effects + step.segment(at.first_effect, effects),
+               variances.segment(at.first_effect, effects), effect_scales);
+  learn_scales(of_curves, at.curves + step.segment(at.first_effect + effects, curves),
+               variances.segment(at.first_effect + effects, curves), curve_scales);
 }
 
 double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information) {

@@ -4,9 +4,14 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "compare/change_rows.h"
+#include "estimation/fit/fit_result.h"
 
 namespace handsight {
 
@@ -15,6 +20,9 @@ struct ComparedSide {
   double weight = 1;         // of its rows: the noise's inverse
   double noise_degrees = 0;  // of freedom that the noise was estimated from; 0: declared
 };
+
+/// A session that was fitted by itself.
+ComparedSide make_side(const Fit& fit);
 
 struct ComparedSides {
   std::optional<ComparedSide> before;  // absent: what is known of it is `known`
@@ -68,9 +76,23 @@ struct SizeGroup {
   std::vector<Eigen::Index> columns;
 };
 
-/// learn_sizes of these groups; values and variances in prior sigmas.
-void learn_scales(const std::vector<SizeGroup>& groups, const Eigen::VectorXd& values, const Eigen::VectorXd& variances,
-                  Eigen::VectorXd& scales);
+/// An effect's id and which of its numbers.
+using NumberName = std::pair<std::string, std::size_t>;
+std::vector<SizeGroup> size_groups(const std::map<NumberName, std::vector<Eigen::Index>>& columns);
+
+/// Each curve is a group; its columns begin at `first`.
+void add_groups(const std::vector<SharedCurve>& curves, Eigen::Index first, std::vector<SizeGroup>& groups);
+
+/// Where effects and curves stand, in prior sigmas, and where their columns begin: effects, then curves.
+struct SizedValues {
+  Eigen::Index first_effect = 0;
+  Eigen::VectorXd effects, curves;
+};
+
+/// learn_sizes of these groups.
+void learn_scales(const SizedValues& at, const ScatteredNormal& normal, const std::vector<SizeGroup>& of_effects,
+                  const std::vector<SizeGroup>& of_curves, Eigen::VectorXd& effect_scales,
+                  Eigen::VectorXd& curve_scales);
 
 /// How many parameters the data settle, of all columns.
 double settled_parameters(const ScatteredNormal& with_priors, const Eigen::MatrixXd& information);

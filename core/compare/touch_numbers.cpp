@@ -6,6 +6,7 @@
 
 #include "effects/own_effect.h"
 #include "estimation/fit/fit_parts.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
 namespace {
@@ -70,8 +71,8 @@ std::vector<NumberChange> list_touch_numbers(const Session& first, const Session
       const bool is_same = from.id == to.id && from.kind == to.kind && before[p].mount_covariance &&
                            after[q].mount_covariance && before[p].place_is_determined && after[q].place_is_determined;
       if (!is_same) continue;
-      const bool is_of_place = from.kind == FixtureKind::point || from.kind == FixtureKind::length;
-      if (from.kind != FixtureKind::line) (is_of_place ? add_place : add_height)(all, from.id, before[p], after[q]);
+      if (from.kind->place == FixturePlace::origin) add_place(all, from.id, before[p], after[q]);
+      if (from.kind->place == FixturePlace::height) add_height(all, from.id, before[p], after[q]);
     }
   return all;
 }

@@ -13,6 +13,7 @@
 #include "readers/texts/cells.h"
 #include "readers/texts/plain_text.h"
 #include "robot/urdf.h"
+#include "session/fixtures/find_fixture.h"
 #include "session/session_xml.h"
 #include "session/touch_xml.h"
 
@@ -40,11 +41,25 @@ void set_attribute(tinyxml2::XMLElement& element, const std::string& word, const
   element.SetAttribute(word.substr(0, equals).c_str(), value.c_str());
 }
 
-/// What a fixture of that name is likely to be, where nobody says; null: it does not tell.
-const char* kind_by_name(const std::string& id) {
-  if (says(id, {"socket", "point", "cone", "ball", "nest", "hole"})) return "point";
-  if (says(id, {"plane", "plate", "table", "wall", "floor", "face"})) return "plane";
-  return nullptr;
+/// What a fixture of that name is likely to be, where nobody says; null: it does not tell. The last of several kinds: a
+/// socket in a plate is a socket.
+const FixtureKind* kind_by_name(const std::string& id) {
+  const FixtureKind* found = nullptr;
+  for (const FixtureKind* kind : fixture_kinds())
+    if (std::any_of(kind->called.begin(), kind->called.end(), [&](const char* word) { return says(id, {word}); }))
+      found = kind;
+  return found;
+}
+
+/// "point, line, gauge or length": the tags of all kinds but the first.
+Message other_tags() {
+  const std::vector<std::string> tags = fixture_tags();
+  return joined(verbatim(std::vector<std::string>(tags.begin() + 1, tags.end())), ", ", " or ");
+}
+
+/// "line, gauge or length": of those whose place has to be said.
+Message tags_with_place() {
+  return joined(verbatim(fixture_tags([](const FixtureKind& kind) { return !kind.frame_through; })), ", ", " or ");
 }
 
 /// The fixtures as they stand in a session: those that options describe, then those that tables name.
@@ -67,17 +82,16 @@ class Fixtures {
       if (lower_case(known) == lower_case(id))
         throw InputError(message("{}: the fixtures {} and {} differ in capitals alone; write it one way.", file,
                                  in_quotes(shortened(known, 60)), in_quotes(shortened(id, 60))));
-    const char* const kind = kind_by_name(id);
+    const FixtureKind* const kind = kind_by_name(id);
     if (!kind)
       throw InputError(message(
-          "{}: nothing says what the fixture {} is; name it with --fixture \"plane {}\", or point, line, gauge or "
-          "length in place of plane.",
-          file, in_quotes(shortened(id, 60)), shortened(id, 60)));
+          "{0}: nothing says what the fixture {1} is; name it with --fixture \"{2} {3}\", or {4} in place of {2}.",
+          file, in_quotes(shortened(id, 60)), fixture_tags().front(), shortened(id, 60), other_tags()));
     notes_.push_back(
         message("{}: the fixture {} is taken for a {} by its name; say --fixture \"KIND {}\" where it "
                 "is something else.",
-                file, in_quotes(shortened(id, 60)), kind, shortened(id, 60)));
-    add(kind, id);
+                file, in_quotes(shortened(id, 60)), kind->tag, shortened(id, 60)));
+    add(kind->tag, id);
   }
 
   /// What a fixture reads where its table tells nothing.
@@ -116,13 +130,11 @@ class Fixtures {
 
   void add_described(const std::string& text) {
     const std::vector<std::string> words = list_words(text);
-    const bool is_kind = !words.empty() && (words[0] == "plane" || words[0] == "point" || words[0] == "line" ||
-                                            words[0] == "gauge" || words[0] == "length");
-    if (words.size() < 2 || !is_kind)
+    if (words.size() < 2 || !find_fixture_kind(words[0]))
       throw InputError(
           message("--fixture {}: write what it is and its name, \"plane table\", \"point socket_1\", or "
-                  "a line, gauge or length with its place.",
-                  in_quotes(shortened(text))));
+                  "a {} with its place.",
+                  in_quotes(shortened(text)), tags_with_place()));
     tinyxml2::XMLElement& element = add(words[0], words[1]);
     for (std::size_t w = 2; w < words.size(); ++w)
       if (words[w].starts_with("value="))
@@ -210,11 +222,11 @@ std::vector<std::pair<fs::path, Table>> tables_of(const std::vector<fs::path>& f
 /// Of a reading that is told by what it is off from the fixture's value.
 double whole_reading(const TouchRow& row, const Fixture& fixture, const Fixtures& fixtures, const std::string& file) {
   const std::optional<double> from = fixtures.value_of(row.fixture);
-  if (!from && fixture.kind == FixtureKind::length)
-    throw InputError(message(
-        "{}: the readings of {} are deviations, and nothing says from which length; say --fixture \"length {} ... "
-        "value=METRES\".",
-        file, in_quotes(row.fixture), shortened(row.fixture, 60)));
+  if (!from && fixture.kind->value == TouchValue::whole)
+    throw InputError(
+        message("{}: the readings of {} are deviations, and nothing says from which length; say --fixture \"{} {} ... "
+                "value=METRES\".",
+                file, in_quotes(row.fixture), std::string(fixture.kind->tag), shortened(row.fixture, 60)));
   return from.value_or(0) + *row.value;
 }
 
@@ -224,8 +236,7 @@ void add_row(const TouchRow& row, const TouchTable& table, const Fixtures& fixtu
       std::find_if(s.fixtures.begin(), s.fixtures.end(), [&](const Fixture& f) { return f.id == row.fixture; });
   std::optional<double> value = row.value ? row.value : fixtures.value_of(row.fixture);
   if (table.are_deviations && row.value) value = whole_reading(row, *found, fixtures, file);
-  const bool reads = found->kind == FixtureKind::gauge || found->kind == FixtureKind::length;
-  if (reads && !value)
+  if (is_instrument(*found->kind) && !value)
     throw InputError(
         message("{}: a touch of {} has no reading, and it reads one; fill the column value, or say "
                 "--fixture \"... value=METRES\" where it is the same for all.",

@@ -20,6 +20,9 @@
 
 namespace handsight {
 
+struct FixtureKind;  // session/fixtures/fixture_kind.h
+struct Reading;
+
 enum class MarkedBy { hand, tracker, import };
 
 /// How sure an image point is: standard deviations of u and v (px) and their covariance (px^2, smaller than su sv).
@@ -40,7 +43,7 @@ struct Sighting {  // NOLINT(bugprone-exception-escape): what is small is moved 
   boost::container::small_vector<CameraPoint, 2> in_cameras = {};  // in order of camera, each at most once
   std::optional<Vector3> point = {};                               // m, in the tracker's frame
   std::optional<Vector3> along = {};  // in that frame: only the product with the point is measured
-  bool by_distance = false;           // only how far it is from that frame's origin is measured: |point|
+  const Reading* reading = nullptr;   // in that frame: only this length is measured, as of the point
   MarkedBy by = MarkedBy::import;
   std::optional<double> point_sigma = {};  // m, of each coordinate; absent: the session's usual one
   /// The sigma of a measurement whose residuals are taken as they are (px, m): those of surer ones are drawn out, those
@@ -128,16 +131,9 @@ struct Mount {
 };
 
 /// What a probe touches. Each has a frame of its own, which takes the sensor's place (SessionPart::mount).
-enum class FixtureKind {
-  plane,   // z of its frame is its normal; a value is how far the tip stands above it
-  point,   // a socket, in which the tip's ball sits at the frame's origin
-  line,    // an edge along z of its frame
-  gauge,   // reads how far the tip is along z of its frame
-  length,  // a bar or a wire: reads how far the tip is from the frame's origin
-};
 struct Fixture {
   std::string id;
-  FixtureKind kind = FixtureKind::plane;
+  const FixtureKind* kind = nullptr;       // of session/fixtures/list.h
   std::optional<double> sigma;             // m, of one reading there
   std::optional<double> place_sigma = {};  // m: how exactly its place is known where it is estimated; absent: a guess
 };

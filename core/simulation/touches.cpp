@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "chain/touching.h"
+#include "session/fixtures/fixture_kind.h"
 #include "session/touch_xml.h"
 
 namespace handsight {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double usual_touch_sigma = 2e-5;  // m
 constexpr int most_attempts = 400;
-constexpr double gauge_travel = 5e-3, bar_travel = 1e-3;  // m
 
 enum Purpose : std::uint64_t {
   touch_time_stream = 3,
@@ -23,20 +23,19 @@ enum Purpose : std::uint64_t {
 };
 
 /// What a reading at this fixture is to show.
-double wanted_value(FixtureKind kind, Random& random) {
-  if (kind == FixtureKind::gauge) return random.uniform(-gauge_travel, gauge_travel);
-  if (kind == FixtureKind::length) return 0.3 + 0.1 * random.integer(3) + random.uniform(-bar_travel, bar_travel);
-  return 0;
+double wanted_value(const FixtureKind& kind, Random& random) {
+  const SimulatedValue& s = kind.simulated;
+  double value = s.first;
+  if (s.count > 1) value += s.apart * random.integer(s.count);
+  if (s.travel > 0) value += random.uniform(-s.travel, s.travel);
+  return value;
 }
 
-Eigen::VectorXd errors(FixtureKind kind, double sigma, Random& random) {
-  const Eigen::Index count = kind == FixtureKind::point ? 3 : kind == FixtureKind::line ? 2 : 1;
-  Eigen::VectorXd e(count);
-  for (Eigen::Index i = 0; i < count; ++i) e[i] = sigma * random.gaussian();
+Eigen::VectorXd errors(const FixtureKind& kind, double sigma, Random& random) {
+  Eigen::VectorXd e(static_cast<Eigen::Index>(kind.numbers.size()));
+  for (double& number : e) number = sigma * random.gaussian();
   return e;
 }
-
-bool reads_a_value(FixtureKind kind) { return kind == FixtureKind::gauge || kind == FixtureKind::length; }
 
 struct Limits {
   Eigen::VectorXd lower, upper;
@@ -70,8 +69,8 @@ ObservationState states_in(const Chain& part, const Next& next, const Eigen::Vec
 }
 
 /// A hand that comes from below a plate cannot.
-bool stands_well(const TouchSimulation& s, FixtureKind kind, const ObservationState& c, int fixture) {
-  return kind != FixtureKind::plane || s.place(c, fixture, -1).z() > 0;
+bool stands_well(const TouchSimulation& s, const FixtureKind& kind, const ObservationState& c, int fixture) {
+  return !kind.is_one_sided || s.place(c, fixture, -1).z() > 0;
 }
 
 }  // namespace
@@ -100,13 +99,13 @@ std::vector<Observation> simulated_touches(const TouchSimulation& s) {
     next.elapsed = o.time - all.front().time;
     next.order = static_cast<int>(k);
     Random values = root.child(value_stream).child(k), readings = root.child(reading_stream + k);
-    const double value = wanted_value(fixture.kind, values);
-    const Eigen::VectorXd wanted = errors(fixture.kind, touch_sigma(s.like, s.options, f), readings).array() + value;
+    const double value = wanted_value(*fixture.kind, values);
+    const Eigen::VectorXd wanted = errors(*fixture.kind, touch_sigma(s.like, s.options, f), readings).array() + value;
     const auto at = [&](const Eigen::VectorXd& q) { return states_in(part, next, q); };
     const TipInFixture tip = [&](const Eigen::VectorXd& q) { return s.place(at(q), static_cast<int>(f), marker); };
     for (int attempt = 0; attempt < most_attempts && o.position.size() == 0; ++attempt)
-      if (auto q = touching_posture(tip, fixture.kind, wanted, s.posture(), limits.lower, limits.upper);
-          q && stands_well(s, fixture.kind, at(*q), static_cast<int>(f)))
+      if (auto q = touching_posture(tip, *fixture.kind, wanted, s.posture(), limits.lower, limits.upper);
+          q && stands_well(s, *fixture.kind, at(*q), static_cast<int>(f)))
         o.position = std::move(*q);
     if (o.position.size() == 0)
       throw InputError(
@@ -133,9 +132,9 @@ void read_touches(const TouchSimulation& s, std::vector<Observation>& given) {
     Random readings = root.child(reading_stream + k);
     const Vector3 place = s.place(c, o.part, 0);
     const Eigen::VectorXd held =
-        held_by(fixture.kind, place) + errors(fixture.kind, touch_sigma(s.like, s.options, f), readings);
+        held_by(*fixture.kind, place) + errors(*fixture.kind, touch_sigma(s.like, s.options, f), readings);
     o.sightings = touch_sightings(fixture, 0, held[0]);
-    if (!reads_a_value(fixture.kind) && fixture.kind != FixtureKind::plane)
+    if (fixture.kind->value == TouchValue::none)
       for (Sighting& sighting : o.sightings)
         for (Eigen::Index i = 0; i < held.size(); ++i) (*sighting.point)[i] = held[i];
     next.before = c.sensor;
@@ -154,16 +153,16 @@ std::optional<Observation> next_touch(const TouchSimulation& s, const std::vecto
     next.before = states_at(s.chain.parts[static_cast<std::size_t>(before.part)], before.position).sensor;
   }
   Random readings = Random(s.options.seed).child(reading_stream + static_cast<std::uint64_t>(next.order));
-  const Eigen::VectorXd error = errors(fixture.kind, touch_sigma(s.like, s.options, f), readings);
+  const Eigen::VectorXd error = errors(*fixture.kind, touch_sigma(s.like, s.options, f), readings);
   const TipInFixture tip = [&](const Eigen::VectorXd& q) {
     return s.place(states_in(s.chain.parts[f], next, q), o.part, 0);
   };
-  if (reads_a_value(fixture.kind)) {
-    o.sightings = touch_sightings(fixture, 0, held_by(fixture.kind, tip(o.position))[0] + error[0]);
+  if (is_instrument(*fixture.kind)) {
+    o.sightings = touch_sightings(fixture, 0, held_by(*fixture.kind, tip(o.position))[0] + error[0]);
     return o;
   }
   const Limits limits = limits_of(s.chain);
-  const auto touching = touching_posture(tip, fixture.kind, error, o.position, limits.lower, limits.upper);
+  const auto touching = touching_posture(tip, *fixture.kind, error, o.position, limits.lower, limits.upper);
   if (!touching) return std::nullopt;
   o.position = *touching;
   o.sightings = touch_sightings(fixture, 0, 0);

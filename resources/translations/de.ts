@@ -321,6 +321,10 @@
         <translation> und </translation>
     </message>
     <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
         <source> at the hand (%1)</source>
         <translation> an der Hand (%1)</translation>
     </message>
@@ -899,30 +903,6 @@
         <translation>Was berührt wurde; sortiert nach der Abweichung</translation>
     </message>
     <message>
-        <source>Plane %1: the tip touched it.</source>
-        <translation>Ebene %1: die Spitze hat sie berührt.</translation>
-    </message>
-    <message>
-        <source>Plane %1: the tip stood %2 mm above it.</source>
-        <translation>Ebene %1: die Spitze stand %2 mm darüber.</translation>
-    </message>
-    <message>
-        <source>Socket %1: the tip's ball sat in it.</source>
-        <translation>Pfanne %1: die Kugel der Spitze saß darin.</translation>
-    </message>
-    <message>
-        <source>Edge %1: the tip lay against it.</source>
-        <translation>Kante %1: die Spitze lag daran.</translation>
-    </message>
-    <message>
-        <source>Dial gauge %1: it read %2 mm.</source>
-        <translation>Messuhr %1: sie zeigte %2 mm.</translation>
-    </message>
-    <message>
-        <source>Length %1: it read %2 mm.</source>
-        <translation>Länge %1: abgelesen %2 mm.</translation>
-    </message>
-    <message>
         <source>Nothing was touched in this observation.</source>
         <translation>In dieser Beobachtung wurde nichts berührt.</translation>
     </message>
@@ -1011,26 +991,6 @@
         <translation>Die Vorrichtungen und die Spitze werden mit dem Roboter gefunden.</translation>
     </message>
     <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>socket</source>
-        <translation>Pfanne</translation>
-    </message>
-    <message>
-        <source>edge</source>
-        <translation>Kante</translation>
-    </message>
-    <message>
-        <source>dial gauge</source>
-        <translation>Messuhr</translation>
-    </message>
-    <message>
-        <source>length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
         <source>A tracker or a probe measures in space, not in images.</source>
         <translation>Ein Tracker oder ein Taster misst im Raum, nicht in Bildern.</translation>
     </message>
@@ -1065,46 +1025,6 @@
     <message>
         <source>Known distances, m; a semicolon between them</source>
         <translation>Bekannte Abstände, m; dazwischen ein Strichpunkt</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Socket</source>
-        <translation>Pfanne</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>Kante</translation>
-    </message>
-    <message>
-        <source>Dial gauge</source>
-        <translation>Messuhr</translation>
-    </message>
-    <message>
-        <source>Ball bar, wire</source>
-        <translation>Messstab, Seil</translation>
-    </message>
-    <message>
-        <source>A plate: the tip touches it, or stands as much above it as was read.</source>
-        <translation>Eine Platte: die Spitze berührt sie oder steht um das Abgelesene darüber.</translation>
-    </message>
-    <message>
-        <source>The tip's ball sits in it.</source>
-        <translation>Die Kugel der Spitze sitzt darin.</translation>
-    </message>
-    <message>
-        <source>The tip lies against a straight edge.</source>
-        <translation>Die Spitze liegt an einer geraden Kante.</translation>
-    </message>
-    <message>
-        <source>It reads how far the tip is along its axis.</source>
-        <translation>Sie zeigt, wie weit die Spitze entlang ihrer Achse ist.</translation>
-    </message>
-    <message>
-        <source>It reads how far the tip is from a point.</source>
-        <translation>Er zeigt, wie weit die Spitze von einem Punkt ist.</translation>
     </message>
     <message>
         <source>What is known of %1</source>
@@ -7795,6 +7715,90 @@
         <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Stellungen ruhen und können sie nicht zeigen.</translation>
     </message>
     <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>socket</source>
+        <translation>Pfanne</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>dial gauge</source>
+        <translation>Messuhr</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Socket</source>
+        <translation>Pfanne</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Dial gauge</source>
+        <translation>Messuhr</translation>
+    </message>
+    <message>
+        <source>Ball bar, wire</source>
+        <translation>Messstab, Seil</translation>
+    </message>
+    <message>
+        <source>A plate: the tip touches it, or stands as much above it as was read.</source>
+        <translation>Eine Platte: die Spitze berührt sie oder steht um das Abgelesene darüber.</translation>
+    </message>
+    <message>
+        <source>The tip's ball sits in it.</source>
+        <translation>Die Kugel der Spitze sitzt darin.</translation>
+    </message>
+    <message>
+        <source>The tip lies against a straight edge.</source>
+        <translation>Die Spitze liegt an einer geraden Kante.</translation>
+    </message>
+    <message>
+        <source>It reads how far the tip is along its axis.</source>
+        <translation>Sie zeigt, wie weit die Spitze entlang ihrer Achse ist.</translation>
+    </message>
+    <message>
+        <source>It reads how far the tip is from a point.</source>
+        <translation>Er zeigt, wie weit die Spitze von einem Punkt ist.</translation>
+    </message>
+    <message>
+        <source>Plane %1: the tip touched it.</source>
+        <translation>Ebene %1: die Spitze hat sie berührt.</translation>
+    </message>
+    <message>
+        <source>Plane %1: the tip stood %2 mm above it.</source>
+        <translation>Ebene %1: die Spitze stand %2 mm darüber.</translation>
+    </message>
+    <message>
+        <source>Socket %1: the tip's ball sat in it.</source>
+        <translation>Pfanne %1: die Kugel der Spitze saß darin.</translation>
+    </message>
+    <message>
+        <source>Edge %1: the tip lay against it.</source>
+        <translation>Kante %1: die Spitze lag daran.</translation>
+    </message>
+    <message>
+        <source>Dial gauge %1: it read %2 mm.</source>
+        <translation>Messuhr %1: sie zeigte %2 mm.</translation>
+    </message>
+    <message>
+        <source>Length %1: it read %2 mm.</source>
+        <translation>Länge %1: abgelesen %2 mm.</translation>
+    </message>
+    <message>
         <source>Where the tip sits on the hand is not determined in %1 of its %2 numbers: turn the hand about more than one axis while it touches.</source>
         <translation>Wo die Spitze an der Hand sitzt, ist in %1 ihrer %2 Zahlen nicht bestimmt: drehe die Hand um mehr als eine Achse, während sie berührt.</translation>
     </message>
@@ -7831,8 +7835,8 @@
         <translation>%1: die Ablesungen in Spalte %2 (%3) sind in %4, was weder mm noch um noch m ist; schreibe sie in den Kopf, "%5 [mm]", "[um]" oder "[m]".</translation>
     </message>
     <message>
-        <source>%1: nothing says what the fixture %2 is; name it with --fixture "plane %3", or point, line, gauge or length in place of plane.</source>
-        <translation>%1: nichts sagt, was die Vorrichtung %2 ist; nenne sie mit --fixture "plane %3", oder point, line, gauge oder length anstelle von plane.</translation>
+        <source>%1: nothing says what the fixture %2 is; name it with --fixture "%3 %4", or %5 in place of %3.</source>
+        <translation>%1: nichts sagt, was die Vorrichtung %2 ist; nenne sie mit --fixture "%3 %4", oder %5 anstelle von %3.</translation>
     </message>
     <message>
         <source>%1: the fixture %2 is taken for a %3 by its name; say --fixture "KIND %4" where it is something else.</source>
@@ -9863,6 +9867,10 @@
         <translation>%1 lässt sich nicht vergleichen: die Anpassung findet keine Antwort; rufe `handsight-cli fit` damit auf, schließe die Beobachtungen aus, die dort auffallen, und vergleiche noch einmal.</translation>
     </message>
     <message>
+        <source>A calibration does not say where what is touched stood; name the earlier session of touches in its place.</source>
+        <translation>Eine Kalibrierung sagt nicht, wo stand, was berührt wird; nenne an ihrer Stelle die frühere Sitzung mit Berührungen.</translation>
+    </message>
+    <message>
         <source>%1: a session of touches is compared with one other at a time; name two.</source>
         <translation>%1: eine Sitzung mit Berührungen wird jeweils mit einer anderen verglichen; nenne zwei.</translation>
     </message>
@@ -11459,8 +11467,8 @@
         <translation>--apart %1: zwei Vorrichtungen schreiben, by=METER und sigma=METER.</translation>
     </message>
     <message>
-        <source>--fixture %1: write what it is and its name, "plane table", "point socket_1", or a line, gauge or length with its place.</source>
-        <translation>--fixture %1: schreiben, was es ist und wie es heißt: "plane table", "point socket_1", oder line, gauge oder length mit ihrem Ort.</translation>
+        <source>--fixture %1: write what it is and its name, "plane table", "point socket_1", or a %2 with its place.</source>
+        <translation>--fixture %1: schreiben, was es ist und wie es heißt: "plane table", "point socket_1", oder %2 mit ihrem Ort.</translation>
     </message>
     <message>
         <source>--fixture: %1 is no number of metres.</source>
@@ -12679,16 +12687,16 @@
         <translation>hat %1="%2"; erwartet wird eine der Vorrichtungen: %3.</translation>
     </message>
     <message>
-        <source>does not say where it is, expected its place; only planes and points with estimate="yes" are found without.</source>
-        <translation>sagt nicht, wo sie ist; erwartet wird ihr Ort; nur Ebenen und Punkte mit estimate="yes" werden ohne ihn gefunden.</translation>
+        <source>does not say where it is, expected its place; only %1 with estimate="yes" are found without.</source>
+        <translation>sagt nicht, wo sie ist; erwartet wird ihr Ort; nur %1 mit estimate="yes" werden ohne ihn gefunden.</translation>
     </message>
     <message>
         <source>is from a fixture to itself, expected two of them.</source>
         <translation>ist von einer Vorrichtung zu sich selbst; erwartet werden zwei.</translation>
     </message>
     <message>
-        <source>holds no fixture, expected a plane, point, line, gauge or length.</source>
-        <translation>enthält keine Vorrichtung; erwartet wird plane, point, line, gauge oder length.</translation>
+        <source>holds no fixture, expected a %1.</source>
+        <translation>enthält keine Vorrichtung; erwartet wird %1.</translation>
     </message>
     <message>
         <source>is a second touch in one observation, expected one: the robot stands once.</source>
@@ -13159,8 +13167,8 @@
         <translation>--apart %1: Abstände stehen in Metern; %2 mm sind by=%3.</translation>
     </message>
     <message>
-        <source>%1: the readings of %2 are deviations, and nothing says from which length; say --fixture "length %3 ... value=METRES".</source>
-        <translation>%1: die Werte von %2 sind Abweichungen, und nichts sagt, von welcher Länge; sage --fixture "length %3 ... value=METER".</translation>
+        <source>%1: the readings of %2 are deviations, and nothing says from which length; say --fixture "%3 %4 ... value=METRES".</source>
+        <translation>%1: die Werte von %2 sind Abweichungen, und nichts sagt, von welcher Länge; sage --fixture "%3 %4 ... value=METER".</translation>
     </message>
     <message>
         <source>%1: its columns (%2) are no places (x y z) with or without a turn; joint readings need the robot they are of: name its URDF with --robot.</source>

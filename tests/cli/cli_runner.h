@@ -39,11 +39,15 @@ inline std::string quoted_argument(const std::string& argument) {
   return quoted + "'";
 }
 
+#ifndef HANDSIGHT_CLI  // else: another program with its commands
+#define HANDSIGHT_CLI HANDSIGHT_BINARY_DIR "/app/cli/handsight-cli"
+#endif
+
 /// `folder` takes the two outputs; it is the caller's own. `before` stands before the program's name: "timeout 60 ".
 inline CliResult run_cli(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
                          const std::string& before = "") {
   const auto out = folder / "cli_out.txt", err = folder / "cli_err.txt";
-  std::string command = before + quoted_argument(HANDSIGHT_BINARY_DIR "/app/cli/handsight-cli");
+  std::string command = before + quoted_argument(HANDSIGHT_CLI);
   for (const std::string& a : arguments) command += " " + quoted_argument(a);
   command += " >" + quoted_argument(out.string()) + " 2>" + quoted_argument(err.string());
   const int status = std::system(command.c_str());

@@ -4,7 +4,10 @@
 
 #include <map>
 
+#include "base/error.h"
+#include "compare/change_watch.h"
 #include "compare/comparison.h"
+#include "estimation/report/fit_report.h"
 #include "fixtures/touch_session.h"
 
 namespace handsight {
@@ -85,6 +88,17 @@ TEST_F(CompareTouches, NumbersAreThoseThatTouchesTell) {
   EXPECT_NEAR(height.after - height.before, 3e-4, 5 * height.sigma);
   EXPECT_LT(std::abs(numbers.at("tip x").in_sigmas()), 5);
   EXPECT_LT(std::abs(numbers.at("plate_left rx").in_sigmas()), 5);
+}
+
+/// Of where the fixtures stood a calibration knows nothing.
+TEST_F(CompareTouches, ACalibrationIsNotComparedWithThem) {
+  const Fit found = fit(june, {});
+  const CalibratedRobot robot = calibrated_robot(june, found, report(june, found), {}, "test");
+  const Session again = later(like);
+  const auto is_refused = testing::ThrowsMessage<InputError>(HasSubstr("name the earlier session of touches"));
+  EXPECT_THAT([&] { compare(robot, again); }, is_refused);
+  ChangeWatch watch(robot);
+  EXPECT_THAT([&] { watch.add(again, again.observations.front()); }, is_refused);
 }
 
 }  // namespace

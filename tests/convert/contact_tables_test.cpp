@@ -5,6 +5,7 @@
 #include "chain/touching.h"
 #include "convert/convert_fixture.h"
 #include "fixtures/two_arms.h"
+#include "session/fixtures/list.h"
 
 namespace handsight {
 namespace {
@@ -37,7 +38,8 @@ class ContactTables : public Convert {
   double drawn(double size) { return std::uniform_real_distribution(-size, size)(random_); }
 
   /// Postures in which the probe's tip touches within the noise; `right_only`: the left arm hangs.
-  std::vector<Eigen::VectorXd> touches(const TipInFixture& tip, FixtureKind kind, double value, bool right_only) {
+  std::vector<Eigen::VectorXd> touches(const TipInFixture& tip, const FixtureKind* kind, double value,
+                                       bool right_only) {
     const Eigen::Index first_left = 7, count = 13;
     Eigen::VectorXd most = Eigen::VectorXd::Constant(count, 1.2);
     if (right_only) most.tail(count - first_left).setConstant(0);
@@ -47,7 +49,7 @@ class ContactTables : public Convert {
       Eigen::VectorXd start(count);
       for (Eigen::Index j = 0; j < count; ++j) start[j] = drawn(most[j]);
       const Eigen::VectorXd wanted = Eigen::VectorXd::Constant(1, value + noise(random_));
-      if (const auto q = touching_posture(tip, kind, wanted, start, -most, most)) all.push_back(*q);
+      if (const auto q = touching_posture(tip, *kind, wanted, start, -most, most)) all.push_back(*q);
     }
     return all;
   }
@@ -88,7 +90,7 @@ TEST_F(ContactTables, PlanesOpenByTheirColumns) {
     const TipInFixture tip = [&](const Eigen::VectorXd& q) {
       return inverse(root_from_plane) * (chain_ends(chain_, q).root_from_tcp * probe_);
     };
-    const auto positions = touches(tip, FixtureKind::plane, 0, true);
+    const auto positions = touches(tip, &fixtures::plane, 0, true);
     ASSERT_EQ(positions.size(), 40U);
     files.push_back(write(std::string(named.first) + ".csv", table(positions)));
   }
@@ -106,7 +108,7 @@ TEST_F(ContactTables, OneHandAgainstTheOther) {
     const ChainEnds ends = chain_ends(chain_, q);
     return Vector3(inverse(ends.root_from_mount) * (ends.root_from_tcp * probe_) - ball);
   };
-  const auto positions = touches(tip, FixtureKind::length, 0.116, false);
+  const auto positions = touches(tip, &fixtures::length, 0.116, false);
   ASSERT_EQ(positions.size(), 40U);
   options_.fixtures = {"length hands mount=left_hand to=0.05,0.02,0.06 value=0.116"};
   const Conversion c = converted({write("self.csv", table(positions))});

@@ -2,6 +2,7 @@
 // Tables of touches: joint angles, what was touched, what it read; with a header or by columns, units told or refused.
 #include "convert/convert_fixture.h"
 #include "fixtures/touch_session.h"
+#include "session/fixtures/list.h"
 
 namespace handsight {
 namespace {
@@ -49,7 +50,7 @@ TEST_F(TouchTables, AHeaderTellsAll) {
   const Conversion c = converted({write("t.csv", table("time,a1,a2,a3,a4,a5,a6,fixture"))});
   expect_as_made(c.session);
   EXPECT_EQ(c.session.fixtures.size(), 5u);
-  EXPECT_EQ(c.session.fixtures[3].kind, FixtureKind::point);
+  EXPECT_EQ(c.session.fixtures[3].kind, &fixtures::point);
   EXPECT_THAT(c.took, Contains(HasSubstr("t.csv: a table of touches")));
   EXPECT_THAT(c.notes, Contains(HasSubstr("taken for a plane by its name")));
   EXPECT_THAT(c.notes, Contains(HasSubstr("Fixture socket_left: 20 touches")));
@@ -89,7 +90,7 @@ TEST_F(TouchTables, FilesOfOneNameInTwoFoldersAreTwoFixturesAndNeedNoHeader) {
   ASSERT_EQ(c.session.fixtures.size(), 2u);
   EXPECT_EQ(c.session.fixtures[0].id, "left_hole_0");
   EXPECT_EQ(c.session.fixtures[1].id, "right_hole_0");
-  EXPECT_EQ(c.session.fixtures[1].kind, FixtureKind::point);
+  EXPECT_EQ(c.session.fixtures[1].kind, &fixtures::point);
   EXPECT_THAT(c.took, Contains(HasSubstr("right/hole_0.csv: a table of touches")));
   EXPECT_THAT(c.notes, Contains(HasSubstr("its columns are taken for a1 a2 a3 a4 a5 a6")));
   EXPECT_LT(fit(c.session).residual_rms, 1e-4);

@@ -44,8 +44,8 @@ TEST(PlanTouch, EveryPostureTouchesItsFixtureAndTeaches) {
   const Fit f = fit(s, fitting);
   for (const PlannedPose& pose : p.poses) {
     ASSERT_GE(pose.fixture, 0);
-    const FixtureKind kind = s.fixtures[static_cast<std::size_t>(pose.fixture)].kind;
-    EXPECT_LT(held_by(kind, tip_there(s, f, pose)).norm(), 1e-6);
+    const FixtureKind* const kind = s.fixtures[static_cast<std::size_t>(pose.fixture)].kind;
+    EXPECT_LT(held_by(*kind, tip_there(s, f, pose)).norm(), 1e-6);
     EXPECT_GT(pose.gain, 0.01);
   }
   EXPECT_LT(p.poses.back().sigma.head<3>().norm(), p.sigma_before.head<3>().norm());

@@ -8,6 +8,7 @@
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "estimation/report/fit_report.h"
+#include "session/fixtures/list.h"
 #include "session/session_xml.h"
 #include "session/touch_xml.h"
 
@@ -28,7 +29,7 @@ Session as_touches(const std::string& set) {
     part.mount = part.fixture = f;
     part.marker_count = 1;
     s.parts.push_back(part);
-    s.fixtures.push_back({part.title, FixtureKind::point, s.sigma_point});
+    s.fixtures.push_back({part.title, &fixtures::point, s.sigma_point});
   }
   const Mount mount{link, Rigid{}, true, false};
   s.mount = mount;

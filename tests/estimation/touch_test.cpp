@@ -11,6 +11,7 @@
 #include "estimation/fit/touch_unknown.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/two_arms.h"
+#include "session/fixtures/list.h"
 #include "session/touch_xml.h"
 
 namespace handsight {
@@ -28,7 +29,8 @@ struct Bench {
   std::vector<Rigid> frames;  // of the fixtures, truly
 };
 
-void add(Bench& b, FixtureKind kind, const std::string& id, const Rigid& truly, const std::optional<Rigid>& said) {
+void add(Bench& b, const FixtureKind* kind, const std::string& id, const Rigid& truly,
+         const std::optional<Rigid>& said) {
   Mount mount;
   mount.link = "stand";
   mount.estimate = true;
@@ -63,10 +65,10 @@ Rigid root_from_tcp(const Chain& chain, const Eigen::VectorXd& q, const std::vec
 
 /// How far the tip is from where the fixture wants it, in as many numbers as the fixture holds; `value`: what a gauge
 /// or a length is to read.
-Eigen::VectorXd off(FixtureKind kind, const Vector3& in_frame, double value) {
-  if (kind == FixtureKind::point) return in_frame;
-  if (kind == FixtureKind::line) return in_frame.head<2>();
-  if (kind == FixtureKind::length) return Eigen::VectorXd::Constant(1, in_frame.norm() - value);
+Eigen::VectorXd off(const FixtureKind* kind, const Vector3& in_frame, double value) {
+  if (kind == &fixtures::point) return in_frame;
+  if (kind == &fixtures::line) return in_frame.head<2>();
+  if (kind == &fixtures::length) return Eigen::VectorXd::Constant(1, in_frame.norm() - value);
   return Eigen::VectorXd::Constant(1, in_frame.z() - value);
 }
 
@@ -76,12 +78,12 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::normal_distribution<double> normal;
   const Chain chain = make_chain(b.session);
-  const FixtureKind kind = b.session.fixtures[fixture].kind;
+  const FixtureKind* const kind = b.session.fixtures[fixture].kind;
   const Rigid frame_from_root = inverse(b.frames[fixture]);
   for (int made = 0; made < count;) {
     Eigen::VectorXd q(6);
     for (Eigen::Index j = 0; j < 6; ++j) q[j] = 1.2 * uniform(random);
-    const double value = kind == FixtureKind::length ? length : kind == FixtureKind::gauge ? 5e-3 * uniform(random) : 0;
+    const double value = kind == &fixtures::length ? length : kind == &fixtures::gauge ? 5e-3 * uniform(random) : 0;
     const auto off_at = [&](const Eigen::VectorXd& at) {
       return off(kind, frame_from_root * (root_from_tcp(chain, at, b.truth) * tip), value);
     };
@@ -111,15 +113,15 @@ void touch(Bench& b, std::size_t fixture, int count, std::uint64_t seed, double 
     Sighting s{.marker = 0, .point_sigma = sigma};
     s.point = Vector3::Zero();
     const auto noise = [&] { return sigma * normal(random); };
-    if (kind == FixtureKind::point) {
+    if (kind == &fixtures::point) {
       const double x = noise(), y = noise(), z = noise();
       s.point = Vector3(x, y, z);
       o.sightings = {s};
-    } else if (kind == FixtureKind::length) {
+    } else if (kind == &fixtures::length) {
       s.point = Vector3(value + noise(), 0, 0);
-      s.by_distance = true;
+      s.reading = fixtures::length.numbers.front().reading;
       o.sightings = {s};
-    } else if (kind == FixtureKind::line) {
+    } else if (kind == &fixtures::line) {
       Sighting across = s;
       s.point->x() = noise();
       s.along = Vector3(Vector3::UnitX());
@@ -148,7 +150,7 @@ TEST(Touch, APlateInThreePlacesTellsJointZeros) {
   const std::vector<Rigid> plates{at({0.45, 0, 0.25}), at({0.4, 0.3, 0.4}, {0.6, 0.2, 0}),
                                   at({0.6, -0.2, 0.5}, {0, -0.9, 0})};
   for (std::size_t f = 0; f < plates.size(); ++f) {
-    add(b, FixtureKind::plane, "plate_" + std::to_string(f), plates[f], std::nullopt);
+    add(b, &fixtures::plane, "plate_" + std::to_string(f), plates[f], std::nullopt);
     touch(b, f, 30, 10 + f);
   }
   FitOptions options;
@@ -165,11 +167,11 @@ TEST(Touch, APlateInThreePlacesTellsJointZeros) {
 TEST(Touch, EveryKindOfFixtureIsFittedToItsNoise) {
   Bench b = workbench();
   b.truth = {find_offset(b.session, "a2", 2e-3)};
-  add(b, FixtureKind::plane, "table", at({0.45, 0, 0.25}), std::nullopt);
-  add(b, FixtureKind::point, "socket", at({0.5, 0.2, 0.3}), std::nullopt);
-  add(b, FixtureKind::line, "edge", at({0.4, -0.3, 0.4}, {0.7, 0.5, 0}), at({0.41, -0.29, 0.41}, {0.72, 0.48, 0}));
-  add(b, FixtureKind::gauge, "dial", at({0.6, 0, 0.5}, {0, 1.2, 0}), at({0.6, 0, 0.51}, {0, 1.22, 0}));
-  add(b, FixtureKind::length, "bar", at({0.2, 0.1, 0.2}), at({0.21, 0.09, 0.2}));
+  add(b, &fixtures::plane, "table", at({0.45, 0, 0.25}), std::nullopt);
+  add(b, &fixtures::point, "socket", at({0.5, 0.2, 0.3}), std::nullopt);
+  add(b, &fixtures::line, "edge", at({0.4, -0.3, 0.4}, {0.7, 0.5, 0}), at({0.41, -0.29, 0.41}, {0.72, 0.48, 0}));
+  add(b, &fixtures::gauge, "dial", at({0.6, 0, 0.5}, {0, 1.2, 0}), at({0.6, 0, 0.51}, {0, 1.22, 0}));
+  add(b, &fixtures::length, "bar", at({0.2, 0.1, 0.2}), at({0.21, 0.09, 0.2}));
   for (std::size_t f = 0; f < 5; ++f) touch(b, f, 25, 40 + f);
   FitOptions options;
   options.estimated = estimated(b.session, "joint_offset:a2");
@@ -189,8 +191,8 @@ TEST(Touch, TwoSocketsOfKnownDistanceTellTheRobotsScale) {
   EffectTerm longer = term_of(*find_effect("link_geometry"), find_joint(b.session.robot, "a4"));
   longer.values[0] = 1e-3;
   b.truth = {longer};
-  add(b, FixtureKind::point, "left", at({0.45, 0.15, 0.3}), std::nullopt);
-  add(b, FixtureKind::point, "right", at({0.45, -0.15, 0.3}), std::nullopt);
+  add(b, &fixtures::point, "left", at({0.45, 0.15, 0.3}), std::nullopt);
+  add(b, &fixtures::point, "right", at({0.45, -0.15, 0.3}), std::nullopt);
   for (std::size_t f = 0; f < 2; ++f) touch(b, f, 40, 70 + f);
   FitOptions options;
   options.estimated = estimated(b.session, "link_geometry:a4");
@@ -214,7 +216,7 @@ TEST(Touch, ATipThatIsDeterminedIsNotSaidNotToBe) {
   const std::array<Rigid, 3> places{at({0.45, 0, 0.25}), at({0.4, 0.3, 0.4}, {0.6, 0.2, 0}),
                                     at({0.6, -0.2, 0.5}, {0, -0.9, 0})};
   for (std::size_t f = 0; f < 3; ++f) {
-    add(b, FixtureKind::plane, "plate_" + std::to_string(f), places[f], std::nullopt);
+    add(b, &fixtures::plane, "plate_" + std::to_string(f), places[f], std::nullopt);
     touch(b, f, 8, 10 + f);
     const Fit found = fit(b.session, {});
     ASSERT_TRUE(found.converged());
@@ -224,9 +226,30 @@ TEST(Touch, ATipThatIsDeterminedIsNotSaidNotToBe) {
   }
 }
 
+/// What nothing tells of a plate that is touched once must not pass for something that is not known of the tip.
+TEST(Touch, AFixtureThatIsTouchedTooSeldomLeavesTheTipDetermined) {
+  for (const int plates : {1, 2}) {
+    Bench b = workbench();
+    add(b, &fixtures::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
+    touch(b, 0, 10, 5);
+    for (int p = 0; p < plates; ++p) {
+      const Rigid plate = at({0.45, 0, 0.25 + 0.1 * p}, {0.3 * p, 0, 0});
+      add(b, &fixtures::plane, "plate_" + std::to_string(p), plate, plate);
+      touch(b, static_cast<std::size_t>(p) + 1, 1, 6);
+    }
+    const Fit found = fit(b.session, {});
+    ASSERT_TRUE(found.converged());
+    EXPECT_EQ(undetermined_tip(b.session, found), (std::array<bool, 3>{})) << plates << " plates";
+    std::vector<char> untold(static_cast<std::size_t>(plates) + 1, 1);
+    untold[0] = 0;
+    EXPECT_EQ(undetermined_fixtures(b.session, found), untold) << plates << " plates";
+    for (Eigen::Index i = 0; i < 3; ++i) EXPECT_LT(found.parameter_covariance(i, i), 1e-4);
+  }
+}
+
 TEST(Touch, WhatNothingTellsHasAnUnknownSigma) {
   Bench b = workbench();
-  add(b, FixtureKind::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
+  add(b, &fixtures::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
   touch(b, 0, 2, 5);  // the hand turned about one axis: along it the tip may be anywhere
   const Fit found = fit(b.session, {});
   const std::array<bool, 3> untold = undetermined_tip(b.session, found);
@@ -238,9 +261,9 @@ TEST(Touch, WhatNothingTellsHasAnUnknownSigma) {
 TEST(Touch, WhatIsHiddenIsNamed) {
   Bench b = workbench();
   b.truth = {find_offset(b.session, "a3", 1.5e-3)};
-  add(b, FixtureKind::point, "socket_1", at({0.45, 0.2, 0.3}), std::nullopt);
-  add(b, FixtureKind::point, "socket_2", at({0.5, -0.2, 0.35}), std::nullopt);
-  add(b, FixtureKind::plane, "table", at({0.45, 0, 0.25}), std::nullopt);
+  add(b, &fixtures::point, "socket_1", at({0.45, 0.2, 0.3}), std::nullopt);
+  add(b, &fixtures::point, "socket_2", at({0.5, -0.2, 0.35}), std::nullopt);
+  add(b, &fixtures::plane, "table", at({0.45, 0, 0.25}), std::nullopt);
   for (std::size_t f = 0; f < 3; ++f) touch(b, f, 30, 90 + f);
   b.session.distances = {{0, 1, (b.frames[0].translation - b.frames[1].translation).norm(), 1e-5}};
   const Improvement m = improve(b.session);

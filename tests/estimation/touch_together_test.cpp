@@ -9,6 +9,7 @@
 #include "estimation/report/fit_report.h"
 #include "estimation/report/part_report.h"
 #include "fixtures/touch_session.h"
+#include "session/fixtures/list.h"
 #include "session/joined.h"
 
 namespace handsight {
@@ -34,7 +35,7 @@ JoinedMember touched(Session like, int count, std::uint64_t seed, const std::str
 
 Session plate_session(const Vector3& place, const Vector3& rpy) {
   Session s = fixture::probe_session();
-  fixture::add_fixture(s, FixtureKind::plane, "plate", place, rpy);
+  fixture::add_fixture(s, &fixtures::plane, "plate", place, rpy);
   return s;
 }
 
@@ -118,7 +119,7 @@ TEST(TouchTogether, APartOfACollectionIsFittedByTheRobotOfAll) {
 
 TEST(TouchTogether, APlaceThatIsKnownIsKept) {
   Session like = fixture::probe_session();
-  fixture::add_fixture(like, FixtureKind::point, "socket", {0.48, 0.15, 0.3});
+  fixture::add_fixture(like, &fixtures::point, "socket", {0.48, 0.15, 0.3});
   Session s = fixture::simulated_touches(like, 12, 12).session;
   const Vector3 truly = s.mount.mount_from_sensor.translation;
   s.mount.mount_from_sensor.translation += Vector3(8e-5, -6e-5, 5e-5);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "session/fixtures/list.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -58,7 +59,7 @@ TEST(TouchXml, EachFixtureIsAPartWithAMountOfItsOwn) {
   EXPECT_EQ(s.distances.front().from, 4);
   EXPECT_EQ(s.observations[0].sightings.front().point->z(), 0.00012);
   EXPECT_EQ(s.observations[2].sightings.size(), 2U) << "an edge holds two numbers";
-  EXPECT_TRUE(s.observations[4].sightings.front().by_distance);
+  EXPECT_EQ(s.observations[4].sightings.front().reading, fixtures::length.numbers.front().reading);
   EXPECT_EQ(s.observations[4].part, 4);
 }
 

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "chain/touching.h"
 #include "fixtures/touch_session.h"
+#include "session/fixtures/list.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -14,9 +15,9 @@ Session workbench() {
   Session s = fixture::probe_session();
   fixture::add_plates(s);
   fixture::add_sockets(s);
-  fixture::add_fixture(s, FixtureKind::line, "edge", {0.4, -0.3, 0.4}, {0.7, 0.5, 0});
-  fixture::add_fixture(s, FixtureKind::gauge, "dial", {0.6, 0, 0.5}, {0, 1.2, 0});
-  fixture::add_fixture(s, FixtureKind::length, "bar", {0.2, 0.1, 0.2});
+  fixture::add_fixture(s, &fixtures::line, "edge", {0.4, -0.3, 0.4}, {0.7, 0.5, 0});
+  fixture::add_fixture(s, &fixtures::gauge, "dial", {0.6, 0, 0.5}, {0, 1.2, 0});
+  fixture::add_fixture(s, &fixtures::length, "bar", {0.2, 0.1, 0.2});
   return s;
 }
 
@@ -30,8 +31,8 @@ std::vector<double> off_readings(const SimulatedSession& made) {
     const Rigid root_from_fixture = find_mount(s, o.part).mount_from_sensor;  // the stand is the root
     const Vector3 tip = inverse(root_from_fixture) * (made.root_from_tcp[k] * made.markers[k][0]);
     const Sighting& read = o.sightings.front();
-    Eigen::VectorXd held = held_by(fixture.kind, tip);
-    held.array() -= read.by_distance ? read.point->x() : read.point->z();
+    Eigen::VectorXd held = held_by(*fixture.kind, tip);
+    held.array() -= touch_value(read);
     for (const double h : held) off.push_back(h / *fixture.sigma);
   }
   return off;
@@ -61,8 +62,8 @@ TEST(SimulatedTouches, WithoutNoiseNothingIsOff) {
     const Observation& o = made.session.observations[k];
     const Vector3 tip =
         inverse(find_mount(made.session, o.part).mount_from_sensor) * (made.root_from_tcp[k] * made.markers[k][0]);
-    Eigen::VectorXd held = held_by(made.session.fixtures[static_cast<std::size_t>(o.part)].kind, tip);
-    held.array() -= o.sightings.front().by_distance ? o.sightings.front().point->x() : o.sightings.front().point->z();
+    Eigen::VectorXd held = held_by(*made.session.fixtures[static_cast<std::size_t>(o.part)].kind, tip);
+    held.array() -= touch_value(o.sightings.front());
     EXPECT_LT(held.norm(), 1e-9);
   }
   EXPECT_FALSE(made.session.fixtures.front().sigma) << "nothing is declared";
@@ -89,7 +90,7 @@ TEST(SimulatedTouches, WrittenTheyAreASessionThatReadsBack) {
 
 TEST(SimulatedTouches, AFixtureOutOfReachIsNamed) {
   Session far = fixture::probe_session();
-  fixture::add_fixture(far, FixtureKind::point, "socket", {4, 0, 0.3});
+  fixture::add_fixture(far, &fixtures::point, "socket", {4, 0, 0.3});
   EXPECT_THAT([&] { fixture::simulated_touches(far, 4, 1); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("touches the fixture socket")));
 }

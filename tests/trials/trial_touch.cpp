@@ -12,6 +12,7 @@
 #include "diagnosis/verdict/finding.h"
 #include "effects/own_effect.h"
 #include "fixtures/touch_session.h"
+#include "session/fixtures/list.h"
 #include "trials/table.h"
 
 namespace handsight {
@@ -25,20 +26,20 @@ Session setting(const std::string& kind) {
   Session s = fixture::probe_session();
   for (const std::size_t j : {1, 2}) s.robot.joints[j].stiffness = 12000;
   const bool all = kind == "all";
-  if (kind == "plane") fixture::add_fixture(s, FixtureKind::plane, "plate", {0.45, 0, 0.25});
+  if (kind == "plane") fixture::add_fixture(s, &fixtures::plane, "plate", {0.45, 0, 0.25});
   if (kind == "planes" || all) fixture::add_plates(s);
   if (kind == "sockets" || all) {  // 50 mm apart, known to 0.01 mm
     const int first = static_cast<int>(s.fixtures.size());
-    fixture::add_fixture(s, FixtureKind::point, "socket_1", {0.48, 0.025, 0.3});
-    fixture::add_fixture(s, FixtureKind::point, "socket_2", {0.48, -0.025, 0.3});
+    fixture::add_fixture(s, &fixtures::point, "socket_1", {0.48, 0.025, 0.3});
+    fixture::add_fixture(s, &fixtures::point, "socket_2", {0.48, -0.025, 0.3});
     s.distances.push_back({first, first + 1, 0.05, 1e-5});
   }
   if (kind == "gauges" || all) {  // on three sides
-    fixture::add_fixture(s, FixtureKind::gauge, "dial_front", {0.55, 0, 0.4}, {0, 1.5707963, 0});
-    fixture::add_fixture(s, FixtureKind::gauge, "dial_side", {0.4, 0.3, 0.4}, {-1.5707963, 0, 0});
-    fixture::add_fixture(s, FixtureKind::gauge, "dial_below", {0.45, 0, 0.25});
+    fixture::add_fixture(s, &fixtures::gauge, "dial_front", {0.55, 0, 0.4}, {0, 1.5707963, 0});
+    fixture::add_fixture(s, &fixtures::gauge, "dial_side", {0.4, 0.3, 0.4}, {-1.5707963, 0, 0});
+    fixture::add_fixture(s, &fixtures::gauge, "dial_below", {0.45, 0, 0.25});
   }
-  if (kind == "bar" || all) fixture::add_fixture(s, FixtureKind::length, "bar", {0.25, 0.1, 0.1});
+  if (kind == "bar" || all) fixture::add_fixture(s, &fixtures::length, "bar", {0.25, 0.1, 0.1});
   return s;
 }
 

@@ -70,7 +70,7 @@ std::vector<Vector3> ring(const Vector3& middle, double radius) {
 }  // namespace
 
 Vector3 find_middle(const SceneFixture& f) {
-  if (f.kind == SceneFixtureKind::length) return f.root_from_fixture.translation;
+  if (f.shape == FixtureShape::bar) return f.root_from_fixture.translation;
   return f.root_from_fixture * Vector3((f.from + f.to) / 2);
 }
 
@@ -78,22 +78,22 @@ void show_fixture(vtkRenderer& renderer, ActorGroup& group, const SceneFixture& 
   const QColor color = f.is_touched ? colors().accent : colors().attribution_to_cameras;
   const double thick = f.is_touched ? 0.004 : 0.0025;  // m
   const Vector3 from = f.root_from_fixture * f.from, to = f.root_from_fixture * f.to;
-  switch (f.kind) {
-    case SceneFixtureKind::plane: {
+  switch (f.shape) {
+    case FixtureShape::patch: {
       const auto corners = corners_of(f);
       add(renderer, group, patch(corners), color, f.is_touched ? 0.45 : 0.25);
       return add(renderer, group, tube_along(corners, thick), color);
     }
-    case SceneFixtureKind::socket: {
+    case FixtureShape::ring: {
       constexpr double radius = 0.025;  // m
       return add(renderer, group, tube_along(ring(f.root_from_fixture.translation, radius), 1.4 * thick), color);
     }
-    case SceneFixtureKind::edge:
+    case FixtureShape::rod:
       return add(renderer, group, rod(from, to, 1.2 * thick), color);
-    case SceneFixtureKind::gauge:
+    case FixtureShape::arrow:
       add(renderer, group, rod(from, to, 1.2 * thick), color);
       return add(renderer, group, cone_tip(from, to, 0.025, 3 * thick), color);
-    case SceneFixtureKind::length:
+    case FixtureShape::bar:
       add(renderer, group, rod(from, to, thick), color);
       add(renderer, group, ball(from, 3 * thick), color);
       return add(renderer, group, ball(to, 2 * thick), color);

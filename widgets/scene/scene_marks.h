@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "camera/camera.h"
+#include "session/fixtures/fixture_kind.h"
 #include "widgets/base/cells.h"
 
 namespace handsight::widgets {
@@ -48,15 +49,12 @@ struct ScenePath {
   bool is_now = false;  // the robot is on it; else it is to come
 };
 
-enum class SceneFixtureKind { plane, socket, edge, gauge, length };
-
 /// What a probe touches, in a frame of its own (m).
 struct SceneFixture {
   QString name;
-  SceneFixtureKind kind = SceneFixtureKind::plane;
+  FixtureShape shape = FixtureShape::patch;
   Rigid root_from_fixture;
-  /// Of a plane (z = 0) two corners of the patch; the ends of an edge, of a gauge's arrow and of a length. A socket is
-  /// a ring round the frame's origin.
+  /// Of a patch (z = 0) two corners; the ends of a rod, an arrow and a bar. A ring is round the frame's origin.
   Vector3 from{0, 0, 0}, to{0, 0, 0};
   bool is_touched = false;  // in the observation that is shown
 };

@@ -8,6 +8,7 @@
 #include "estimation/report/part_report.h"
 #include "fit_output.h"
 #include "json_values.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight::cli {
 namespace {
@@ -24,17 +25,17 @@ std::string locate(const Rigid& m) {
 }
 
 /// What touches tell of where a fixture stands on its link, with its sigmas; nothing of what has no meaning.
-std::string place_text(FixtureKind kind, const FitPart& found) {
+std::string place_text(const FixtureKind& kind, const FitPart& found) {
   const Rigid& m = found.mount_from_sensor;
   const Matrix6& c = *found.mount_covariance;
   const Vector3 z = m.rotation.col(2), xyz = 1e3 * m.translation;
   const double tilt = 1e3 * std::sqrt(std::max(0.0, c(3, 3) + c(4, 4)));
   const std::string axis = fmt::format("{:.4f} {:.4f} {:.4f}", z.x() + 0.0, z.y() + 0.0, z.z() + 0.0);
   const std::string place = fmt::format("{:.3f} {:.3f} {:.3f} mm", xyz.x() + 0.0, xyz.y() + 0.0, xyz.z() + 0.0);
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge)
+  if (kind.place == FixturePlace::height)
     return fmt::format("stands {:.3f} +- {:.3f} mm along {} (+- {:.3f} mrad)", z.dot(xyz),
                        1e3 * std::sqrt(std::max(0.0, c(2, 2))), axis, tilt);
-  if (kind == FixtureKind::line)
+  if (kind.place == FixturePlace::axis)
     return fmt::format("goes through {} (+- {:.3f} mm) along {} (+- {:.3f} mrad)", place,
                        1e3 * std::sqrt(std::max(0.0, c(0, 0) + c(1, 1))), axis, tilt);
   const Vector3 sigma = 1e3 * (m.rotation * c.topLeftCorner<3, 3>() * m.rotation.transpose()).diagonal().cwiseSqrt();
@@ -42,20 +43,20 @@ std::string place_text(FixtureKind kind, const FitPart& found) {
 }
 
 /// The same as numbers of the link's frame; null where nothing is known.
-Json place_json(FixtureKind kind, const FitPart& found) {
+Json place_json(const FixtureKind& kind, const FitPart& found) {
   if (!found.mount_covariance || !found.place_is_determined) return nullptr;
   const Rigid& m = found.mount_from_sensor;
   const Matrix6& c = *found.mount_covariance;
   const Vector3 z = m.rotation.col(2);
   const double tilt = std::sqrt(std::max(0.0, c(3, 3) + c(4, 4)));
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge)
-    return {{kind == FixtureKind::plane ? "normal" : "axis", numbers(z)},
+  if (kind.place == FixturePlace::height)
+    return {{kind.direction, numbers(z)},
             {"offset", z.dot(m.translation)},
             {"sigma_m", std::sqrt(std::max(0.0, c(2, 2)))},
             {"sigma_rad", tilt}};
-  if (kind == FixtureKind::line)
+  if (kind.place == FixturePlace::axis)
     return {{"xyz", numbers(m.translation)},
-            {"direction", numbers(z)},
+            {kind.direction, numbers(z)},
             {"sigma_m", std::sqrt(std::max(0.0, c(0, 0) + c(1, 1)))},
             {"sigma_rad", tilt}};
   const Matrix3 of_place = m.rotation * c.topLeftCorner<3, 3>() * m.rotation.transpose();
@@ -97,7 +98,7 @@ void print_parts(const Output& out, const Session& session, const Fit& fit, cons
       const Fixture& fixture = session.fixtures[static_cast<std::size_t>(f)];
       const std::string& link = find_mount(session, session.parts[i].mount).link;
       out.line(p.title + (p.found.place_is_determined
-                              ? fmt::format(" {} on {}", place_text(fixture.kind, p.found), link)
+                              ? fmt::format(" {} on {}", place_text(*fixture.kind, p.found), link)
                               : " is not determined by these touches"));
     }
     if (session.is_touch()) continue;
@@ -119,7 +120,7 @@ Json parts_json(const Session& session, const Fit& fit, const FitReport& reporte
     one["mount"] = {{"matrix", motion(p.found.mount_from_sensor)},
                     {"covariance", p.found.mount_covariance ? matrix(*p.found.mount_covariance) : Json(nullptr)}};
     if (const int f = session.parts[i].fixture; f >= 0)
-      one["place"] = place_json(session.fixtures[static_cast<std::size_t>(f)].kind, p.found);
+      one["place"] = place_json(*session.fixtures[static_cast<std::size_t>(f)].kind, p.found);
     add_errors(p.fitted, "", one);
     add_errors(p.held_out, "held_out_", one);
     one["held_out_session_pixel"] = number(p.held_out_session.rms_pixel);

@@ -6,6 +6,7 @@
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/report/hand_residual.h"
 #include "session/by_time.h"
+#include "session/fixtures/fixture_kind.h"
 #include "session/sample.h"
 
 namespace handsight {
@@ -45,15 +46,15 @@ void note_worst(const MarkerResidual& marker, InspectionRow& row) {
 /// place. Sensors of poses read points of a known shape so, which stand for a pose.
 std::optional<Vector3> read_along(const Problem& problem, const ProblemObservation& o, const Sighting& s,
                                   const Vector3& predicted_in_sensor) {
-  if (s.by_distance && predicted_in_sensor.norm() > 0) return Vector3(predicted_in_sensor.normalized());
+  if (s.reading) return s.reading->by_tip(predicted_in_sensor);
   const bool is_pose = problem.shape && o.sightings.size() == pose_markers;
   return is_pose ? std::nullopt : s.along;
 }
 
 /// Where a reading has the marker: it says nothing across its direction, where the marker is as predicted.
 Vector3 read_place(const Sighting& s, const Vector3& along, const Vector3& predicted_in_sensor) {
-  const double off =
-      s.by_distance ? s.point->x() - predicted_in_sensor.norm() : along.dot(*s.point - predicted_in_sensor);
+  const double off = s.reading ? s.reading->of(*s.point) - s.reading->of(predicted_in_sensor)
+                               : along.dot(*s.point - predicted_in_sensor);
   return predicted_in_sensor + off * along;
 }
 

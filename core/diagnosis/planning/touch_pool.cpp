@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "chain/touching.h"
+#include "session/fixtures/fixture_kind.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 namespace {
@@ -18,9 +20,15 @@ struct Touched {
 };
 
 /// The share of a place that the fixture leaves free: along a plane, along an edge.
-Vector3 free_part(FixtureKind kind, const Vector3& x) {
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge) return {x.x(), x.y(), 0};
-  if (kind == FixtureKind::line) return {0, 0, x.z()};
+Vector3 free_part(const FixtureKind& kind, const Vector3& x) {
+  switch (kind.place) {
+    case FixturePlace::height:
+      return {x.x(), x.y(), 0};
+    case FixturePlace::axis:
+      return {0, 0, x.z()};
+    case FixturePlace::origin:
+      return Vector3::Zero();
+  }
   return Vector3::Zero();
 }
 
@@ -33,7 +41,7 @@ class Fixtures {
       const Rigid from_tcp = sensor_from_tcp_at(o, estimate(fit));
       const Sighting& s = o.sightings.front();
       t.tips.push_back(from_tcp * marker_at(o, estimate(fit), s.marker));
-      t.values.push_back(s.by_distance ? s.point->x() : s.point->z());
+      t.values.push_back(touch_value(s));
       t.side += from_tcp.translation.z();
     }
   }
@@ -47,13 +55,13 @@ class Fixtures {
   /// Where touches have been, and from the side that they came from.
   bool is_as_touched(std::size_t f, const Eigen::VectorXd& position) const {
     const Touched& t = touched_[f];
-    const FixtureKind kind = session_.fixtures[f].kind;
+    const FixtureKind& kind = *session_.fixtures[f].kind;
     Vector3 middle = Vector3::Zero();
     for (const Vector3& x : t.tips) middle += free_part(kind, x) / static_cast<double>(t.tips.size());
     double reach = least_reach;
     for (const Vector3& x : t.tips) reach = std::max(reach, (free_part(kind, x) - middle).norm());
     if ((free_part(kind, place_of_tip(f, position)) - middle).norm() > reach) return false;
-    return kind != FixtureKind::plane || place_in_fixture(fit_, static_cast<int>(f), position, -1).z() * t.side > 0;
+    return !kind.is_one_sided || place_in_fixture(fit_, static_cast<int>(f), position, -1).z() * t.side > 0;
   }
 
  private:
@@ -94,12 +102,12 @@ TouchPool touch_pool(const Session& session, const Fit& fit, const PoseJudge& ju
   for (std::size_t f = 0; f < session.fixtures.size(); ++f) {
     const Touched& touched = fixtures.touched(f);
     if (touched.tips.empty()) continue;
-    const FixtureKind kind = session.fixtures[f].kind;
+    const FixtureKind& kind = *session.fixtures[f].kind;
     const TipInFixture tip = [&](const Eigen::VectorXd& q) { return fixtures.place_of_tip(f, q); };
     int found = 0;
     for (int attempt = 0; attempt < tries_a_pose * each && found < each; ++attempt) {
       const auto like = static_cast<std::size_t>(uniform(random) * static_cast<double>(touched.values.size()));
-      const Eigen::Index numbers = held_by(kind, Vector3::Zero()).size();
+      const auto numbers = static_cast<Eigen::Index>(kind.numbers.size());
       const Eigen::VectorXd wanted = Eigen::VectorXd::Constant(numbers, numbers > 1 ? 0 : touched.values[like]);
       const auto position =
           touching_posture(tip, kind, wanted, make_start(session, judge, random), judge.lower(), judge.upper());

@@ -23,7 +23,7 @@ void each_sighting(const Problem& problem, const ProblemObservation& o, const Un
 }
 
 void add_corners(const Sighting& s, int place, const SightingColumn& error, std::vector<CornerResidual>& corners) {
-  if (s.along || s.by_distance) return;  // of a pose or a reading: no point that is seen
+  if (s.along || s.reading) return;  // of a pose or a reading: no point that is seen
   if (s.point) corners.push_back({place, s.marker, by_tracker, error.head<2>()});
   Eigen::Index row = 0;
   for (const CameraPoint& seen : s.in_cameras) {
@@ -41,7 +41,7 @@ Eigen::MatrixXd corner_changes(const Problem& p, const Unknowns& u, const Eigen:
     const Eigen::Matrix<double, 6, Eigen::Dynamic> motion = motion_by_columns(p, o, u);
     each_sighting(p, o, u, sensor_from_tcp, [&](const Sighting& s, const Vector3& x, const SightingResidual& r) {
       const Eigen::MatrixXd change = by_columns(p, o, s, x, r, sensor_from_tcp.rotation, motion) * steps;
-      const Eigen::Index rows = s.along || s.by_distance ? 0 : s.point ? 2 : r.rows;
+      const Eigen::Index rows = s.along || s.reading ? 0 : s.point ? 2 : r.rows;
       changes.middleRows(next, rows) = change.topRows(rows);
       next += rows;
     });

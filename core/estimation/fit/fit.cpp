@@ -12,6 +12,7 @@
 #include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/fit/touch_counts.h"
 #include "estimation/fit/touch_unknown.h"
 #include "estimation/fit/undetermined.h"
 #include "estimation/problem/pose_residuals.h"
@@ -81,7 +82,7 @@ int no_matter(const Session& session) {
   int count = 0;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f)
     if (find_mount(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate)
-      count += session.fixtures[f].kind == FixtureKind::line ? 2 : 3;
+      count += 6 - static_cast<int>(list_numbers(*session.fixtures[f].kind).size());
   return count;
 }
 

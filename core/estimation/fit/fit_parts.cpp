@@ -68,7 +68,7 @@ FitPart take_part(const Fit& fit, const SessionPart& from) {
 }
 
 /// Of the numbers of a fixture's small motion that mean nothing (a plane's turn about its normal) nothing is known.
-void forget_meaningless(FixtureKind kind, Matrix6& covariance) {
+void forget_meaningless(const FixtureKind& kind, Matrix6& covariance) {
   const std::vector<Eigen::Index> meant = list_numbers(kind);
   for (Eigen::Index n = 0; n < 6; ++n)
     if (std::find(meant.begin(), meant.end(), n) == meant.end())
@@ -132,7 +132,7 @@ std::vector<FitPart> list_parts(const Session& session, const Fit& fit) {
     FitPart& found = parts.back();
     found.place_is_determined = !are_untold[static_cast<std::size_t>(part.fixture)];
     if (found.mount_covariance)
-      forget_meaningless(session.fixtures[static_cast<std::size_t>(part.fixture)].kind, *found.mount_covariance);
+      forget_meaningless(*session.fixtures[static_cast<std::size_t>(part.fixture)].kind, *found.mount_covariance);
   }
   return parts;
 }

@@ -39,31 +39,26 @@ std::vector<int> count_by_fixture(const Session& session, const std::vector<cons
 int asked_of(const Session& session, std::size_t fixture) {
   const Fixture& f = session.fixtures[fixture];
   const bool is_known = !find_mount(session, static_cast<int>(fixture)).estimate || f.place_sigma;
-  return is_known ? 0 : static_cast<int>(list_numbers(f.kind).size());
+  return is_known ? 0 : static_cast<int>(list_numbers(*f.kind).size());
 }
 
+int numbers_of_touch(const FixtureKind& kind) { return static_cast<int>(kind.numbers.size()); }
+
 /// What so many touches tell of the tip beside the fixture's place. Two of a socket leave a turn about one axis.
-int told_of_tip(FixtureKind kind, int touches, int asked) {
+int told_of_tip(const FixtureKind& kind, int touches, int asked) {
   const int left = touches * numbers_of_touch(kind) - asked;
-  return std::max(0, kind == FixtureKind::point && touches == 2 && asked > 0 ? left - 1 : left);
+  return std::max(0, measures_place(kind) && touches == 2 && asked > 0 ? left - 1 : left);
 }
 
 }  // namespace
 
-int numbers_of_touch(FixtureKind kind) {
-  if (kind == FixtureKind::point) return 3;
-  return kind == FixtureKind::line ? 2 : 1;
-}
-
-std::vector<Eigen::Index> list_numbers(FixtureKind kind) {
-  switch (kind) {
-    case FixtureKind::plane:
-    case FixtureKind::gauge:
+std::vector<Eigen::Index> list_numbers(const FixtureKind& kind) {
+  switch (kind.place) {
+    case FixturePlace::height:
       return {2, 3, 4};
-    case FixtureKind::line:
+    case FixturePlace::axis:
       return {0, 1, 3, 4};
-    case FixtureKind::point:
-    case FixtureKind::length:
+    case FixturePlace::origin:
       return {0, 1, 2};
   }
   return {};
@@ -74,7 +69,7 @@ LackingTouches count_lacking(const Session& session, const std::vector<char>& co
   const std::vector<int> touches = count_by_fixture(session, list);
   LackingTouches lacking{{}, 3 * count_tips(list)};
   for (std::size_t f = 0; f < touches.size(); ++f) {
-    const FixtureKind kind = session.fixtures[f].kind;
+    const FixtureKind& kind = *session.fixtures[f].kind;
     const int each = numbers_of_touch(kind), asked = asked_of(session, f);
     lacking.of_fixture.push_back(std::max(0, (asked - touches[f] * each + each - 1) / each));
     lacking.numbers_of_tip -= told_of_tip(kind, touches[f] + lacking.of_fixture.back(), asked);
@@ -94,12 +89,12 @@ std::vector<int> touches_lacking(const Session& session) {
   std::size_t best = touches.size();  // the one that tells most of the tip
   for (std::size_t f = 0; f < touches.size(); ++f) {
     if (touches[f] == 0) lacking[f] = 0;
-    const int each = numbers_of_touch(session.fixtures[f].kind);
-    const bool tells_more = best == touches.size() || each > numbers_of_touch(session.fixtures[best].kind);
+    const int each = numbers_of_touch(*session.fixtures[f].kind);
+    const bool tells_more = best == touches.size() || each > numbers_of_touch(*session.fixtures[best].kind);
     if (touches[f] > 0 && tells_more) best = f;
   }
   if (best == touches.size()) return lacking;
-  const int each = numbers_of_touch(session.fixtures[best].kind);
+  const int each = numbers_of_touch(*session.fixtures[best].kind);
   lacking[best] += (counted.numbers_of_tip + each - 1) / each;
   return lacking;
 }

@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "base/message.h"
+#include "session/fixtures/fixture_kind.h"
 #include "session/session.h"
 
 namespace handsight {
 
-/// Numbers that one touch of it measures: 1 to 3.
-int numbers_of_touch(FixtureKind kind);
-
 /// The numbers of a fixture's small motion in its own frame (v, w) that mean something: not a plane's turn about its
 /// normal.
-std::vector<Eigen::Index> list_numbers(FixtureKind kind);
+std::vector<Eigen::Index> list_numbers(const FixtureKind& kind);
 
 /// What is lacking, by counting alone, that the places of tip and fixtures could follow from touches.
 struct LackingTouches {

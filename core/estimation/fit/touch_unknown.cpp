@@ -38,7 +38,8 @@ std::vector<Eigen::Index> list_meaningful(const Session& session, const Fit& fit
     const Eigen::Index column = column_of_fixture(session, fit, f);
     if (column < 0) continue;
     for (Eigen::Index n = 0; n < 6; ++n) means[static_cast<std::size_t>(column + n)] = 0;
-    for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) means[static_cast<std::size_t>(column + n)] = 1;
+    for (const Eigen::Index n : list_numbers(*session.fixtures[f].kind))
+      means[static_cast<std::size_t>(column + n)] = 1;
   }
   std::vector<Eigen::Index> columns;
   for (std::size_t i = 0; i < means.size(); ++i)
@@ -71,7 +72,7 @@ bool moves_fixture(const Session& session, const Fit& fit, std::size_t f, const 
   const Eigen::Index column = column_of_fixture(session, fit, f);
   if (column < 0) return false;
   Eigen::MatrixXd rows(0, untold.cols());
-  for (const Eigen::Index n : list_numbers(session.fixtures[f].kind)) {
+  for (const Eigen::Index n : list_numbers(*session.fixtures[f].kind)) {
     rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
     rows.bottomRows<1>() = untold.row(column + n);
   }
@@ -119,14 +120,17 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   return names;
 }
 
-bool is_one_plane(const Session& session) {
+/// What one fixture alone does not tell, where it is the only one of its kind that is touched and there is no other
+/// kind.
+std::optional<Message> told_by_one_alone(const Session& session) {
+  const FixtureKind& kind = *session.fixtures.front().kind;
   int touched = 0;
   for (std::size_t f = 0; f < session.fixtures.size(); ++f)
     touched += std::any_of(session.observations.begin(), session.observations.end(),
                            [&](const Observation& o) { return is_used(o) && o.part == static_cast<int>(f); });
-  const bool all_planes = std::all_of(session.fixtures.begin(), session.fixtures.end(),
-                                      [](const Fixture& f) { return f.kind == FixtureKind::plane; });
-  return all_planes && touched == 1;
+  const bool are_alike =
+      std::all_of(session.fixtures.begin(), session.fixtures.end(), [&](const Fixture& f) { return f.kind == &kind; });
+  return are_alike && touched == 1 && kind.alone ? std::optional(kind.alone()) : std::nullopt;
 }
 
 }  // namespace
@@ -207,10 +211,7 @@ std::vector<Message> touch_unknown_texts(const Session& session, const Fit& fit)
         "As many numbers were read as are asked for: how exact they are cannot be known. Touch more, or say how "
         "exactly "
         "a touch tells (sigma).");
-  if (is_one_plane(session))
-    texts.emplace_back(
-        "One plane alone tells only what lifts the tip off it, and nothing along it; put the plate in two more places, "
-        "tilted against the first, or add a socket.");
+  if (auto alone = told_by_one_alone(session)) texts.push_back(std::move(*alone));
   return texts;
 }
 

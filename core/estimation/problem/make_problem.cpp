@@ -6,6 +6,7 @@
 #include "estimation/problem/problem.h"
 #include "estimation/problem/robot_scale.h"
 #include "session/by_time.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
 namespace {
@@ -37,7 +38,7 @@ void require_one_link(const Session& session, const KnownDistance& d, const Chai
               session.file.filename().string(), session.fixtures[of].id, session.fixtures[from].id));
 }
 
-/// Of a plane and a gauge the height of three places 0.3 m apart, of an edge two places of it, else the three numbers.
+/// Of what has a height that of three places 0.3 m apart, of an axis two places of it, of an origin the three numbers.
 void add_known_place(const Session& session, int fixture, std::vector<MountPlace>& places) {
   const Fixture& f = session.fixtures[static_cast<std::size_t>(fixture)];
   if (!f.place_sigma) return;
@@ -48,15 +49,18 @@ void add_known_place(const Session& session, int fixture, std::vector<MountPlace
     places.push_back({number, frame * in_frame, along, *f.place_sigma});
   };
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ(), origin = Vector3::Zero();
-  const bool is_flat = f.kind == FixtureKind::plane || f.kind == FixtureKind::gauge;
-  if (is_flat)
-    for (const Vector3& at : {origin, Vector3(apart * x), Vector3(apart * y)}) add(at, z);
-  else
-    for (const Vector3& along : {x, y}) add(origin, along);
-  if (f.kind == FixtureKind::line)
-    for (const Vector3& along : {x, y}) add(apart * z, along);
-  else if (!is_flat)
-    add(origin, z);
+  switch (f.kind->place) {
+    case FixturePlace::height:
+      for (const Vector3& at : {origin, Vector3(apart * x), Vector3(apart * y)}) add(at, z);
+      return;
+    case FixturePlace::axis:
+      for (const Vector3& at : {origin, Vector3(apart * z)})
+        for (const Vector3& along : {x, y}) add(at, along);
+      return;
+    case FixturePlace::origin:
+      for (const Vector3& along : {x, y, z}) add(origin, along);
+      return;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "estimation/problem/problem_part.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
 
@@ -17,7 +18,7 @@ bool measures_no_length(const Session& session, const Chain& chain) {
     // From the robot's base to a place that is known is a length too.
     const bool is_known =
         fixture.place_sigma || !find_mount(session, part_of_fixture(session, static_cast<int>(f)).mount).estimate;
-    if (fixture.kind == FixtureKind::length || is_known) return false;
+    if (fixture.kind->tells_length || is_known) return false;
   }
   double length = 0;
   for (const Joint& joint : chain.robot.joints) length += joint.parent_from_joint.translation.norm();

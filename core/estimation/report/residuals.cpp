@@ -70,7 +70,7 @@ Residuals compute_residuals(const Problem& images, const ProblemObservation& o, 
     if (images.rig) seen.emplace_back(predicted, n);
     residuals.squares += n.cost;
     residuals.rows += n.rows;
-    if (s.by_distance || (s.along && !images.shape)) {  // a reading of one coordinate
+    if (s.reading || (s.along && !images.shape)) {  // a reading of one coordinate
       const SightingResidual one = sighting_residual(images.rig_or_null(), s, predicted);
       residuals.lengths.push_back(std::abs(one.error[0]) *
                                   (s.point_sigma && s.usual_sigma > 0 ? *s.point_sigma / s.usual_sigma : 1));

@@ -11,7 +11,7 @@
 #include "chain/sighting.h"
 #include "estimation/fit/touch_counts.h"
 #include "estimation/report/session_warnings.h"
-#include "session/touch_xml.h"
+#include "session/fixtures/fixture_kind.h"
 #include "vision/image/image_file.h"
 
 namespace handsight {
@@ -62,7 +62,7 @@ void list_fixtures(const Session& session, SessionCheck& check) {
       return o.part == static_cast<int>(f) && !o.sightings.empty();
     });
     check.contents.push_back(message("Fixture {} on {}, a {}: {} touches{}; its place is {}.", fixture.id, mount.link,
-                                     fixture_tag(fixture.kind), touches,
+                                     fixture.kind->tag, touches,
                                      fixture.sigma ? message(", {:g} m each", *fixture.sigma) : Message(),
                                      !mount.estimate       ? Message("known")
                                      : fixture.place_sigma ? message("known to {:g} m", *fixture.place_sigma)

@@ -273,7 +273,7 @@ void hold_turns_of_sockets(const Problem& problem, NormalEquations& normal) {
   for (const ProblemObservation& o : problem.observations) {
     const ObservationState& c = problem.source->states[static_cast<std::size_t>(o.index)];
     const bool is_socket =
-        c.chain->is_fixture && !o.sightings.empty() && !o.sightings.front().along && !o.sightings.front().by_distance;
+        c.chain->is_fixture && !o.sightings.empty() && !o.sightings.front().along && !o.sightings.front().reading;
     const Eigen::Index turns = is_socket ? problem.column_of_mount(o.mount) + 3 : -1;
     if (turns < 3 || normal.information(turns, turns) == 0) continue;
     normal.information.middleRows<3>(turns).setZero();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/start/touch_start.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "base/error.h"
 #include "estimation/solvers/least_squares.h"
+#include "session/fixtures/fixture_kind.h"
 
 namespace handsight {
 namespace {
@@ -23,7 +22,7 @@ std::vector<Vector3> tips_by_points(const Session& session, const Problem& probl
   Eigen::VectorXd g = Eigen::VectorXd::Zero(count);
   for (const ProblemObservation& o : problem.observations) {
     const int f = fixture_of(session, o);
-    if (session.fixtures[static_cast<std::size_t>(f)].kind != FixtureKind::point) continue;
+    if (!measures_place(*session.fixtures[static_cast<std::size_t>(f)].kind)) continue;
     const Rigid by = mount_from_tcp(o);
     Eigen::MatrixXd row = Eigen::MatrixXd::Zero(3, count);
     row.middleCols<3>(3 * o.sightings.front().marker) = by.rotation;
@@ -37,31 +36,14 @@ std::vector<Vector3> tips_by_points(const Session& session, const Problem& probl
   return all;
 }
 
-/// A frame in the middle of the places whose z is across them as they lie flattest.
-Rigid plane_through(const std::vector<Vector3>& places) {
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3& x : places) middle += x / static_cast<double>(places.size());
-  Matrix3 spread = Matrix3::Zero();
-  for (const Vector3& x : places) spread += (x - middle) * (x - middle).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(spread);
-  Matrix3 frame;
-  frame.col(2) = eigen.eigenvectors().col(0);
-  frame.col(0) = eigen.eigenvectors().col(2);
-  frame.col(1) = frame.col(2).cross(frame.col(0));
-  return {frame, middle};
-}
-
 Rigid found_frame(const Session& session, std::size_t fixture, const std::vector<Vector3>& places) {
   const Fixture& f = session.fixtures[fixture];
-  const std::size_t least = f.kind == FixtureKind::plane ? 3 : 1;
-  if (places.size() < least)
+  if (places.size() < f.kind->least_tips)
     throw InputError(
         message("{}: nothing says where the fixture {} is, and {} touch{} of it do not tell; touch it "
                 "more often, or say where it is about.",
                 session.file.filename().string(), f.id, places.size(), places.size() == 1 ? "" : "es"));
-  Rigid frame = plane_through(places);
-  if (f.kind == FixtureKind::point) frame.rotation.setIdentity();
-  return frame;
+  return f.kind->frame_through(places);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "chain/touching.h"
 #include "diagnosis/planning/touch_pool.h"
+#include "session/fixtures/list.h"
 #include "session/touch_xml.h"
 
 namespace handsight {
@@ -17,8 +18,8 @@ constexpr double usual_error = 5e-3;   // m: a robot that is not calibrated touc
 constexpr double most_residuals = 10;  // of what the fit leaves
 
 /// Away from the fixture, in its frame: along what it reads on the side of the TCP, else along the probe.
-Vector3 way_back(FixtureKind kind, const Vector3& tip, const Vector3& tcp) {
-  if (kind == FixtureKind::plane || kind == FixtureKind::gauge) return {0, 0, tcp.z() < tip.z() ? -1.0 : 1.0};
+Vector3 way_back(const FixtureKind& kind, const Vector3& tip, const Vector3& tcp) {
+  if (kind.place == FixturePlace::height) return {0, 0, tcp.z() < tip.z() ? -1.0 : 1.0};
   const Vector3 along = tcp - tip;
   return along.norm() > 1e-6 ? Vector3(along.normalized()) : Vector3::UnitZ();
 }
@@ -26,14 +27,13 @@ Vector3 way_back(FixtureKind kind, const Vector3& tip, const Vector3& tcp) {
 /// Where the robot stands before it touches; nothing where it cannot.
 std::optional<Eigen::VectorXd> stand_before(const Session& session, const Fit& fit, const Reach& reach, int fixture,
                                             const Eigen::VectorXd& touching) {
-  const FixtureKind kind = session.fixtures[static_cast<std::size_t>(fixture)].kind;
+  const FixtureKind& kind = *session.fixtures[static_cast<std::size_t>(fixture)].kind;
   if (!reach.ranges.hold(touching)) return std::nullopt;
-  if (kind == FixtureKind::length) return can_be_taken(reach, touching) ? std::optional(touching) : std::nullopt;
+  if (kind.stays_on_tip) return can_be_taken(reach, touching) ? std::optional(touching) : std::nullopt;
   const TipInFixture tip = [&](const Eigen::VectorXd& q) { return place_in_fixture(fit, fixture, q, 0); };
   const Vector3 at = tip(touching);
   const Vector3 before = at + touch_clearance * way_back(kind, at, place_in_fixture(fit, fixture, touching, -1));
-  const auto stand =
-      touching_posture(tip, FixtureKind::point, before, touching, reach.ranges.lower, reach.ranges.upper);
+  const auto stand = touching_posture(tip, fixtures::point, before, touching, reach.ranges.lower, reach.ranges.upper);
   return stand && can_be_taken(reach, *stand) ? stand : std::nullopt;
 }
 
@@ -111,7 +111,7 @@ Observation observation_of_touch(const Session& session, int fixture, const Touc
   if (answer.fixture != asked.id)
     throw DriverFault(message("The driver was to touch the fixture {} and says that it has touched {}.",
                               in_quotes(asked.id), in_quotes(answer.fixture)));
-  if (asked.kind == FixtureKind::length && !answer.value)
+  if (asked.kind->value == TouchValue::whole && !answer.value)
     throw DriverFault(
         message("The driver's touch of {} has no \"value\": a length is what it reads there.", in_quotes(asked.id)));
   Observation o;
@@ -123,11 +123,10 @@ Observation observation_of_touch(const Session& session, int fixture, const Touc
 }
 
 OnlineStep decided_touch(const Fit& fit, const Session& session, const Observation& o) {
-  const FixtureKind kind = session.fixtures[static_cast<std::size_t>(o.part)].kind;
+  const FixtureKind& kind = *session.fixtures[static_cast<std::size_t>(o.part)].kind;
   const Sighting& s = o.sightings.front();
   const Eigen::VectorXd held = held_by(kind, place_in_fixture(fit, o.part, o.position, s.marker));
-  const bool reads = kind == FixtureKind::plane || kind == FixtureKind::gauge || kind == FixtureKind::length;
-  const double read = reads ? held_by(kind, *s.point)[0] : 0;
+  const double read = kind.value == TouchValue::none ? 0 : held_by(kind, *s.point)[0];
   const double off = (held.array() - read).matrix().norm(), most = usual_error + most_residuals * fit.residual_rms;
   OnlineStep step;
   step.id = o.id;

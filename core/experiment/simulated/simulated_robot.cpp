@@ -6,6 +6,8 @@
 
 #include "base/text.h"
 #include "estimation/fit/fit.h"
+#include "session/fixtures/fixture_kind.h"
+#include "session/touch_xml.h"
 
 namespace handsight {
 namespace {
@@ -83,9 +85,7 @@ TouchAnswer SimulatedRobot::touch(const TouchRequest& request) {
   looks_.back() = *touched;
   TouchAnswer answer{.ok = true};
   answer.fixture = request.fixture;
-  const Vector3& point = *touched->sightings.front().point;
-  if (touched->sightings.front().by_distance) answer.value = point.x();
-  if (fixture->kind == FixtureKind::gauge) answer.value = point.z();
+  if (is_instrument(*fixture->kind)) answer.value = touch_value(touched->sightings.front());
   answer.position = touched->position - off;
   answer.time = time_;
   return answer;

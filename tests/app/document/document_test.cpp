@@ -16,6 +16,7 @@
 #include "document/refit.h"
 #include "document/selection.h"
 #include "images/image_source.h"
+#include "session/fixtures/list.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "vision/image/image_file.h"
@@ -235,7 +236,7 @@ TEST(Edits, ReadBackBitForBit) {
   b.sightings.push_back(reading);
   Sighting& length = b.sightings.emplace_back();
   length.point = Vector3(0.2, 0, 0);
-  length.by_distance = true;
+  length.reading = fixtures::length.numbers.front().reading;
   b.decision = Decision::rejected;
   b.reason = "\"quoted\"\n and \xc3\xa4";
   const Edit edit{.sentence = "d\xc3\xa9placé",
@@ -251,8 +252,8 @@ TEST(Edits, ReadBackBitForBit) {
   const std::vector<Sighting>& read = again.observations[0].after.sightings;
   ASSERT_EQ(read.size(), 3U);
   EXPECT_EQ(read[1].along, reading.along);
-  EXPECT_FALSE(read[1].by_distance);
-  EXPECT_TRUE(read[2].by_distance);
+  EXPECT_EQ(read[1].reading, nullptr);
+  EXPECT_EQ(read[2].reading, length.reading);
   EXPECT_EQ(again.settings->after, edit.settings->after);
   Edit with_parts = edit;
   with_parts.observations[0].after.reason = message("rejected: {}", "blurred");

@@ -15,7 +15,6 @@ namespace handsight::test {
 namespace {
 
 using widgets::SceneFixture;
-using widgets::SceneFixtureKind;
 
 class Touches : public testing::Test {
  protected:
@@ -108,15 +107,15 @@ TEST_F(Touches, ARowIsOffByWhatTheReportSays) {
 TEST_F(Touches, OfEveryKindAreDrawnAndExplained) {
   open(every_kind());
   go(3);
-  std::set<SceneFixtureKind> kinds;
-  for (const SceneFixture& f : scene().fixtures()) kinds.insert(f.kind);
-  EXPECT_EQ(kinds.size(), 5U);
+  std::set<FixtureShape> shapes;
+  for (const SceneFixture& f : scene().fixtures()) shapes.insert(f.shape);
+  EXPECT_EQ(shapes.size(), 5U);
   std::set<QString> words;
   for (const Observation& o : desk.document().session().observations) {
     select(o.id);
     words.insert(panel().section(' ', 0, 0));
     ASSERT_NE(touched(), nullptr);
-    if (touched()->kind != SceneFixtureKind::length) continue;
+    if (touched()->shape != FixtureShape::bar) continue;
     // From its end to the tip, as long as was read.
     EXPECT_NEAR(touched()->to.norm(), o.sightings.front().point->x(), 1e-3);
   }
