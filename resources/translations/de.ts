@@ -6368,6 +6368,10 @@
         <translation>Das Rauschen ist nicht bekannt: Es gibt keine Farbskala.</translation>
     </message>
     <message>
+        <source>The noise is not known: a cell's height is its error, the highest %1.</source>
+        <translation>Das Rauschen ist nicht bekannt: Die Höhe einer Zelle ist ihr Fehler, die höchste %1.</translation>
+    </message>
+    <message>
         <source>%1, %2 taken, %3 rejected</source>
         <translation>%1, %2 genommen, %3 verworfen</translation>
     </message>
