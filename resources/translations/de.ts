@@ -8767,12 +8767,12 @@
         <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
     </message>
     <message>
-        <source>The hand carries %1 +- %2 kg more than it did</source>
-        <translation>Die Hand trägt %1 +- %2 kg mehr als vorher</translation>
+        <source>The hand carries %1 more than it did</source>
+        <translation>Die Hand trägt %1 mehr als vorher</translation>
     </message>
     <message>
-        <source>Joint %1 gives way by %2 +- %3 %4 more than it did</source>
-        <translation>Gelenk %1 gibt um %2 +- %3 %4 mehr nach als vorher</translation>
+        <source>Joint %1 gives way by %2 more than it did</source>
+        <translation>Gelenk %1 gibt um %2 mehr nach als vorher</translation>
     </message>
     <message>
         <source>distortion</source>
