@@ -6368,6 +6368,14 @@
         <translation>Das Rauschen ist nicht bekannt: Es gibt keine Farbskala.</translation>
     </message>
     <message>
+        <source>Expect %1 on new poses: so much is left of poses that took no part in choosing the causes, which few poses do by chance, too.</source>
+        <translation>Auf neuen Posen sind %1 zu erwarten: So viel bleibt bei Posen, die bei der Wahl der Ursachen nicht mitgeredet haben; wenige Posen wählen auch nach Zufall.</translation>
+    </message>
+    <message>
+        <source>Choosing the causes without a part of the poses</source>
+        <translation>Wählt die Ursachen ohne einen Teil der Posen</translation>
+    </message>
+    <message>
         <source>The noise is not known: a cell's height is its error, the highest %1.</source>
         <translation>Das Rauschen ist nicht bekannt: Die Höhe einer Zelle ist ihr Fehler, die höchste %1.</translation>
     </message>
