@@ -3,6 +3,7 @@
 
 #include <QSignalSpy>
 
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_strip.h"
 #include "widgets/lists/three_numbers.h"
@@ -98,6 +99,30 @@ TEST(ObservationStrip, WithoutAKnownNoiseTheHeightIsTheSizeBesideTheLargest) {
   EXPECT_GT(small, 2);
   const QRectF cell = strip.cell_rect(10);
   EXPECT_EQ(strip.grab().toImage().pixelColor(cell.center().toPoint()), colors().residual[1]) << "neither good nor bad";
+}
+
+double brightness(const QColor& c) { return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF(); }
+
+TEST(ObservationStrip, AStrokeIsSeenOnABarOfAnyColour) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+    apply_theme(*qApp, kind);
+    for (const double size : {0.5, 1.3, 4.0, 8.0, 30.0}) {
+      ObservationStrip strip;
+      auto cells = test::many_cells(40);
+      for (auto& cell : cells) cell.rms_over_sigma = size;
+      cells[20].state = CellState::rejected;
+      strip.set_cells(cells);
+      test::show(strip, {1100, 72});
+      const QImage image = strip.grab().toImage();
+      const QRect cell = strip.cell_rect(20).toRect();
+      const double bar = brightness(colors().residual[static_cast<std::size_t>(residual_step(size, 12))]);
+      double most = 0;
+      for (int x = cell.left() + 2; x < cell.right() - 2; ++x)
+        most = std::max(most, std::abs(brightness(image.pixelColor(x, cell.bottom() - 3)) - bar));
+      EXPECT_GT(most, 0.25) << size << " times the noise";
+    }
+  }
+  apply_theme(*qApp, ThemeKind::light);
 }
 
 TEST(ThreeNumbers, NothingIsCutOffAtAnyScale) {

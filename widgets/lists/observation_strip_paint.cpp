@@ -73,10 +73,14 @@ void ObservationStrip::paint_cell(QPainter& painter, const ObservationCell& cell
     painter.fillRect(QRectF(bar.left(), bar.top(), bar.width(), 1.5), c.candidate);
   }
   if (cell.state == CellState::rejected || cell.state == CellState::excluded) {
-    painter.setPen(QPen(c.ink2, cell.state == CellState::excluded ? 2 : 1));
-    if (room.width() >= 4)
-      painter.drawLine(room.bottomLeft() - QPointF(0, 1), room.topRight() + QPointF(0, room.height() * 0.3));
-    else
+    if (room.width() >= 4) {
+      // On a rim: the bar below it has any colour from nearly the ground's to nearly the ink's.
+      const double thick = cell.state == CellState::excluded ? 2 : 1;
+      for (const QPen& pen : {QPen(c.panel, thick + 2), QPen(c.ink1, thick)}) {
+        painter.setPen(pen);
+        painter.drawLine(room.bottomLeft() - QPointF(0, 1), room.topRight() + QPointF(0, room.height() * 0.3));
+      }
+    } else
       painter.fillRect(QRectF(room.left(), room.top() + room.height() / 2, room.width(), 2), c.ink2);
   }
 }
