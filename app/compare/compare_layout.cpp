@@ -88,9 +88,13 @@ QWidget* ComparePage::make_lists() {
   numbers_->horizontalHeaderItem(2)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // as the units below it
   numbers_->setAccessibleName(tr("Numbers of both"));
   column->addWidget(changes_title_);
-  column->addWidget(changes_, 2);
+  // As high as its rows, as long as the numbers keep half of the room.
+  changes_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  changes_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+  numbers_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  column->addWidget(changes_);
   column->addWidget(numbers_title_);
-  column->addWidget(numbers_, 3);
+  column->addWidget(numbers_, 1);
   lists->setMinimumWidth(340);
   return lists;
 }

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -244,6 +245,18 @@ TEST_F(Compare, OnALaptopNothingIsCut) {
             << name << " in tab " << tab << " reaches out of " << outer->metaObject()->className();
     }
   }
+}
+
+TEST_F(Compare, OnALaptopWhatMayHaveChangedIsNotCutWhileTheNumbersHaveRoom) {
+  const auto before = simulate("march", true, {});
+  open(simulate("april", false, {"joint_offset:" + read_session(before).joints[2] + ".offset=0.004"}));
+  desk.window.resize(1366, 728);
+  compare_with(before);
+  QTest::qWait(50);
+  auto* changes = desk.find<QTableWidget>("compare_changes");
+  auto* numbers = desk.find<QTableWidget>("compare_numbers");
+  const auto cut = [](QTableWidget* table) { return table->verticalHeader()->length() - table->viewport()->height(); };
+  EXPECT_TRUE(cut(changes) <= 0 || cut(numbers) > 0) << cut(changes) << " px of it, " << -cut(numbers) << " px free";
 }
 
 TEST_F(Compare, OfThreeSessionsItSaysBetweenWhichAJointLostItsZero) {
