@@ -13,6 +13,7 @@
 #include "calibrate/own_pose_page.h"
 #include "calibrate/transport.h"
 #include "findings/recall.h"
+#include "widgets/base/theme.h"
 #include "widgets/images/image_view.h"
 #include "widgets/lists/decision_list.h"
 #include "widgets/lists/whole_rows.h"

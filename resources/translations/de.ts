@@ -3220,7 +3220,7 @@
     </message>
     <message>
         <source>Where it fails: the proof</source>
-        <translation>Wo es fehlt: der Beweis</translation>
+        <translation>Wo es danebenliegt: der Beweis</translation>
     </message>
     <message>
         <source>Where it sits</source>
@@ -3279,8 +3279,8 @@
         <translation>Damit wäre der Fehler %1.</translation>
     </message>
     <message>
-        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing that it knows explains more than chance would.</source>
-        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. No cause of the catalogue that is not in the model explains more than chance would.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Keine Ursache des Katalogs, die nicht im Modell ist, erklärt mehr als der Zufall.</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -5383,6 +5383,14 @@
     <message>
         <source>change from the first (%1)</source>
         <translation>Änderung gegenüber dem Ersten (%1)</translation>
+    </message>
+    <message>
+        <source>change from the first</source>
+        <translation>Änderung gegenüber dem Ersten</translation>
+    </message>
+    <message>
+        <source>change from final</source>
+        <translation>Abstand vom Endwert</translation>
     </message>
     <message>
         <source>change from final (%1)</source>
