@@ -18,6 +18,7 @@
 #include "export/correction_box.h"
 #include "export/export_workspace.h"
 #include "export/exported.h"
+#include "widgets/lists/whole_rows.h"
 #include "workbench/heading.h"
 
 namespace handsight::app {
@@ -30,16 +31,6 @@ class LowTable : public QTableWidget {
   QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), find_least_height()}; }
   /// Of six numbers, none of them cut.
   int find_least_height() const { return horizontalHeader()->sizeHint().height() + 6 * 24; }
-  /// No higher than its rows: what is left is for others.
-  void end_below_its_rows() {
-    const auto end = [this] {
-      const int rows = horizontalHeader()->height() + verticalHeader()->length() + 2 * frameWidth();
-      setMaximumHeight(std::max(minimumHeight(), rows));
-    };
-    connect(verticalHeader(), &QHeaderView::sectionResized, this, end);
-    connect(verticalHeader(), &QHeaderView::sectionCountChanged, this, end);
-    connect(horizontalHeader(), &QHeaderView::geometriesChanged, this, end);
-  }
 };
 
 LowTable* plain_table(int columns, QWidget* parent) {
@@ -120,7 +111,7 @@ QWidget* ExportWorkspace::make_left() {
   for (const int c : {1, 2}) motion_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   motion_->setMinimumHeight(motion->find_least_height());  // more where there is room; else it scrolls
-  motion->end_below_its_rows();
+  widgets::end_below_rows(motion_);
   layout->addWidget(motion_, 2);
   correction_ = new CorrectionBox(workbench_, left);
   layout->addWidget(correction_);

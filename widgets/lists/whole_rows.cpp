@@ -2,8 +2,21 @@
 #include "widgets/lists/whole_rows.h"
 
 #include <QEvent>
+#include <QHeaderView>
+#include <QTableView>
+#include <algorithm>
 
 namespace handsight::widgets {
+
+void end_below_rows(QTableView* table) {
+  const auto end = [table] {
+    const int rows = table->horizontalHeader()->height() + table->verticalHeader()->length() + 2 * table->frameWidth();
+    table->setMaximumHeight(std::max(table->minimumHeight(), rows));
+  };
+  QObject::connect(table->verticalHeader(), &QHeaderView::sectionResized, table, end);
+  QObject::connect(table->verticalHeader(), &QHeaderView::sectionCountChanged, table, end);
+  QObject::connect(table->horizontalHeader(), &QHeaderView::geometriesChanged, table, end);
+}
 
 WholeRows::WholeRows(QAbstractItemView* list, int row_height, QWidget* parent)
     : QWidget(parent), list_(list), row_height_(row_height) {

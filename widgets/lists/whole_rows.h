@@ -4,7 +4,12 @@
 
 #include <QAbstractItemView>
 
+class QTableView;
+
 namespace handsight::widgets {
+
+/// Lets a table be no higher than its rows (and than its minimum): what room is left is for others.
+void end_below_rows(QTableView* table);
 
 /// Makes a list that scrolls to its end as high as whole rows of `row_height` px (all alike) go into the room that
 /// there is; less than a row is left below it. At its end a list of any other height cuts its first row.
