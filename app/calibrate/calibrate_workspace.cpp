@@ -13,8 +13,10 @@
 #include "calibrate/own_pose_page.h"
 #include "calibrate/transport.h"
 #include "findings/recall.h"
+#include "widgets/base/theme.h"
 #include "widgets/images/image_view.h"
 #include "widgets/lists/decision_list.h"
+#include "widgets/lists/whole_rows.h"
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/scene/robot_view.h"
 #include "words/core_words.h"
@@ -79,7 +81,7 @@ void CalibrateWorkspace::make_layout() {
   tabs_ = new QTabWidget(this);
   tabs_->setObjectName("calibrate_tabs");
   tabs_->setDocumentMode(true);
-  tabs_->addTab(decisions_, tr("Decisions"));
+  tabs_->addTab(new widgets::WholeRows(decisions_, widgets::row_height_px, tabs_), tr("Decisions"));
   tabs_->addTab(objectives_, tr("Objective"));
   tabs_->addTab(one_marker_, tr("One marker"));
   tabs_->addTab(own_pose_, tr("Own pose"));
@@ -378,7 +380,7 @@ void CalibrateWorkspace::refresh_decisions() {
 }
 
 void CalibrateWorkspace::refresh_decision_title(bool is_present) {
-  const int place = tabs_->indexOf(decisions_);
+  const int place = tabs_->indexOf(decisions_->parentWidget());
   tabs_->setTabText(place, is_present || player_.steps().empty() ? tr("Decisions") : tr("Decisions, errors of then"));
   tabs_->setTabToolTip(place, is_present ? tr("The errors are those of the present model")
                                          : tr("The errors are those of the moment of the decision"));

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "widgets/base/icons.h"
+#include "widgets/base/theme.h"
 #include "words/counted.h"
 #include "workbench/session_parts.h"
 
@@ -58,7 +59,10 @@ void Transport::make_layout() {
   speed_->setFocusPolicy(Qt::StrongFocus);
   progress_ = new QLabel(this);
   progress_->setObjectName("play_progress");
-  progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its words must not widen the window
+  progress_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // its words must not widen the window
+  progress_->setFont(widgets::text_font(widgets::TextRole::small));
+  progress_->setWordWrap(true);
+  progress_->setFixedHeight(2 * progress_->fontMetrics().lineSpacing());
   label_next_ = new QPushButton(this);
   label_next_->setObjectName("label_next");
   label_next_->setToolTip(tr("Opens it in Label; with its markers labelled the play goes on by itself"));

@@ -15,6 +15,7 @@
 #include "widgets/base/theme.h"
 #include "widgets/explain/pattern_page.h"
 #include "widgets/explain/residual_cloud.h"
+#include "widgets/lists/whole_rows.h"
 
 namespace handsight::app {
 namespace {
@@ -88,9 +89,11 @@ QWidget* ComparePage::make_lists() {
   numbers_->horizontalHeaderItem(2)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // as the units below it
   numbers_->setAccessibleName(tr("Numbers of both"));
   column->addWidget(changes_title_);
+  for (QTableWidget* table : {changes_, numbers_}) widgets::end_below_rows(table);
   column->addWidget(changes_, 2);
   column->addWidget(numbers_title_);
   column->addWidget(numbers_, 3);
+  column->addStretch(0);
   lists->setMinimumWidth(340);
   return lists;
 }

@@ -17,12 +17,19 @@ QString change_heading(const std::string& id, const std::vector<std::string>& wh
   return id == "lens" ? QObject::tr("the lenses") : effect_text(id, where);
 }
 
-/// Lengths in mm, angles in degrees: what people compare with a ruler.
-ShownUnit compared_unit(const std::string& unit) {
-  if (unit == "m") return {1e3, "mm"};
-  if (unit == "rad") return {57.29577951308232, QObject::tr("deg")};
+/// Lengths in mm, angles in degrees: what people compare with a ruler. A number in `unit` whose larger part (value or
+/// sigma) would be a row of zeros in them is told in a thousandth of the unit.
+ShownUnit compared_unit(const std::string& unit, double larger) {
+  constexpr double degrees = 57.29577951308232, least = 1e-3;
+  const auto is_small = [&](double scale) { return larger > 0 && scale * larger < least; };
+  if (unit == "m") return is_small(1e3) ? ShownUnit{1e6, QString::fromUtf8("µm")} : ShownUnit{1e3, "mm"};
+  if (unit == "rad")
+    return is_small(degrees) ? ShownUnit{1e6, QString::fromUtf8("µrad")} : ShownUnit{degrees, QObject::tr("deg")};
+  if (unit == "1" && is_small(100)) return {1e6, "ppm"};
   return shown_unit(unit);
 }
+
+double larger_of(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
 
 /// "tcp_from_body x", "joint_offset of a2: offset".
 QString number_name(const std::string& name) {
@@ -63,7 +70,7 @@ QStringList change_numbers(const Change& c) {
     const Effect& effect = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p) {
       if (effect.parameters[p].is_choice) continue;
-      const ShownUnit unit = compared_unit(c.units[static_cast<std::size_t>(s)]);
+      const ShownUnit unit = compared_unit(c.units[static_cast<std::size_t>(s)], larger_of(t.values[p], c.sigma[s]));
       lines << QObject::tr("%1: %2 %3")
                    .arg(number_title(effect.parameters[p].name),
                         widgets::with_sigma_text(unit.scale * t.values[p], unit.scale * c.sigma[s]), unit.unit);
@@ -76,13 +83,14 @@ QStringList change_numbers(const Change& c) {
 std::vector<NumberLine> number_lines(const Comparison& c) {
   std::vector<NumberLine> lines;
   for (const NumberChange& n : c.numbers) {
-    const ShownUnit unit = compared_unit(n.unit);
+    const ShownUnit unit = compared_unit(n.unit, larger_of(n.after - n.before, n.sigma));
+    const ShownUnit own = compared_unit(n.unit, larger_of(n.before, n.after));
     lines.push_back({number_name(n.name),
                      widgets::with_sigma_text(unit.scale * (n.after - n.before), unit.scale * n.sigma), unit.unit,
                      n.in_sigmas(),
                      QObject::tr("%1 → %2 %3")
-                         .arg(widgets::short_text(unit.scale * n.before, 4),
-                              widgets::short_text(unit.scale * n.after, 4), unit.unit)});
+                         .arg(widgets::short_text(own.scale * n.before, 4), widgets::short_text(own.scale * n.after, 4),
+                              own.unit)});
   }
   std::stable_sort(lines.begin(), lines.end(),
                    [](const NumberLine& a, const NumberLine& b) { return std::abs(a.sigmas) > std::abs(b.sigmas); });
@@ -145,8 +153,9 @@ std::vector<NumberLine> number_lines(const SeveralComparison& c) {
       const Effect& effect = term_effect(t);
       for (std::size_t p = 0; p < t.values.size(); ++p) {
         if (effect.parameters[p].is_choice) continue;
-        const ShownUnit unit = compared_unit(change.units[static_cast<std::size_t>(s)]);
-        const double sigma = change.sigma[s++];
+        const double sigma = change.sigma[s];
+        const ShownUnit unit =
+            compared_unit(change.units[static_cast<std::size_t>(s++)], larger_of(t.values[p], sigma));
         lines.push_back({QObject::tr("%1: %2").arg(change_title(change), number_title(effect.parameters[p].name)),
                          widgets::with_sigma_text(unit.scale * t.values[p], unit.scale * sigma), unit.unit,
                          sigma > 0 ? t.values[p] / sigma : 0});

@@ -14,6 +14,7 @@
 #include "experiment/goals_form.h"
 #include "experiment/moving_robot.h"
 #include "widgets/base/theme.h"
+#include "widgets/lists/whole_rows.h"
 #include "widgets/plots/history_plot.h"
 #include "widgets/scene/robot_view.h"
 #include "workbench/heading.h"
@@ -161,7 +162,7 @@ void ExperimentPage::make_layout() {
   poses_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   auto* work = new QSplitter(Qt::Vertical, this);
   work->addWidget(tabs_);
-  work->addWidget(poses_);
+  work->addWidget(new widgets::WholeRows(poses_, widgets::row_height_px, work));
   work->setSizes({290, 210});
   work->setChildrenCollapsible(false);
   work->setHandleWidth(8);

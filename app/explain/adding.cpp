@@ -106,7 +106,10 @@ Adding::Adding(Workbench& workbench, QObject* parent) : QObject(parent), workben
   timer_.setInterval(ms_between_pictures);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] { show_news(false); });
-  connect(&workbench.document, &Document::opened, this, [this] { workbench_.refused.clear(); });
+  connect(&workbench.document, &Document::opened, this, [this] {
+    workbench_.refused.clear();
+    models_ = 0;
+  });
   const auto look = [this] {
     if (is_running_ && !is_taking_ && !workbench_.explaining.is_busy("add")) stop();
   };
@@ -204,6 +207,7 @@ void Adding::show_news(bool is_end) {
 void Adding::finish(const Run& run, const Outcome& outcome) {
   show_news(true);
   const ModelChange& change = outcome.change;
+  models_ += change.models;
   if (change.stopped || run.revision != workbench_.document.revision()) return stop();
   for (const RefusedStep& r : change.refused)
     workbench_.refused.push_back({r.id, r.where, find_refusal(run), workbench_.document.undo_stack().undoText(),

@@ -39,7 +39,9 @@ class Adding : public QObject {
   const Proof& offered() const { return offered_; }
   const Proof& taken() const { return taken_; }
   bool added_likely() const { return added_likely_; }  // what was taken last
-  int pictures() const { return pictures_; }           // shown of the last addition
+  /// How many models were fitted to choose from, since the document was opened.
+  int models() const { return models_; }
+  int pictures() const { return pictures_; }  // shown of the last addition
   int skipped() const { return skipped_; }
 
  signals:
@@ -80,6 +82,7 @@ class Adding : public QObject {
   bool added_likely_ = false;
   bool is_taking_ = false;  // the document is being changed by what was found
   int pictures_ = 0, skipped_ = 0;
+  int models_ = 0;
 };
 
 }  // namespace handsight::app

@@ -19,7 +19,7 @@
 namespace handsight::app {
 
 WatchingPane::WatchingPane(Workbench& workbench, Adding& adding, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), adding_(adding) {
+    : QWidget(parent), workbench_(workbench), adding_(adding), expecting_(workbench, adding) {
   make_layout();
   connect_all();
   bending_.setDuration(widgets::short_motion);
@@ -116,6 +116,7 @@ void WatchingPane::connect_all() {
   connect(&adding_, &Adding::iterated, cost_, &widgets::CostCurve::append);
   connect(&adding_, &Adding::pictured, this, &WatchingPane::picture);
   connect(&adding_, &Adding::ended, this, &WatchingPane::ended);
+  connect(&expecting_, &Expecting::changed, this, &WatchingPane::refresh_bill);
   connect(&workbench_.document, &Document::opened, this, [this] {
     robot_is_set_ = false;
     a_ = b_ = -1;

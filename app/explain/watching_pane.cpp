@@ -92,9 +92,14 @@ void WatchingPane::choose_tab(int tab) {
 void WatchingPane::show_bill() {
   refresh_bill();
   if (!bill_->entries().empty()) choose_tab(tab_versions);
+  expecting_.start();
 }
 
-void WatchingPane::refresh_bill() { bill_->set_entries(bill_entries(workbench_, workbench_.document.shown_model())); }
+void WatchingPane::refresh_bill() {
+  const ModelVersionPointer shown = workbench_.document.shown_model();
+  bill_->set_entries(bill_entries(workbench_, shown));
+  bill_->set_note(expecting_.sentence(shown));
+}
 
 void WatchingPane::refresh_rows() {
   const ModelVersionPointer marked_a = compared_a(), marked_b = compared_b();

@@ -8,6 +8,7 @@
 
 #include "document/stairs_memory.h"
 #include "explain/adding.h"
+#include "explain/expecting.h"
 #include "widgets/explain/staircase.h"
 
 class QButtonGroup;
@@ -32,7 +33,7 @@ class WatchingPane : public QWidget {
 
   /// The versions, the cloud and the robot of the model that is shown.
   void refresh();
-  /// The versions with the bill of what is in the model.
+  /// Adding has come to its end: the versions with the bill of what is in the model, and what to expect of it.
   void show_bill();
   /// The same where something has been found out of it.
   void refresh_bill();
@@ -80,6 +81,7 @@ class WatchingPane : public QWidget {
 
   Workbench& workbench_;
   Adding& adding_;
+  Expecting expecting_;
   std::vector<RememberedStair> memory_;  // of this session's versions, from before it was opened and since
   std::vector<Row> rows_;
   int a_ = -1, b_ = -1;

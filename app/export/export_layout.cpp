@@ -18,6 +18,7 @@
 #include "export/correction_box.h"
 #include "export/export_workspace.h"
 #include "export/exported.h"
+#include "widgets/lists/whole_rows.h"
 #include "workbench/heading.h"
 
 namespace handsight::app {
@@ -27,10 +28,12 @@ namespace {
 class LowTable : public QTableWidget {
  public:
   using QTableWidget::QTableWidget;
-  QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), 5 * 24 + 36}; }
+  QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), find_least_height()}; }
+  /// Of six numbers, none of them cut.
+  int find_least_height() const { return horizontalHeader()->sizeHint().height() + 6 * 24; }
 };
 
-QTableWidget* plain_table(int columns, QWidget* parent) {
+LowTable* plain_table(int columns, QWidget* parent) {
   auto* table = new LowTable(0, columns, parent);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionMode(QAbstractItemView::NoSelection);
@@ -97,7 +100,8 @@ QWidget* ExportWorkspace::make_left() {
   copy_->setObjectName("copy");
   row->addWidget(copy_);
   layout->addLayout(row);
-  motion_ = plain_table(4, left);
+  auto* motion = plain_table(4, left);
+  motion_ = motion;
   motion_->setObjectName("motion");
   motion_->setAccessibleName(tr("TCP→Body"));
   motion_->setWordWrap(true);
@@ -106,7 +110,8 @@ QWidget* ExportWorkspace::make_left() {
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   for (const int c : {1, 2}) motion_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  motion_->setMinimumHeight(5 * 24 + 36);  // more where there is room; else it scrolls
+  motion_->setMinimumHeight(motion->find_least_height());  // more where there is room; else it scrolls
+  widgets::end_below_rows(motion_);
   layout->addWidget(motion_, 2);
   correction_ = new CorrectionBox(workbench_, left);
   layout->addWidget(correction_);
@@ -125,6 +130,7 @@ QWidget* ExportWorkspace::make_left() {
   excluded_->setWordWrap(true);
   excluded_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   layout->addWidget(excluded_, 1);
+  layout->addStretch(0);
   return left;
 }
 

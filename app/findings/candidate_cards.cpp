@@ -144,8 +144,8 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
           CardKind::noise_unknown, QObject::tr("The noise is unknown"),
           story.causes.empty()
               ? QObject::tr(
-                    "The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing "
-                    "that it knows explains more than chance would.")
+                    "The program cannot say when to stop: declare the noise (sigma), or repeat some poses. No cause "
+                    "of the catalogue that is not in the model explains more than chance would.")
               : QObject::tr("The program cannot say when to stop: declare the noise (sigma), or repeat some poses."));
     case StoryState::unexplained: {
       CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), sentence);

@@ -187,6 +187,8 @@ void StartPage::use_the_room() {
   if (!column_) return;
   const bool is_roomy = width() >= roomy_width && height() >= roomy_height;
   column_->setMaximumWidth(is_roomy ? 1480 : 1080);
+  // On a laptop all of it is in sight without scrolling, in longer languages too.
+  is_roomy ? list_->setContentsMargins(24, 32, 24, 24) : list_->setContentsMargins(24, 14, 24, 12);
   for (auto* button : column_->findChildren<QAbstractButton*>())
     if (auto* place = dynamic_cast<PlaceButton*>(button)) place->set_roomy(is_roomy);
 }
@@ -209,7 +211,6 @@ void StartPage::make() {
   outer->addWidget(column, 100);
   outer->addStretch(1);
   list_ = new QVBoxLayout(column);
-  list_->setContentsMargins(24, 32, 24, 24);
   list_->setSpacing(8);
   auto* name = new QLabel(tr("Handsight"), column);
   name->setFont(widgets::text_font(TextRole::number));

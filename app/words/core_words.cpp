@@ -14,8 +14,10 @@ namespace {
 /// The translation of "%1 has %2" and the like, with its places.
 QString looked_up(const std::string& form) { return QCoreApplication::translate("core", form.c_str()); }
 
-/// The core writes what every terminal has. No line ends after the sign in brackets.
+/// The core writes what every terminal has. No line ends after the sign in brackets. A unit stands alone in its
+/// message.
 QString with_signs(QString text) {
+  if (text == "um" || text.startsWith("urad") || text.startsWith("um/")) text[0] = QChar(0x00B5);
   return text.replace("(+- ", QString::fromUtf8("(±\u00a0")).replace("+-", QString::fromUtf8("±"));
 }
 

@@ -27,7 +27,7 @@ constexpr Kind kinds[] = {{"camera_mount", "camera_mount", false},
                           {"joint_elasticity", "joint_elasticity", false}};
 
 /// Sigma in two digits, and the value to the same place.
-Message measured(double value, double sigma, const char* unit) {
+Message measured(double value, double sigma, const Message& unit) {
   if (!(sigma > 0)) return message("{:.3g} +- {:.2g} {}", value, sigma, unit);
   const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 9);
   return message("{} +- {} {}", number(fmt::format("{:.{}f}", value, places)),
@@ -103,9 +103,12 @@ Message change_text(const ChangeUnit& unit, const std::vector<EffectTerm>& terms
     return message("Joint {} lost its zero: it stands {} further than it reads", unit.where,
                    measured(v[0] * scale, sigma[0] * scale, slides ? "mm" : "degrees"));
   }
-  if (id == "payload") return message("The hand carries {:.3g} +- {:.2g} kg more than it did", v[0], sigma[0]);
-  if (id == "joint_elasticity")
-    return message("Joint {} gives way by {:.3g} +- {:.2g} {} more than it did", unit.where, v[0], sigma[0], own_unit);
+  if (id == "payload") return message("The hand carries {} more than it did", measured(v[0], sigma[0], "kg"));
+  if (id == "joint_elasticity") {
+    const auto [name, scale] = readable_unit(own_unit, std::abs(v[0]));
+    return message("Joint {} gives way by {} more than it did", unit.where,
+                   measured(v[0] * scale, sigma[0] * scale, looked_up(name)));
+  }
   return message("The cameras' lenses are not what they were ({})",
                  terms.front().id == "lens_distortion" ? "distortion" : "focal lengths or centres");
 }

@@ -38,4 +38,11 @@ std::string unit_at(const Effect& effect, std::size_t parameter, int place, cons
   return unit;
 }
 
+std::pair<std::string, double> readable_unit(const std::string& unit, double size) {
+  const bool takes_prefix = unit.starts_with("rad") || unit == "m" || unit.starts_with("m/") || unit == "s";
+  if (!takes_prefix || !(size > 0) || size >= 1) return {unit, 1};
+  if (size >= 1e-3) return {"m" + unit, 1e3};
+  return {"u" + unit, 1e6};
+}
+
 }  // namespace handsight

@@ -3140,7 +3140,7 @@
     </message>
     <message>
         <source>Where it fails: the proof</source>
-        <translation>Wo es fehlt: der Beweis</translation>
+        <translation>Wo es danebenliegt: der Beweis</translation>
     </message>
     <message>
         <source>Where it sits</source>
@@ -3199,8 +3199,8 @@
         <translation>Damit wäre der Fehler %1.</translation>
     </message>
     <message>
-        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. Nothing that it knows explains more than chance would.</source>
-        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Nichts, was es kennt, erklärt mehr als der Zufall.</translation>
+        <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. No cause of the catalogue that is not in the model explains more than chance would.</source>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Keine Ursache des Katalogs, die nicht im Modell ist, erklärt mehr als der Zufall.</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -5313,6 +5313,14 @@
         <translation>Änderung gegenüber dem Ersten (%1)</translation>
     </message>
     <message>
+        <source>change from the first</source>
+        <translation>Änderung gegenüber dem Ersten</translation>
+    </message>
+    <message>
+        <source>change from final</source>
+        <translation>Abstand vom Endwert</translation>
+    </message>
+    <message>
         <source>change from final (%1)</source>
         <translation>Abstand vom Endwert (%1)</translation>
     </message>
@@ -6294,6 +6302,18 @@
     <message>
         <source>The noise is not known: nothing to colour by.</source>
         <translation>Das Rauschen ist nicht bekannt: Es gibt keine Farbskala.</translation>
+    </message>
+    <message>
+        <source>Expect %1 on new poses: so much is left of poses that took no part in choosing the causes, which few poses do by chance, too.</source>
+        <translation>Auf neuen Posen sind %1 zu erwarten: So viel bleibt bei Posen, die bei der Wahl der Ursachen nicht mitgeredet haben; wenige Posen wählen auch nach Zufall.</translation>
+    </message>
+    <message>
+        <source>Choosing the causes without a part of the poses</source>
+        <translation>Wählt die Ursachen ohne einen Teil der Posen</translation>
+    </message>
+    <message>
+        <source>The noise is not known: a cell's height is its error, the highest %1.</source>
+        <translation>Das Rauschen ist nicht bekannt: Die Höhe einer Zelle ist ihr Fehler, die höchste %1.</translation>
     </message>
     <message>
         <source>%1, %2 taken, %3 rejected</source>
@@ -8775,12 +8795,12 @@
         <translation>Gelenk %1 hat seinen Nullpunkt verloren: es steht %2 weiter, als es anzeigt</translation>
     </message>
     <message>
-        <source>The hand carries %1 +- %2 kg more than it did</source>
-        <translation>Die Hand trägt %1 +- %2 kg mehr als vorher</translation>
+        <source>The hand carries %1 more than it did</source>
+        <translation>Die Hand trägt %1 mehr als vorher</translation>
     </message>
     <message>
-        <source>Joint %1 gives way by %2 +- %3 %4 more than it did</source>
-        <translation>Gelenk %1 gibt um %2 +- %3 %4 mehr nach als vorher</translation>
+        <source>Joint %1 gives way by %2 more than it did</source>
+        <translation>Gelenk %1 gibt um %2 mehr nach als vorher</translation>
     </message>
     <message>
         <source>distortion</source>

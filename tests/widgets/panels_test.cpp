@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTableWidget>
@@ -144,6 +145,18 @@ TEST(ModelPanel, TickingAsksAndChangesNothingElse) {
   ASSERT_EQ(joint.size(), 1);
   panel.set_folded(true);
   EXPECT_EQ(panel.width(), 36);
+}
+
+TEST(ModelPanel, ATitleOfAnyLengthLeavesTheNumbersInSight) {
+  ModelPanel panel;
+  ModelEffect effect;
+  effect.id = "curve";
+  effect.title = QString::fromUtf8("Ein Fehler von right_arm_3, der sich dreimal je Umdrehung wiederholt (± 1,5 mrad)");
+  effect.is_in_model = effect.can_change = true;
+  panel.set_effects({effect});
+  test::show(panel, {288, 400});
+  const auto* area = panel.findChild<QScrollArea*>();
+  EXPECT_LE(area->widget()->width(), area->viewport()->width()) << "what stands right ends beyond the edge";
 }
 
 TEST(ModelPanel, EveryNumberCanBeHeldAndTyped) {

@@ -115,6 +115,23 @@ TEST(ConvergencePlot, PlotsThatShareTheirAxesShowAllOfEachOther) {
   EXPECT_EQ(c.plot()->xAxis->range(), QCPRange(3, 9));
 }
 
+TEST(ConvergencePlot, WhereTheAxisIsTooShortToSayThatItIsAChangeTheTitleDoes) {
+  ConvergencePlot plot("position", "mm", {"x", "y", "z"});
+  plot.set_title("TCP, position");
+  std::vector<ConvergencePlot::Sample> samples = samples_about(3, 10);
+  for (auto& sample : samples) sample.sigma = {0.1, 0.1, 0.1};
+  plot.set_samples(samples);
+  const auto title = [&] { return qobject_cast<QCPTextElement*>(plot.plot()->plotLayout()->element(0, 0))->text(); };
+  test::show(plot, {420, 130});
+  plot.plot()->replot();
+  EXPECT_EQ(title(), "TCP, position, change from final");
+  plot.resize(420, 400);
+  QTest::qWait(50);
+  plot.plot()->replot();
+  EXPECT_EQ(title(), "TCP, position");
+  EXPECT_EQ(plot.plot()->yAxis->label(), "change from final (mm)");
+}
+
 TEST(ConvergencePlot, TheLettersAtTheCurvesEndsNeverMeet) {
   ConvergencePlot plot("position", "mm", {"x", "y", "z"});
   test::show(plot, {500, 120});

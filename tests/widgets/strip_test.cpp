@@ -3,6 +3,7 @@
 
 #include <QSignalSpy>
 
+#include "widgets/base/apply_theme.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_strip.h"
 #include "widgets/lists/three_numbers.h"
@@ -64,6 +65,64 @@ TEST(ObservationStrip, OfTenThousandTheWorstShowsAndTheWheelFindsSingleCells) {
   for (int i = 0; i < 30; ++i) test::wheel(&strip, middle, 1);
   EXPECT_GT(strip.cell_rect(5000).width(), 10);
   EXPECT_EQ(strip.cell_at(strip.cell_rect(5001).center()), 5001);
+}
+
+/// The height at which a cell's bar begins, px above the cells' lower edge.
+int height_of(ObservationStrip& strip, ObservationId id) {
+  const QImage image = strip.grab().toImage();
+  const QRectF cell = strip.cell_rect(id);
+  const int x = static_cast<int>(cell.center().x());
+  int y = static_cast<int>(cell.bottom()) - 1;
+  const QColor ground = colors().sunken;
+  while (y > cell.top() && image.pixelColor(x, y) != ground) --y;
+  return static_cast<int>(cell.bottom()) - 1 - y;
+}
+
+TEST(ObservationStrip, WithoutAKnownNoiseTheHeightIsTheSizeBesideTheLargest) {
+  ObservationStrip strip;
+  auto cells = test::many_cells(40);
+  for (auto& cell : cells) {
+    cell.state = CellState::used;
+    cell.rms_over_sigma.reset();
+    cell.size = ShownSize{0.1, SizeUnit::millimetre};
+  }
+  cells[10].size->value = 2.0;
+  cells[20].size->value = 0.6;
+  cells[30].size->value = 40.0;
+  cells[30].state = CellState::rejected;
+  strip.set_cells(cells);
+  test::show(strip, {1100, 72});
+  const int largest = height_of(strip, 10), middling = height_of(strip, 20), small = height_of(strip, 5);
+  EXPECT_GT(largest, 30) << "the largest that is used fills its cell, whatever a rejected one is";
+  EXPECT_LT(middling, largest - 6);
+  EXPECT_LT(small, middling - 6);
+  EXPECT_GT(small, 2);
+  const QRectF cell = strip.cell_rect(10);
+  EXPECT_EQ(strip.grab().toImage().pixelColor(cell.center().toPoint()), colors().residual[1]) << "neither good nor bad";
+}
+
+double brightness(const QColor& c) { return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF(); }
+
+TEST(ObservationStrip, AStrokeIsSeenOnABarOfAnyColour) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+    apply_theme(*qApp, kind);
+    for (const double size : {0.5, 1.3, 4.0, 8.0, 30.0}) {
+      ObservationStrip strip;
+      auto cells = test::many_cells(40);
+      for (auto& cell : cells) cell.rms_over_sigma = size;
+      cells[20].state = CellState::rejected;
+      strip.set_cells(cells);
+      test::show(strip, {1100, 72});
+      const QImage image = strip.grab().toImage();
+      const QRect cell = strip.cell_rect(20).toRect();
+      const double bar = brightness(colors().residual[static_cast<std::size_t>(residual_step(size, 12))]);
+      double most = 0;
+      for (int x = cell.left() + 2; x < cell.right() - 2; ++x)
+        most = std::max(most, std::abs(brightness(image.pixelColor(x, cell.bottom() - 3)) - bar));
+      EXPECT_GT(most, 0.25) << size << " times the noise";
+    }
+  }
+  apply_theme(*qApp, ThemeKind::light);
 }
 
 TEST(ThreeNumbers, NothingIsCutOffAtAnyScale) {

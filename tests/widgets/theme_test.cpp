@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QPainter>
+#include <QPushButton>
 #include <cmath>
 
 #include "widgets/base/icons.h"
@@ -21,6 +22,12 @@ double luminance(const QColor& c) {
 double contrast(const QColor& a, const QColor& b) {
   const double high = std::max(luminance(a), luminance(b)), low = std::min(luminance(a), luminance(b));
   return (high + 0.05) / (low + 0.05);
+}
+
+TEST(Theme, ALongButtonHasRoomBesideItsText) {
+  QPushButton button(QStringLiteral("Try it with the simulated robot"));
+  constexpr int least = 16;  // px, both sides together
+  EXPECT_GE(button.sizeHint().width(), button.fontMetrics().horizontalAdvance(button.text()) + least);
 }
 
 TEST(Theme, InksCanBeReadOnEveryGround) {

@@ -10,6 +10,8 @@
 namespace handsight::widgets {
 namespace {
 
+constexpr int button_margin = 9;  // px, left and right of what stands on it
+
 void draw_indicator(QPainter& painter, const QStyleOption& option, bool is_round) {
   const Colors& c = colors();
   const bool is_enabled = option.state & QStyle::State_Enabled, is_on = option.state & QStyle::State_On;
@@ -88,6 +90,14 @@ void ControlStyle::drawComplexControl(ComplexControl control, const QStyleOption
   QStyleOptionToolButton plain = *button;
   plain.features &= ~QStyleOptionToolButton::HasMenu;
   QProxyStyle::drawComplexControl(control, &plain, painter, widget);
+}
+
+QSize ControlStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                                     const QWidget* widget) const {
+  QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (type != CT_PushButton || !button || button->text.isEmpty()) return size;
+  return size.expandedTo({contents.width() + 2 * button_margin, 0});
 }
 
 }  // namespace handsight::widgets

@@ -7,7 +7,8 @@
 namespace handsight::widgets {
 
 /// Fusion draws the outlines of check boxes and radio buttons darker than the window: on a dark one nobody sees them.
-/// Its arrow of a button's menu stands below the text's line; here the text has one of its own.
+/// Its arrow of a button's menu stands below the text's line; here the text has one of its own. Its longer buttons end
+/// where their text does; here there is room on both sides.
 class ControlStyle : public QProxyStyle {
  public:
   ControlStyle();
@@ -15,6 +16,8 @@ class ControlStyle : public QProxyStyle {
                      const QWidget* widget) const override;
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                           const QWidget* widget) const override;
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                         const QWidget* widget) const override;
 };
 
 }  // namespace handsight::widgets

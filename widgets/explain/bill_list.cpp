@@ -109,7 +109,14 @@ BillList::BillList(QWidget* parent) : QWidget(parent) {
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
   layout->addWidget(empty_, 1);
+  note_ = new QLabel(this);
+  note_->setObjectName("bill_note");
+  note_->setFont(text_font(TextRole::small));
+  note_->setContentsMargins(layout_gap, 0, layout_gap, 2);
+  note_->setWordWrap(true);
+  layout->addWidget(note_);
   set_entries({});
+  set_note({});
 }
 
 void BillList::set_entries(std::vector<BillEntry> entries) {
@@ -123,6 +130,11 @@ void BillList::set_entries(std::vector<BillEntry> entries) {
   view_->setVisible(!entries_.empty());
   title_->setVisible(!entries_.empty());
   empty_->setVisible(entries_.empty());
+}
+
+void BillList::set_note(const QString& sentence) {
+  note_->setText(sentence);
+  note_->setVisible(!sentence.isEmpty());
 }
 
 void BillList::changeEvent(QEvent* event) {

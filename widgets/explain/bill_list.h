@@ -31,6 +31,8 @@ class BillList : public QWidget {
   explicit BillList(QWidget* parent = nullptr);
   void set_entries(std::vector<BillEntry> entries);
   const std::vector<BillEntry>& entries() const { return entries_; }
+  /// A sentence below the last row; empty: none.
+  void set_note(const QString& sentence);
   QListView* view() const { return view_; }
 
  protected:
@@ -39,7 +41,7 @@ class BillList : public QWidget {
  private:
   std::vector<BillEntry> entries_;
   QListView* view_ = nullptr;
-  QLabel *title_, *empty_;
+  QLabel *title_, *empty_, *note_;
 };
 
 }  // namespace handsight::widgets

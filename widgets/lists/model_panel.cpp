@@ -21,13 +21,18 @@
 namespace handsight::widgets {
 namespace {
 
-/// A long title must not widen the panel.
-QString in_two_lines(QString title, const QFontMetrics& metrics) {
+/// A long title must not widen the panel: the numbers below it would end beyond its edge.
+QString in_lines(const QString& title, const QFontMetrics& metrics) {
   constexpr int room = 210;  // px
-  if (metrics.horizontalAdvance(title) <= room) return title;
-  for (qsizetype at = title.size(); (at = title.lastIndexOf(' ', at - 1)) > 0;)
-    if (metrics.horizontalAdvance(title.left(at)) <= room) return title.replace(at, 1, '\n');
-  return title;
+  QStringList lines{QString()};
+  for (const QString& word : title.split(' ')) {
+    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
+    if (lines.back().isEmpty() || metrics.horizontalAdvance(longer) <= room)
+      lines.back() = longer;
+    else
+      lines << word;
+  }
+  return lines.join('\n');
 }
 
 }  // namespace
@@ -153,7 +158,7 @@ QWidget* ModelPanel::make_effect(const ModelEffect& effect) {
     layout->addWidget(title);
   } else {
     auto* check = new QCheckBox(box);
-    check->setText(in_two_lines(effect.title, check->fontMetrics()));
+    check->setText(in_lines(effect.title, check->fontMetrics()));
     check->setObjectName(QStringLiteral("effect_") + effect.id);
     check->setChecked(effect.is_in_model);
     check->setEnabled(effect.can_change);

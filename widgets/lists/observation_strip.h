@@ -12,7 +12,8 @@
 namespace handsight::widgets {
 
 /// 74 px high: 34 of cells, which fill the width, a line of ids and a line of the legend. A cell's colour and (on a
-/// logarithmic scale) its height say the residual; rejected and excluded cells are struck through. Above one cell a
+/// logarithmic scale) its height say the residual over the noise; where the noise is not known the height is the size
+/// beside the largest, without a colour. Rejected and excluded cells are struck through. Above one cell a
 /// pixel a column shows the worst of its bin; the wheel zooms, dragging with the middle button pans, a lens shows
 /// single cells. Click selects, left and right arrows step, Home and End, PageUp and PageDown by ten; Shift+click or
 /// dragging selects many.
@@ -75,6 +76,8 @@ class ObservationStrip : public QWidget {
   void paint_sessions(QPainter& painter) const;
   void paint_ids(QPainter& painter) const;
   void paint_legend(QPainter& painter) const;
+  /// The largest size of a used cell; without a value where the noise is known or nothing has a size.
+  ShownSize largest_without_noise() const;
   void paint_lens(QPainter& painter) const;
   void take(int index);
 
@@ -83,9 +86,10 @@ class ObservationStrip : public QWidget {
   ObservationId selected_ = no_observation, hovered_ = no_observation;
   QString empty_text_;
   QStringList session_names_;
-  double first_ = 0;  // index at the left edge, in cells
-  double zoom_ = 1;   // 1: all cells fit
-  QPixmap picture_;   // the cells, painted anew only when they change
+  double first_ = 0;   // index at the left edge, in cells
+  double zoom_ = 1;    // 1: all cells fit
+  ShownSize largest_;  // of the cells as they were painted, where the noise is not known
+  QPixmap picture_;    // the cells, painted anew only when they change
   bool is_stale_ = true;
   bool is_brushing_ = false;
   int brush_from_ = -1, brush_to_ = -1;

@@ -20,45 +20,73 @@ double height_share(double rms_over_sigma) {
   return 0.12 + 0.88 * std::clamp(share, 0.0, 1.0);
 }
 
+/// Where the noise is not known: on a logarithmic scale from a twentieth of the largest to the largest.
+double height_share_of_largest(double size, double largest) {
+  constexpr double low = 1.0 / 20;
+  const double share = std::log(std::max(size / largest, low) / low) / std::log(1 / low);
+  return 0.12 + 0.88 * std::clamp(share, 0.0, 1.0);
+}
+
 /// Which of two cells a column shows: the worse used one.
 bool is_worse(const ObservationCell& a, const ObservationCell& b) {
   const bool a_counts = a.state == CellState::used, b_counts = b.state == CellState::used;
   if (a_counts != b_counts) return a_counts;
+  if (!a.rms_over_sigma && !b.rms_over_sigma)
+    return reported_size(a).value.value_or(-1) > reported_size(b).value.value_or(-1);
   return a.rms_over_sigma.value_or(-1) > b.rms_over_sigma.value_or(-1);
 }
 
 }  // namespace
+
+ShownSize ObservationStrip::largest_without_noise() const {
+  ShownSize largest;
+  for (const ObservationCell& cell : cells_) {
+    if (cell.rms_over_sigma) return {};
+    if (cell.state != CellState::used || !cell.size) continue;
+    if (cell.size->value.value_or(0) > largest.value.value_or(0)) largest = *cell.size;
+  }
+  return largest;
+}
 
 void ObservationStrip::paint_cell(QPainter& painter, const ObservationCell& cell, const QRectF& slot) const {
   const Colors& c = colors();
   const double gap = slot.width() >= 5 ? 1 : 0;
   const QRectF room = slot.adjusted(gap / 2, 0, -gap / 2, 0);
   const bool has_preview = cell.predicted.has_value();
-  const auto draw = [&](std::optional<double> value, double bottom, double height) {
-    const double tall = value ? std::max(4.0, height * height_share(*value)) : 4.0;
+  const auto draw = [&](std::optional<double> share, const QColor& color, double bottom, double height) {
+    const double tall = share ? std::max(4.0, height * *share) : 4.0;
     const QRectF bar(room.left(), bottom - tall, room.width(), tall);
-    if (value)
-      painter.fillRect(bar, residual_color(value, cell.coordinates));
-    else
-      painter.fillRect(bar.adjusted(0, 2, 0, 0), c.hairline);
+    painter.fillRect(share ? bar : bar.adjusted(0, 2, 0, 0), share ? color : c.hairline);
     return bar;
   };
   const double bottom = has_preview ? room.top() + room.height() / 2 - 1 : room.bottom();
-  draw(cell.rms_over_sigma, bottom, bottom - room.top());
+  const std::optional<double> size = cell.size ? cell.size->value : std::nullopt;
+  if (cell.rms_over_sigma)
+    draw(height_share(*cell.rms_over_sigma), residual_color(cell.rms_over_sigma, cell.coordinates), bottom,
+         bottom - room.top());
+  else  // a middling grey: neither good nor bad
+    draw(size && largest_.value ? std::optional(height_share_of_largest(*size, *largest_.value)) : std::nullopt,
+         c.residual[1], bottom, bottom - room.top());
   if (has_preview) {
-    const QRectF bar = draw(cell.predicted, room.bottom(), room.height() / 2 - 1);
+    const QRectF bar = draw(height_share(*cell.predicted), residual_color(cell.predicted, cell.coordinates),
+                            room.bottom(), room.height() / 2 - 1);
     painter.fillRect(QRectF(bar.left(), bar.top(), bar.width(), 1.5), c.candidate);
   }
   if (cell.state == CellState::rejected || cell.state == CellState::excluded) {
-    painter.setPen(QPen(c.ink2, cell.state == CellState::excluded ? 2 : 1));
-    if (room.width() >= 4)
-      painter.drawLine(room.bottomLeft() - QPointF(0, 1), room.topRight() + QPointF(0, room.height() * 0.3));
-    else
+    if (room.width() >= 4) {
+      // On a rim: the bar below it has any colour from nearly the ground's to nearly the ink's.
+      const double thick = cell.state == CellState::excluded ? 2 : 1;
+      for (const QPen& pen : {QPen(c.panel, thick + 2), QPen(c.ink1, thick)}) {
+        painter.setPen(pen);
+        painter.drawLine(room.bottomLeft() - QPointF(0, 1), room.topRight() + QPointF(0, room.height() * 0.3));
+      }
+    } else
       painter.fillRect(QRectF(room.left(), room.top() + room.height() / 2, room.width(), 2), c.ink2);
   }
 }
 
 void ObservationStrip::paint_cells() {
+  largest_ = largest_without_noise();
   const double ratio = devicePixelRatioF();
   picture_ = QPixmap(size() * ratio);
   picture_.setDevicePixelRatio(ratio);
@@ -209,7 +237,9 @@ void ObservationStrip::paint_legend(QPainter& painter) const {
   const auto is_fitted = [](const ObservationCell& cell) { return cell.size.has_value(); };
   const auto has_ratio = [](const ObservationCell& cell) { return cell.rms_over_sigma.has_value(); };
   if (std::any_of(cells_.begin(), cells_.end(), is_fitted) && std::none_of(cells_.begin(), cells_.end(), has_ratio))
-    return write(QObject::tr("The noise is not known: nothing to colour by."));
+    return write(largest_.value ? QObject::tr("The noise is not known: a cell's height is its error, the highest %1.")
+                                      .arg(size_text(largest_))
+                                : QObject::tr("The noise is not known: nothing to colour by."));
   write(QString::fromUtf8("× ") + QObject::tr("noise:"));
   const QStringList names = {QStringLiteral("< 1.5"), QStringLiteral("< 3"), QStringLiteral("< 5"),
                              QStringLiteral("< 10"), QString::fromUtf8("≥ 10")};

@@ -133,14 +133,18 @@ int ConvergencePlot::settled_at(int curve) const {
   return first + 1 >= samples_.size() ? 0 : samples_[first].count;
 }
 
-/// In full where the axis is as long as that.
+/// In full where the axis is as long as that; else the title says what the axis cannot.
 void ConvergencePlot::name_y_axis() {
   constexpr int beside_axis = 40;  // px, above and below it, less what a label may stand over
   const bool has_bands = !samples_.empty() && samples_.back().sigma[0] > 0;
   const QString name =
       origin_ ? QObject::tr("change from the first (%1)").arg(unit_) : QObject::tr("change from final (%1)").arg(unit_);
   const bool has_room = QFontMetrics(plot_->yAxis->labelFont()).horizontalAdvance(name) <= height() - beside_axis;
-  plot_->yAxis->setLabel((has_bands || origin_) && has_room ? name : unit_);
+  const bool is_change = has_bands || origin_;
+  plot_->yAxis->setLabel(is_change && has_room ? name : unit_);
+  set_title_note(!is_change || has_room ? QString()
+                 : origin_              ? QObject::tr("change from the first")
+                                        : QObject::tr("change from final"));
 }
 
 void ConvergencePlot::resizeEvent(QResizeEvent* event) {

@@ -72,7 +72,10 @@ void PlotWidget::set_title(const QString& title) {
 
 void PlotWidget::shorten_title() {
   const double room = plot_->width() - 16;
-  title_element_->setText(QFontMetricsF(title_element_->font()).elidedText(title_, Qt::ElideMiddle, room));
+  const QFontMetricsF metrics(title_element_->font());
+  const QString whole = title_note_.isEmpty() ? title_ : title_ + QStringLiteral(", ") + title_note_;
+  const bool has_room = metrics.horizontalAdvance(whole) <= room;
+  title_element_->setText(has_room ? whole : metrics.elidedText(title_, Qt::ElideMiddle, room));
 }
 
 void PlotWidget::set_empty_text(const QString& sentence) {

@@ -53,6 +53,8 @@ class PlotWidget : public QWidget {
   virtual void brushed(const QRectF& in_plot);
   void allow_brush() { has_brush_ = true; }
   void set_brush_always(bool always) { brushes_always_ = always; }
+  /// Stands behind the title as far as there is room; empty: nothing.
+  void set_title_note(const QString& note) { title_note_ = note; }
   void style_axes();
   void shorten_title();
   /// Draws everything anew, later and once; not before it is shown.
@@ -79,7 +81,7 @@ class PlotWidget : public QWidget {
   QCPTextElement* title_element_ = nullptr;
   QLabel* empty_label_ = nullptr;
   bool has_brush_ = false, brushes_always_ = false;
-  QString title_, empty_text_;
+  QString title_, title_note_, empty_text_;
   bool is_dragging_ = false, is_stale_ = false, is_drawn_ = false;
   QPointF pressed_at_;
 };

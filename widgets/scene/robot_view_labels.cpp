@@ -19,14 +19,15 @@ QRectF plate_rect(const QPointF& position, const QSizeF& size) {
   return {QPointF(position.x(), position.y() - size.height() / 2), size};
 }
 
-/// The place nearest to the wanted one at which a plate of this size lies over no other; the wanted one where there is
-/// none near.
-QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<QRectF>& taken) {
+/// The place nearest to the wanted one at which a plate of this size lies within the view and over nothing else; the
+/// wanted one where there is none near.
+QPointF free_place(const QPointF& wanted, const QSizeF& size, const std::vector<QRectF>& taken, const QRectF& view) {
   for (const double radius : {0.0, 14.0, 24.0, 36.0, 50.0})
     for (int step = 0; step < (radius > 0 ? 12 : 1); ++step) {
       const double angle = 0.5236 * step;
       const QPointF place = wanted + radius * QPointF(std::cos(angle), std::sin(angle));
       const QRectF plate = plate_rect(place, size).adjusted(-1, -1, 1, 1);
+      if (!view.contains(plate)) continue;
       if (std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
         return place;
     }
@@ -90,6 +91,28 @@ double length_on_screen(const RobotView& view, const Rigid& root_from_frame) {
   return longest;
 }
 
+struct LegendLine {
+  QPointF place;
+  QString text;
+};
+
+/// What is drawn how large: in the lower right corner, right of the triad; where there is too little room for one line,
+/// a line each.
+std::vector<LegendLine> legend_lines(const RobotViewParts& p, const QSizeF& view, double least_left,
+                                     const QFontMetricsF& metrics) {
+  QStringList legend;
+  if (p.tcp) legend += p.tcp_est ? QObject::tr("x y z TCP, x′ y′ z′ TCPest") : QObject::tr("x y z TCP");
+  if (p.bent) legend += QObject::tr("ghost %1 ×").arg(times_text(p.ghost_times));
+  if (!p.arrows.empty()) legend += QObject::tr("arrows %1 ×").arg(times_text(p.arrow_times));
+  const QString together = legend.join(QStringLiteral("   "));
+  if (metrics.horizontalAdvance(together) + 12 + least_left <= view.width() && !together.isEmpty()) legend = {together};
+  std::vector<LegendLine> lines;
+  double low = view.height() - 13.0;
+  for (auto line = legend.rbegin(); line != legend.rend(); ++line, low -= 18)
+    lines.push_back({QPointF(std::max(view.width() - metrics.horizontalAdvance(*line) - 12, least_left), low), *line});
+  return lines;
+}
+
 }  // namespace
 
 void RobotView::paint_labels(QPainter& painter) {
@@ -101,11 +124,14 @@ void RobotView::paint_labels(QPainter& painter) {
     return;
   }
   painter.setFont(text_font(TextRole::small));
-  std::vector<QRectF> taken;
-  const QFontMetricsF label_metrics(painter.font());
-  const auto measure_size = [&](const QString& text) {
-    return QSizeF(std::max(label_metrics.horizontalAdvance(text) + 6, 14.0), label_metrics.height());
-  };
+  const auto measure_size = [&](const QString& text) { return plate_size(painter, text); };
+  const std::vector<CubeFace> cube = p.cube(size());
+  const double least_left = cube.empty() ? 64 : 122;
+  const std::vector<LegendLine> legend = legend_lines(p, size(), least_left, QFontMetricsF(painter.font()));
+  // Nothing that is named where it is may lie under what has its fixed place.
+  std::vector<QRectF> taken{QRectF(0, height() - 64.0, least_left, 64)};
+  if (!p.buttons->isHidden()) taken.emplace_back(p.buttons->geometry());
+  for (const LegendLine& line : legend) taken.push_back(plate_rect(line.place, measure_size(line.text)));
   const auto put = [&](const QPointF& at, const QPointF& place, const QString& text, bool is_aside) {
     if (is_aside) {  // a line to what it names
       painter.setPen(QPen(c.ink3, 1));
@@ -116,7 +142,7 @@ void RobotView::paint_labels(QPainter& painter) {
   const auto plate = [&](const Vector3& in_root, const QString& text, const QPointF& offset) {
     const auto at = to_screen(in_root);
     if (!at) return;
-    const QPointF place = free_place(*at + offset, measure_size(text), taken);
+    const QPointF place = free_place(*at + offset, measure_size(text), taken, rect());
     put(*at, place, text, place != *at + offset);
   };
   const bool is_near = p.tcp && length_on_screen(*this, *p.tcp) > 34;  // from afar letters would hide what they name
@@ -130,7 +156,8 @@ void RobotView::paint_labels(QPainter& painter) {
   constexpr double above = 30, below = 70;  // px: the buttons, the triad and the legend
   const QRectF room(2, above, width() - 4.0, height() - above - below);
   for (const SceneFixture& fixture : p.fixtures)
-    if (const auto at = to_screen(find_middle(fixture)); at && !fixture.name.isEmpty() && room.contains(*at))
+    if (const auto at = to_screen(find_middle(fixture));
+        at && !fixture.name.isEmpty() && rect().contains(at->toPoint()))
       plate(find_middle(fixture), fixture.name, QPointF(8, -10));
   for (const SceneCamera& camera : p.cameras)
     if (const auto at = to_screen(camera.root_from_camera.translation);
@@ -157,21 +184,8 @@ void RobotView::paint_labels(QPainter& painter) {
     painter.drawText(QRectF(tip - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
                      letters[static_cast<std::size_t>(axis)]);
   }
-  const std::vector<CubeFace> cube = p.cube(size());
   paint_cube(painter, cube);
-  QStringList legend;
-  if (p.tcp) legend += p.tcp_est ? QObject::tr("x y z TCP, x′ y′ z′ TCPest") : QObject::tr("x y z TCP");
-  if (p.bent) legend += QObject::tr("ghost %1 ×").arg(times_text(p.ghost_times));
-  if (!p.arrows.empty()) legend += QObject::tr("arrows %1 ×").arg(times_text(p.arrow_times));
-  // Right of the triad; where there is too little room for one line, a line each.
-  const double least_left = cube.empty() ? 64 : 122;
-  const QFontMetricsF metrics(painter.font());
-  const QString together = legend.join(QStringLiteral("   "));
-  if (metrics.horizontalAdvance(together) + 12 + least_left <= width() && !together.isEmpty()) legend = {together};
-  double low = height() - 13.0;
-  for (auto line = legend.rbegin(); line != legend.rend(); ++line, low -= 18)
-    draw_plate(painter, QPointF(std::max(width() - metrics.horizontalAdvance(*line) - 12, least_left), low), *line,
-               c.ink2, c.panel);
+  for (const LegendLine& line : legend) draw_plate(painter, line.place, line.text, c.ink2, c.panel);
   if (hasFocus()) draw_focus(painter, rect());
 }
 

@@ -6,17 +6,10 @@
 
 #include "base/text.h"
 #include "diagnosis/proof/proof.h"
+#include "effects/units.h"
 
 namespace handsight {
 namespace {
-
-/// A unit with a prefix under which the size is between 1 and 1000: "urad", factor 1e6.
-std::pair<std::string, double> readable_unit(const std::string& unit, double size) {
-  const bool takes_prefix = unit.starts_with("rad") || unit == "m" || unit.starts_with("m/") || unit == "s";
-  if (!takes_prefix || !(size > 0) || size >= 1) return {unit, 1};
-  if (size >= 1e-3) return {"m" + unit, 1e3};
-  return {"u" + unit, 1e6};
-}
 
 /// To the place of sigma's second digit.
 std::string with_sigma(double value, double sigma, double factor) {

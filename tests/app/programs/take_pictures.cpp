@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the user's story and keeps a picture of every workspace: take_pictures FOLDER light|dark. The scale is Qt's
 // own (QT_SCALE_FACTOR), the window's size HANDSIGHT_WINDOW, the language HANDSIGHT_LANGUAGE; of a session of one's own
-// with HANDSIGHT_SESSION and --gtest_filter='*OnesOwn'. pictures.sh runs it for both themes and two scales.
+// with HANDSIGHT_SESSION and --gtest_filter='*OnesOwn'. pictures.sh runs it on four kinds of screens,
+// in both themes and languages.
 #include <gtest/gtest.h>
 
 #include <QApplication>

@@ -7,6 +7,7 @@
 #include "app/window/explain_fixture.h"
 #include "app/window/painted_text.h"
 #include "app/window/reported_story.h"
+#include "findings/explain_texts.h"
 #include "widgets/base/number_text.h"
 #include "widgets/explain/bill_list.h"
 #include "widgets/explain/pattern_page.h"
@@ -69,6 +70,26 @@ TEST_F(Bill, IsThatOfTheCommandWhereTheLikeliestIsNotWhatRobotsUsuallyHave) {
   for (std::size_t i = 0; i < cli["bill"].size(); ++i)
     EXPECT_EQ(bill()->entries()[i].id.toStdString(), cli["bill"][i]["id"].get<std::string>());
   EXPECT_NEAR(*reported.header().now, 1e3 * cli["left"]["story"]["error"].get<double>(), 0.005);
+}
+
+TEST_F(Bill, OfFewPosesSaysWhatToExpectOnNewOnesAsTheCommandDoes) {
+  ASSERT_TRUE(simulate(
+      {"--observations", "24", "--noise", "0.2", "--effect", "joint_offset:axis_2.offset=0.01", "--images", "none"}));
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  auto* note = desk.find<QLabel>("bill_note");
+  ASSERT_TRUE(add_until_it_stops());
+  ASSERT_TRUE(desk.wait([&] { return note->isVisible(); }, 60000));
+  const auto cli = run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json();
+  ASSERT_TRUE(cli.contains("held_out_choosing_pixel"));
+  const double expected = cli["held_out_choosing_pixel"].get<double>();
+  EXPECT_TRUE(note->text().startsWith("Expect " + app::error_with_unit(expected, true) + " on new poses"))
+      << note->text().toStdString() << ", not " << expected;
+  desk.key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_TRUE(note->text().isEmpty()) << "it is of the model that was taken back";
 }
 
 TEST_F(Bill, LeadsTheReport) {

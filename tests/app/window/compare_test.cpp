@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -16,6 +17,7 @@
 #include "base/files.h"
 #include "cli/cli_runner.h"
 #include "compare/compare_page.h"
+#include "compare/compare_texts.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
 #include "widgets/explain/pattern_page.h"
@@ -245,6 +247,18 @@ TEST_F(Compare, OnALaptopNothingIsCut) {
   }
 }
 
+TEST_F(Compare, OnALaptopWhatMayHaveChangedIsNotCutWhileTheNumbersHaveRoom) {
+  const auto before = simulate("march", true, {});
+  open(simulate("april", false, {"joint_offset:" + read_session(before).joints[2] + ".offset=0.004"}));
+  desk.window.resize(1366, 728);
+  compare_with(before);
+  QTest::qWait(50);
+  auto* changes = desk.find<QTableWidget>("compare_changes");
+  auto* numbers = desk.find<QTableWidget>("compare_numbers");
+  const auto cut = [](QTableWidget* table) { return table->verticalHeader()->length() - table->viewport()->height(); };
+  EXPECT_TRUE(cut(changes) <= 0 || cut(numbers) > 0) << cut(changes) << " px of it, " << -cut(numbers) << " px free";
+}
+
 TEST_F(Compare, OfThreeSessionsItSaysBetweenWhichAJointLostItsZero) {
   const auto march = simulate("march", true, {});
   const std::string joint = read_session(march).joints[2];
@@ -303,6 +317,22 @@ TEST_F(Compare, TheSessionsOfACollectionAreComparedWithEachOther) {
   ASSERT_TRUE(is_settled());
   EXPECT_EQ(page()->all_shown(), nullptr);
   EXPECT_TRUE(said().contains("is a collection")) << said().toStdString();
+}
+
+TEST(CompareTexts, NumbersTooSmallForTheirUnitAreToldInAThousandthOfIt) {
+  Comparison c;
+  c.numbers = {{"tcp_from_body x", "m", 0.012, 0.012 + 4e-7, 2e-7},
+               {"tcp_from_body rx", "rad", 0, 7e-6, 4e-6},
+               {"tcp_from_body y", "m", 0.012, 0.0133, 1e-3},
+               {"lens_distortion: k1", "1", 0, 3e-6, 4e-6}};
+  QStringList told;
+  for (const app::NumberLine& line : app::number_lines(c)) told << line.change + ' ' + line.unit << line.before_after;
+  const QString all = told.join('\n');
+  EXPECT_TRUE(all.contains(QString::fromUtf8("0.40 ± 0.20 µm"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QString::fromUtf8("7.0 ± 4.0 µrad"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QString::fromUtf8("1.3 ± 1.0 mm"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QString::fromUtf8("3.0 ± 4.0 ppm"))) << all.toStdString();
+  EXPECT_FALSE(all.contains(QString::fromUtf8("·10"))) << all.toStdString();
 }
 
 }  // namespace

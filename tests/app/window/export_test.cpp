@@ -2,6 +2,7 @@
 // What Export says before the numbers are used, and that the numbers are in sight.
 #include <gtest/gtest.h>
 
+#include <QHeaderView>
 #include <QScrollBar>
 #include <QTableWidget>
 
@@ -115,6 +116,18 @@ TEST_F(Export, OnALaptopWhatIsSaidIsWholeAndNothingScrolls) {
   for (const QWidget* w = correction; w; w = w->parentWidget())
     if (const auto* column = qobject_cast<const QScrollArea*>(w))
       EXPECT_EQ(column->verticalScrollBar()->maximum(), 0) << "the column has all it says in sight";
+}
+
+TEST_F(Export, TheNumbersTakeNoMoreRoomThanTheirRows) {
+  open("hidden_3");
+  desk.window.workbench().exclude({1, 2, 5, 7, 11, 13});
+  ASSERT_TRUE(desk.settle());
+  go();
+  QTest::qWait(50);
+  const auto* numbers = desk.find<QTableWidget>("motion");
+  const auto* unused = desk.find<QTableWidget>("not_used");
+  EXPECT_LE(numbers->viewport()->height(), numbers->verticalHeader()->length() + 1);
+  EXPECT_GE(unused->viewport()->height(), unused->verticalHeader()->length()) << "there is room for all of them";
 }
 
 TEST_F(Export, LongNamesDoNotPushTheNumbersOutOfSight) {

@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -249,6 +250,21 @@ TEST(Language, AWholeWindowInGerman) {
     Desk desk;
     EXPECT_EQ(desk.find<QAbstractButton>("start_open")->text(), QString::fromUtf8("Sitzung öffnen…"));
     EXPECT_EQ(desk.find<app::RailButton>("rail_explain")->text(), QString::fromUtf8("Erklären"));
+  }
+  QCoreApplication::removeTranslator(&german);
+}
+
+TEST(Language, TheStartPageNeedsNoScrollingOnALaptop) {
+  app::Translation german("de");
+  ASSERT_TRUE(QCoreApplication::installTranslator(&german));
+  {
+    Desk desk;
+    desk.window.resize(1366, 728);
+    QTest::qWait(30);
+    const auto* page = desk.find<QScrollArea>("start_page");
+    if (!page->findChild<QWidget*>("recent_0")) {  // what other tests have opened stands above the samples
+      EXPECT_EQ(page->verticalScrollBar()->maximum(), 0);
+    }
   }
   QCoreApplication::removeTranslator(&german);
 }

@@ -79,9 +79,15 @@ void look_at(QWidget* page, const QString& where) {
   look_for_overlap(page, where);
 }
 
+/// A theme until the test ends, however it ends.
+struct Theme {
+  explicit Theme(widgets::ThemeKind kind) { widgets::apply_theme(*qApp, kind); }
+  ~Theme() { widgets::apply_theme(*qApp, widgets::ThemeKind::light); }
+};
+
 void look_at_everything(widgets::ThemeKind kind) {
   const TemporaryFolder folder;
-  widgets::apply_theme(*qApp, kind);
+  const Theme theme(kind);
   const auto session = folder.path / "first_steps";
   std::filesystem::copy(std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "sample_sessions/first_steps", session,
                         std::filesystem::copy_options::recursive);
@@ -105,7 +111,6 @@ void look_at_everything(widgets::ThemeKind kind) {
   calibrate.set_fastest();
   ASSERT_TRUE(calibrate.play_to_the_end());
   look("done");
-  widgets::apply_theme(*qApp, widgets::ThemeKind::light);
 }
 
 TEST(Looks, NothingIsCutOffAndEverythingCanBeReadInLight) { look_at_everything(widgets::ThemeKind::light); }

@@ -123,6 +123,19 @@ TEST_F(Screen, OnALaptopEveryWorkspacesMainButtonsAreInSight) {
     EXPECT_TRUE(is_in_sight(desk.find<QWidget>(name))) << name;
 }
 
+TEST_F(Screen, WhatAPlayWaitsForIsWholeOnASmallScreen) {
+  open("hundred_poses");
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  desk.window.resize(1200, 700);
+  QTest::qWait(30);
+  const auto* progress = desk.find<QLabel>("play_progress");
+  const QRect lines(0, 0, progress->width(), 1000);
+  const int flags = progress->wordWrap() ? Qt::TextWordWrap : Qt::TextSingleLine;
+  const QRect needed = progress->fontMetrics().boundingRect(lines, flags, progress->text());
+  EXPECT_LE(needed.width(), progress->width()) << progress->text().toStdString();
+  EXPECT_LE(needed.height(), progress->height() + 1) << progress->text().toStdString();
+}
+
 TEST_F(Screen, TheModelPanelIsFoldedWhereThereIsLittleRoom) {
   open();
   auto* panel = desk.find<widgets::ModelPanel>("model_panel");

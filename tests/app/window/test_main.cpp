@@ -28,6 +28,16 @@ class NoMessageBox : public QObject {
   }
 };
 
+/// No test leaves its theme to the next.
+class LightAgain : public testing::EmptyTestEventListener {
+  void OnTestEnd(const testing::TestInfo&) override {
+    using namespace handsight::widgets;
+    if (theme() == ThemeKind::light) return;
+    apply_theme(*qApp, ThemeKind::light);
+    ADD_FAILURE() << "the theme is still dark when the test ends";
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,5 +63,6 @@ int main(int argc, char** argv) {
   qInstallMessageHandler(fail_on_warning);
   NoMessageBox watch;
   application.installEventFilter(&watch);
+  testing::UnitTest::GetInstance()->listeners().Append(new LightAgain);  // which owns it
   return RUN_ALL_TESTS();
 }

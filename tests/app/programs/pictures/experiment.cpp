@@ -44,6 +44,28 @@ TEST(Pictures, OfAnExperiment) {
   qputenv("PATH", path);
 }
 
+TEST(Pictures, OfAnExperimentOfTouches) {
+  if (what_paths_need()) GTEST_SKIP() << *what_paths_need();
+  QCursor::setPos(1, 1);
+  const TemporaryFolder folder;
+  Desk desk;
+  desk.window.resize(window_size());
+  Photographer photo{desk};
+  MeasurePage page{desk};
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(copy_of_sample(folder.path, "probe_and_plate").string())));
+  ASSERT_TRUE(desk.settle());
+  page.open();
+  page.type_simulated("");
+  ASSERT_TRUE(page.connect()) << page.said().toStdString();
+  photo.take_now("experiment_touch_plan");
+  page.set_count(8);
+  page.set_speed(5);
+  page.start();
+  ASSERT_TRUE(page.ends(400000)) << page.said().toStdString();
+  ASSERT_TRUE(desk.settle());
+  photo.take("experiment_touch_end");
+}
+
 TEST(Pictures, OfRechecks) {
   if (what_paths_need()) GTEST_SKIP() << *what_paths_need();
   QCursor::setPos(1, 1);
