@@ -13,7 +13,6 @@
 #include "convert/listed_rows.h"
 #include "readers/bags/bag.h"
 #include "readers/camera_files.h"
-#include "readers/camera_texts.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
 #include "readers/mocap_csv.h"
@@ -21,6 +20,7 @@
 #include "readers/pose_matrices.h"
 #include "readers/robots/lerobot.h"
 #include "readers/robots/robot_file.h"
+#include "readers/texts/camera_texts.h"
 #include "session/new_session.h"
 
 namespace handsight {

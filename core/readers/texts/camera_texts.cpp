@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "readers/camera_texts.h"
+#include "readers/texts/camera_texts.h"
 
 #include <fmt/format.h>
 
