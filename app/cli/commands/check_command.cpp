@@ -84,8 +84,7 @@ int run(const CheckArguments& o) {
   json["blunders"] = blunders_json(blunders);
   o.output.json(json);
   if (o.result) *o.result = json;
-  if (!o.output.to_people())
-    for (const Message& line : check.problems) Output::note(line);
+  for (const Message& line : check.problems) Output::note(line);
   return check.problems.empty() ? done : wrong_input;
 }
 
