@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "convert/bag_rigs.h"
 #include "convert/convert_inputs.h"
+#include "convert/frames_by_motion.h"
 #include "convert/opened_folders.h"
 #include "readers/bags/bag.h"
 
@@ -37,7 +38,9 @@ std::vector<ImageSensor> list_sensors(const BagContents& bag, bool has_target) {
   std::vector<std::string> in_pairs;
   for (const auto& [before, pair] : topic_pairs(bag)) {
     if (before.empty() || !camera_beside(bag, pair.left->topic) || !camera_beside(bag, pair.right->topic)) return {};
-    sensors.push_back({{pair.left->topic, pair.right->topic}, {before}});
+    const std::string &left = pair.left->topic, &right = pair.right->topic;
+    const auto apart = std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first;
+    sensors.push_back({{left, right}, {before, std::string(left.begin(), apart)}});  // "/camera/", "/camera/infra"
     in_pairs.push_back(before);
   }
   if (!has_target) return sensors;
@@ -113,7 +116,8 @@ std::vector<std::string> frames_of_hand(const ConvertOptions& o, const std::vect
   return own.empty() && has_one_hand ? frames : own;
 }
 
-std::vector<ConvertOptions> parted_by_frames(const Bag& bag, const std::vector<ConvertOptions>& sessions) {
+std::vector<ConvertOptions> parted_by_frames(const Bag& bag, const std::vector<ConvertOptions>& sessions,
+                                             std::vector<Message>& notes) {
   const BagContents contents = read_bag_contents(bag, Robot{}, [&] { ask_whether_to_go_on(sessions.front()); });
   const std::vector<std::string> frames = target_frames(contents);
   if (frames.size() < 2) return sessions;
@@ -130,7 +134,8 @@ std::vector<ConvertOptions> parted_by_frames(const Bag& bag, const std::vector<C
       part_by(o, own, &ConvertOptions::target_frame, parted);
     }
   }
-  return parted;
+  const bool is_told = std::none_of(parted.begin(), parted.end(), is_open_choice);
+  return sessions.size() < 2 || is_told ? parted : frames_by_motion(bag, parted, frames, notes);
 }
 
 void note_parted(const std::vector<ConvertOptions>& sessions, std::string ConvertOptions::*which,
@@ -170,7 +175,7 @@ std::vector<ConvertOptions> sessions_of_bag(const std::vector<fs::path>& named, 
     note_parted(parted, &ConvertOptions::camera, notes);
     return parted;
   }
-  if (list_sensors(topics, true).empty()) parted = parted_by_frames(bag, sessions);
+  if (list_sensors(topics, true).empty()) parted = parted_by_frames(bag, sessions, notes);
   if (parted.size() > sessions.size()) note_parted(parted, &ConvertOptions::target_frame, notes);
   return parted;
 }

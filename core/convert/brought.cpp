@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 #include "convert/listed_rows.h"
 #include "readers/kalibr_target.h"
@@ -13,6 +14,7 @@
 #include "readers/mocap_csv.h"
 #include "readers/pose_matrices.h"
 #include "readers/stereo_calibration.h"
+#include "readers/texts/camera_texts.h"
 #include "readers/texts/cells.h"
 #include "readers/texts/plain_text.h"
 #include "robot/robot.h"
@@ -24,7 +26,7 @@ namespace fs = std::filesystem;
 
 /// What is read when all files are known.
 struct Waiting {
-  std::vector<fs::path> storages;
+  std::vector<StereoCalibrationText> storages;
   std::vector<Table> beside_joints;                        // what else tables of joints have
   std::map<fs::path, std::vector<fs::path>> single_poses;  // by their folder
 };
@@ -42,6 +44,15 @@ void require_new(bool is_new, const std::string& file, FileKind kind) {
         file, shortened(std::filesystem::path(file).stem().string(), 40)));
   if (!is_new)
     throw InputError(message("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
+}
+
+Table without_columns(Table t, const std::vector<std::size_t>& columns) {
+  for (auto c = columns.rbegin(); c != columns.rend(); ++c) {
+    const auto at = static_cast<std::ptrdiff_t>(*c);
+    t.columns.erase(t.columns.begin() + at);
+    for (auto& row : t.rows) row.erase(row.begin() + at);
+  }
+  return t;
 }
 
 /// In YAML or JSON, as ROS, MoveIt and people write them; what is told otherwise is a table.
@@ -77,15 +88,6 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
     add_poses(read_pose_table(table, robot != nullptr, o.poses, b.notes), file, b);
   }
-}
-
-Table without_columns(Table t, const std::vector<std::size_t>& columns) {
-  for (auto c = columns.rbegin(); c != columns.rend(); ++c) {
-    const auto at = static_cast<std::ptrdiff_t>(*c);
-    t.columns.erase(t.columns.begin() + at);
-    for (auto& row : t.rows) row.erase(row.begin() + at);
-  }
-  return t;
 }
 
 /// Is it what the robot itself says of its hand? That measures nothing.
@@ -182,6 +184,8 @@ void bring_cameras(const fs::path& path, const std::string& file, FileKind kind,
     for (RosCamera& camera : read_ost(text, file)) b.cameras.push_back(std::move(camera));
   } else if (kind == FileKind::camodocal) {
     b.cameras.push_back(read_camodocal(text, file));
+  } else if (kind == FileKind::named) {
+    b.cameras.push_back(read_named_camera(text, file, b.notes));
   } else if (kind == FileKind::camera_info) {
     b.cameras.push_back(camera_of_yaml(parse_yaml(text, file), file));
   } else if (is_realsense_listing(text)) {
@@ -201,7 +205,10 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       if (const auto poses = pose_files_in(path); poses.size() > 2) waiting.single_poses[path] = poses;
       return;
     case FileKind::storage:
-      waiting.storages.push_back(path);
+      waiting.storages.push_back({read_file(path), file});
+      return;
+    case FileKind::matrix:
+      waiting.storages.push_back({*camera_entries(read_text(path), path.stem().string()), file});
       return;
     case FileKind::bag:
       require_new(b.bag.empty(), file, kind);
@@ -215,6 +222,7 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
     case FileKind::ost:
     case FileKind::realsense:
     case FileKind::camodocal:
+    case FileKind::named:
       return bring_cameras(path, file, kind, b);
     case FileKind::target:
       require_new(!b.target, file, kind);
@@ -269,7 +277,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
       std::none_of(b.poses.begin(), b.poses.end(), [](const auto& p) { return p.turns.is_reported; }))
     throw InputError(message("--angles {}: no table of poses here has {} numbers for a turn; leave it out.", angles,
                              angle_count(named_angle_kind(angles).kind)));
-  if (!waiting.storages.empty()) b.rig = read_rig_calibration(waiting.storages, &b.notes);
+  if (!waiting.storages.empty()) b.rig = parse_rig_calibration(waiting.storages, &b.notes);
   return b;
 }
 

@@ -2,7 +2,6 @@
 #include "convert/choose_turns.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -11,11 +10,9 @@
 namespace handsight {
 namespace {
 
-constexpr double well = 0.15;      // rad: what is left of motions that go together, however noisy
 constexpr double at_all = 0.4;     // rad: of robots that err by degrees, where nothing else comes near
 constexpr double as_well = 3;      // times the best
 constexpr double as_exact = 0.01;  // rad
-constexpr double degree = std::numbers::pi / 180;
 
 /// One reading of both tables.
 struct Trial {
@@ -87,10 +84,6 @@ Message readings_text(const NamedPoses& flange, const NamedPoses& target, const 
   return joined(texts, "; ");
 }
 
-Message misfit_text(const Misfit& misfit) {
-  return message("{:.2g} degrees and {:.2g} mm", misfit.turn / degree, 1e3 * misfit.shift);
-}
-
 void take(const Trial& trial, NamedPoses& flange, NamedPoses& target) {
   flange.series.poses = trial.flange_poses;
   target.series.poses = trial.target_poses;
@@ -116,8 +109,30 @@ constexpr char how_to_say[] =
                            at_most(readings_text(flange, target, b), 180), how_to_say));
 }
 
+/// Three angles in every way, whatever --angles said of them.
+NamedPoses with_all_readings(NamedPoses p) {
+  if (!p.turns.is_reported || p.turns.numbers.empty() || p.turns.numbers.front().size() != 3) return p;
+  using K = AngleKind;
+  p.turns.readings.clear();
+  for (const bool in_degrees : {false, true})
+    for (const K kind : {K::rotation_vector, K::rpy, K::zyx, K::moving_xyz, K::zyz})
+      p.turns.readings.push_back({kind, in_degrees});
+  return p;
+}
+
+/// What --angles should have said, where another reading makes the motions agree; empty: none does.
+Message better_reading(const NamedPoses& flange, const NamedPoses& target, bool eye_in_hand) {
+  const NamedPoses f = with_all_readings(flange), t = with_all_readings(target);
+  const std::vector<Trial> trials = trials_of(f, t, eye_in_hand);
+  if (trials.empty() || trials.front().misfit.size() > most_misfit) return {};
+  return message("{} they agree to {}: leave --angles out.", at_most(readings_text(f, t, trials.front()), 250),
+                 misfit_text(trials.front().misfit));
+}
+
 /// Where nothing goes together what is usual stays, else nobody knows.
-void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, std::vector<Message>& notes) {
+void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best, bool eye_in_hand,
+                       std::vector<Message>& notes) {
+  const Message better = better_reading(flange, target, eye_in_hand);
   if (!is_usual_for(flange) || !is_usual_for(target))
     throw InputError(
         message("No reading of {} makes the motions of both agree (the best leaves {}): do the rows belong together, "
@@ -125,6 +140,13 @@ void without_agreement(NamedPoses& flange, NamedPoses& target, const Trial& best
                 at_most(open_tables(flange, target), 150), misfit_text(best.misfit), how_to_say));
   take_usual_turns(flange, notes);
   take_usual_turns(target, notes);
+  if (!better.empty()) {
+    notes.push_back(
+        message("As --angles has it, the motions of the flange and of the target do not agree (the best "
+                "leaves {}); if {}",
+                misfit_text(best.misfit), better));
+    return;
+  }
   notes.push_back(
       message("However they are read, the motions of the flange and of the target do not agree (the best leaves "
               "{}); see what fit says.",
@@ -142,7 +164,7 @@ Message next_best(const std::vector<Trial>& trials, const Trial& chosen) {
 /// Do the motions go together by the best, be it that they are noisy and no other reading comes near?
 bool goes_together(const std::vector<Trial>& trials) {
   const Trial& best = trials.front();
-  if (best.misfit.size() <= well) return true;
+  if (best.misfit.size() <= most_misfit) return true;
   return best.misfit.size() <= at_all && std::all_of(trials.begin(), trials.end(), [&](const Trial& other) {
            return other.misfit.size() > as_well * best.misfit.size() || are_alike(other, best, best.misfit.size());
          });
@@ -162,8 +184,8 @@ void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std:
   }
   if (!goes_together(trials)) {  // as if one table were inverted
     std::vector<Trial> inverted = trials_of(flange, target, !eye_in_hand);
-    if (inverted.empty() || inverted.front().misfit.size() > well)
-      return without_agreement(flange, target, trials.front(), notes);
+    if (inverted.empty() || inverted.front().misfit.size() > most_misfit)
+      return without_agreement(flange, target, trials.front(), eye_in_hand, notes);
     notes.emplace_back(
         "The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor "
         "in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); "

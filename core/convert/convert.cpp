@@ -44,11 +44,15 @@ std::optional<FieldUrdf> find_robot(std::vector<fs::path>& files, const std::opt
   return std::nullopt;
 }
 
+/// By what the file calls the poses, or by the file.
+bool is_called(const NamedPoses& p, const std::string& name) {
+  return p.role == name || p.role == name + "_" || p.role == "mocap " + name || p.file == name ||
+         fs::path(p.file).stem() == name;
+}
+
 /// Of several rigid bodies the one that --target-frame names.
 void choose_target(Brought& b, const std::string& name) {
-  const auto is_it = [&](const NamedPoses& p) {
-    return p.role == name || p.role == "mocap " + name || p.file == name || fs::path(p.file).stem() == name;
-  };
+  const auto is_it = [&](const NamedPoses& p) { return is_called(p, name); };
   if (b.joints && b.poses.size() > 1 && std::any_of(b.poses.begin(), b.poses.end(), is_it))
     std::erase_if(b.poses, [&](const NamedPoses& p) { return !is_it(p); });
 }
@@ -62,6 +66,16 @@ std::string list_names(const std::vector<NamedPoses>& poses) {
                                             : of_files     ? fmt::format("{} of {}", p.role, p.file)
                                                            : p.role);
   return names;
+}
+
+/// Of two tables of poses the flange's and the target's: as --target-frame says, or their names.
+std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses, const std::string& target) {
+  const bool first = is_called(poses[0], target), second = is_called(poses[1], target);
+  if (target.empty() || (first && second)) return flange_and_target(poses);
+  if (!first && !second)
+    throw InputError(message("--target-frame {}: no table of poses is called so; there are: {}.", in_quotes(target),
+                             shortened(list_names(poses), 200)));
+  return first ? std::pair(poses[1], poses[0]) : std::pair(poses[0], poses[1]);
 }
 
 /// The first bag among the files, open.
@@ -85,7 +99,7 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
     throw InputError(message("There are {} tables of poses ({}); expected the flange's and the target's.",
                              b.poses.size(), shortened(list_names(b.poses), 200)));
   if (!b.joints && b.poses.size() == 2) {
-    auto [flange, target] = flange_and_target(b.poses);
+    auto [flange, target] = flange_and_target(b.poses, o.target_frame);
     return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
   }
   if (!robot && !b.joints && b.poses.size() == 1 && b.image_folders.empty())

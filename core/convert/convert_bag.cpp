@@ -13,7 +13,10 @@ namespace handsight {
 namespace {
 
 /// The child frame that a detector publishes: the one that is named, or the only one that sounds like one.
-std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
+std::string target_frame_of(const BagContents& bag, const Bag& file, const ConvertOptions& o) {
+  const std::string& wanted = o.target_frame;
+  std::string topics;
+  for (const BagTopic& t : file.topics) topics += fmt::format("{}{} ({})", topics.empty() ? "" : ", ", t.name, t.type);
   std::vector<std::string> likely, all;
   for (const auto& [child, frame] : bag.frames) {
     all.push_back(child);
@@ -25,17 +28,40 @@ std::string target_frame_of(const BagContents& bag, const std::string& wanted) {
     throw InputError(message("--target-frame {}: /tf of the bag has no such child; it has: {}.", in_quotes(wanted),
                              shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
   if (likely.size() == 1) return likely.front();
+  if (all.empty())
+    throw InputError(
+        message("The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is "
+                "read (PoseStamped, TransformStamped); one camera needs --target, what its images show. It has: {}.",
+                shortened(topics, 300)));
   throw InputError(
       message("The bag has no pair of camera images with calibration, and its /tf {} frames that sound like a "
               "target; name it with "
-              "--target-frame. /tf has: {}.",
-              likely.empty() ? "no" : "several", shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
+              "--target-frame{}. /tf has: {}.",
+              likely.empty() ? "no" : "several", o.title.empty() ? "" : ", once for each --tcp",
+              shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
 }
 
 std::string named_topics(const BagRig& rig) {
   std::string names;
   for (const BagImages* images : rig.topics) names += (names.empty() ? "" : ", ") + images->topic;
   return names;
+}
+
+/// Cameras that no session is made of are told; depth is no image that is looked at.
+void say_other_cameras(const BagContents& bag, const BagRig& rig, std::vector<Message>& notes) {
+  std::string others;
+  for (const BagImages* images : calibrated_topics(bag)) {
+    const RosCamera* camera = camera_beside(bag, images->topic);
+    const bool is_taken = std::any_of(rig.topics.begin(), rig.topics.end(), [&](const BagImages* taken) {
+      return camera_beside(bag, taken->topic) == camera;
+    });
+    if (!is_taken) others += (others.empty() ? "" : ", ") + images->topic;
+  }
+  if (!others.empty())
+    notes.push_back(
+        message("Images of other cameras are left out: {}. With --target, what the images show, each camera "
+                "has a session.",
+                shortened(others, 200)));
 }
 
 /// Places of images of all topics that were taken together: by topic, one a time.
@@ -98,6 +124,7 @@ Conversion from_bag_images(SessionParts parts, const BagContents& bag, const Bag
                            const ConvertOptions& o, Conversion c) {
   const Together together = taken_together(found.topics);
   const std::size_t all = found.topics.front()->times.size();
+  if (o.camera.empty()) say_other_cameras(bag, found, c.notes);
   if (together.times.size() < all)
     c.notes.push_back(message("{} of {} left images have no right image within 10 ms and are left out.",
                               all - together.times.size(), all));
@@ -162,7 +189,7 @@ Conversion from_bag_of_poses(const Bag& file, const Brought& b, const ConvertOpt
                                          "(--eye-on-base: the camera stands, the flange carries the target).");
     return from_bag_images(std::move(parts), bag, *rig, file, o, std::move(c));
   }
-  const std::string child = target_frame_of(bag, o.target_frame);
+  const std::string child = target_frame_of(bag, file, o);
   const BagFrame& frame = bag.frames.at(child);
   const Paired p = pair_events(bag.joints, frame.series.times, frame.series.poses.size(), {}, o, c.notes);
   NamedPoses flange{"the flange", "", {}}, target{child, "", {}};
@@ -195,7 +222,7 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& file, cons
     require_links(*robot, with_mount_of_frame(bag, robot->robot, *rig, o, c.notes), parts, c.notes);
     return from_bag_images(std::move(parts), bag, *rig, file, o, std::move(c));
   }
-  const std::string child = target_frame_of(bag, o.target_frame);
+  const std::string child = target_frame_of(bag, file, o);
   const BagFrame& frame = bag.frames.at(child);
   c.notes.push_back(
       message("The target is the frame {} that /tf gives in {}.", in_quotes(child), in_quotes(frame.parent)));

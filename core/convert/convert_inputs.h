@@ -18,6 +18,9 @@ bool says(const std::string& name, std::initializer_list<const char*> words);
 void require_links(const FieldUrdf& robot, const ConvertOptions& options, SessionParts& parts,
                    std::vector<Message>& notes);
 
+/// The hand in the mount's frame at the readings of these parts, as if it were a flange.
+NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts);
+
 /// The way of a flange alone: no robot is known, its pose is.
 Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& options,
                        Conversion conversion);

@@ -18,18 +18,19 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Is the file likely of the robot's flange, by its name?
-bool is_of_flange(const std::string& file) {
-  return says(file, {"flange", "robot", "ee", "tool", "hand", "gripper", "arm", "effector", "tcp", "fpe"});
+/// Is a file, or what a file calls poses, likely of the robot's flange, of the target? By its name.
+bool says_flange(const std::string& name) {
+  return says(name, {"flange", "robot", "ee", "tool", "hand", "gripper", "arm", "effector", "tcp", "fpe"});
 }
-bool is_of_target(const std::string& file) {
-  return says(file, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object", "rvec", "pnp"});
+
+bool says_target(const std::string& name) {
+  return says(name, {"target", "marker", "tag", "board", "cam", "track", "mocap", "object", "obj", "rvec", "pnp"});
 }
 
 /// What their columns call them, or their file (or folder) where columns say nothing of it and each has its own.
 std::string called(const NamedPoses& p, const NamedPoses& other) {
-  if (p.role.empty() && !is_of_flange(p.file) && !is_of_target(p.file)) return p.file + " " + p.turns.columns.english();
-  const bool says_it = is_of_flange(p.role) || is_of_target(p.role);
+  if (p.role.empty() && !says_flange(p.file) && !says_target(p.file)) return p.file + " " + p.turns.columns.english();
+  const bool says_it = says_flange(p.role) || says_target(p.role);
   return p.role.empty() || (!says_it && p.file != other.file) ? p.file : p.role;
 }
 
@@ -37,6 +38,17 @@ Message sensor_note(const ConvertOptions& o) {
   if (o.sigma && o.sigma_angle) return "The target's pose counts whole, place and turn.";
   return "The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is "
          "known say it: --sigma (m), --sigma-angle (rad), or in <pose_sensor>.";
+}
+
+/// Where both tables have as many rows, and no times in both: the readings of the rows in which the target was seen.
+JointSeries of_seen_rows(JointSeries joints, const PoseSeries& seen) {
+  const bool is_by_row = joints.times.empty() || seen.times.empty();
+  if (!is_by_row || seen.places.empty() || seen.row_count != joints.positions.size()) return joints;
+  std::vector<Eigen::VectorXd> positions;
+  for (const std::size_t row : seen.places) positions.push_back(joints.positions[row]);
+  joints.positions = std::move(positions);
+  joints.times.clear();
+  return joints;
 }
 
 }  // namespace
@@ -48,14 +60,30 @@ bool says(const std::string& name, std::initializer_list<const char*> words) {
 
 std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses) {
   const std::string a = called(poses[0], poses[1]), b = called(poses[1], poses[0]);
-  const bool first = is_of_flange(a) && !is_of_flange(b), second = is_of_flange(b) && !is_of_flange(a);
-  if (first || (!second && is_of_target(b) && !is_of_target(a))) return {poses[0], poses[1]};
-  if (second || (is_of_target(a) && !is_of_target(b))) return {poses[1], poses[0]};
+  const bool first = says_flange(a) && !says_flange(b), second = says_flange(b) && !says_flange(a);
+  if (first || (!second && says_target(b) && !says_target(a))) return {poses[0], poses[1]};
+  if (second || (says_target(a) && !says_target(b))) return {poses[1], poses[0]};
   const auto name = [](const NamedPoses& p) { return p.role.empty() ? p.file : p.role; };
   throw InputError(
       message("{} and {} are both tables of poses: which is the robot's flange, which the target that "
-              "the sensor sees? Name the files so: flange.csv and target.csv.",
+              "the sensor sees? Say with --target-frame which is the target's, or name the files so: flange.csv and "
+              "target.csv.",
               name(poses[0]), name(poses[1])));
+}
+
+NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
+  Session s;
+  s.robot = robot.robot;
+  s.tcp = parts.tcp;
+  s.mount.link = parts.mount;
+  s.joints = parts.joints.names;
+  const Chain chain = make_chain(s);
+  NamedPoses hand{"the robot", "", {}};
+  for (const Eigen::VectorXd& position : parts.joints.positions) {
+    const ChainEnds ends = chain_ends(chain, position);
+    hand.series.poses.push_back(inverse(ends.root_from_mount) * ends.root_from_tcp);
+  }
+  return hand;
 }
 
 void set_flange(SessionParts& parts, const PoseSeries& flange, bool eye_in_hand, std::vector<Message>& notes) {
@@ -82,22 +110,6 @@ Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, c
 
 namespace {
 
-/// The hand in the mount's frame at these readings, as if it were a flange.
-NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts) {
-  Session s;
-  s.robot = robot.robot;
-  s.tcp = parts.tcp;
-  s.mount.link = parts.mount;
-  s.joints = parts.joints.names;
-  const Chain chain = make_chain(s);
-  NamedPoses hand{"the robot", "", {}};
-  for (const Eigen::VectorXd& position : parts.joints.positions) {
-    const ChainEnds ends = chain_ends(chain, position);
-    hand.series.poses.push_back(inverse(ends.root_from_mount) * ends.root_from_tcp);
-  }
-  return hand;
-}
-
 /// The largest turn between the first of these poses and another, rad.
 double largest_turn(const std::vector<Rigid>& poses) {
   double largest = 0;
@@ -121,7 +133,7 @@ Conversion from_poses(const FieldUrdf& robot, const JointSeries& joints, NamedPo
   require_links(robot, o, parts, c.notes);
   const PoseSeries& seen = target.series;
   const std::vector<double> speeds = seen.times.empty() ? std::vector<double>() : compute_speeds(seen);
-  const Paired p = pair_events(joints, seen.times, seen.poses.size(), speeds, o, c.notes);
+  const Paired p = pair_events(of_seen_rows(joints, seen), seen.times, seen.poses.size(), speeds, o, c.notes);
   parts.joints = {joints.names, {}, p.positions};
   target = take_rows(target, p.events);
   if (c.sensor.empty()) c.sensor = target.file, c.target = target.role.empty() ? target.file : target.role;
@@ -147,6 +159,10 @@ void require_links(const FieldUrdf& robot, const ConvertOptions& o, SessionParts
   if (o.tcp.empty())
     throw InputError(message("--tcp is missing: the link that is the hand. At the ends of this robot are: {}.",
                              shortened(fmt::format("{}", fmt::join(end_links(robot.robot), " ")), 300)));
+  for (const auto& [option, name] : {std::pair("--tcp", o.tcp), std::pair("--mount", o.mount)})
+    if (!name.empty() && find_link(robot.robot, name) < 0)
+      throw InputError(message("{} {}: the robot has no such link; it has: {}.", option, in_quotes(name),
+                               shortened(fmt::format("{}", fmt::join(link_names(robot.robot), " ")), 300)));
   parts.urdf_text = robot.text;
   parts.tcp = o.tcp;
   parts.mount = o.mount.empty() ? robot.robot.links.front().name : o.mount;

@@ -2,6 +2,7 @@
 #include "convert/file_kind.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 
@@ -19,6 +20,7 @@
 #include "readers/pose_matrices.h"
 #include "readers/robots/lerobot.h"
 #include "readers/robots/robot_file.h"
+#include "readers/texts/camera_texts.h"
 #include "session/new_session.h"
 
 namespace handsight {
@@ -31,6 +33,13 @@ bool is_storage_text(const std::string& text) {
 namespace {
 
 namespace fs = std::filesystem;
+
+[[noreturn]] void refuse_kind(const fs::path& path, const char* looks_like) {
+  throw InputError(message(
+      "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
+      "ROS or Kalibr, samples of easy_handeye, or a bag of ROS.",
+      shown_path(path), looks_like));
+}
 
 std::vector<std::string> list_names(const Robot* robot) {
   return robot ? joint_names(*robot) : std::vector<std::string>();
@@ -72,6 +81,13 @@ bool is_yaml_of_poses(const std::string& text) {
   }
 }
 
+/// Does a storage say anything that only cameras have?
+bool is_likely_camera(const std::string& text) {
+  constexpr std::array words{"amera", "istortion", "dist", "mtx", "ntrinsic", "\"K", "\"M1", "\"M2", "\"D", "opencv"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
 /// JSON: a camera of RealSense, servos of LeRobot, a list of poses, or a storage of OpenCV.
 FileKind json_kind(const fs::path& path, const std::string& text, const Robot* robot) {
   if (holds_joints(text, robot)) return FileKind::joints;
@@ -83,19 +99,14 @@ FileKind json_kind(const fs::path& path, const std::string& text, const Robot* r
   } catch (const InputError&) {
     return listed_kind(path, text, robot).value_or(FileKind::storage);
   }
-  return listed_kind(path, text, robot).value_or(FileKind::storage);
+  if (const auto kind = listed_kind(path, text, robot)) return *kind;
+  if (!is_likely_camera(text)) refuse_kind(path, "is JSON of a kind that is not known");
+  return FileKind::storage;
 }
 
 bool has_number(const fs::path& path) {
   const std::string stem = path.stem().string();
   return stem.find_first_of("0123456789") != std::string::npos;
-}
-
-[[noreturn]] void refuse_kind(const fs::path& path, const char* looks_like) {
-  throw InputError(message(
-      "{}: {}; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, "
-      "ROS or Kalibr, samples of easy_handeye, or a bag of ROS.",
-      shown_path(path), looks_like));
 }
 
 FileKind xml_kind(const fs::path& path, const std::string& text) {
@@ -104,6 +115,14 @@ FileKind xml_kind(const fs::path& path, const std::string& text) {
   if (text.find("<handsight_session") != std::string::npos) refuse_kind(path, "is a session already, use it as it is");
   if (text.find("<sdf") != std::string::npos) refuse_kind(path, "is an SDF of Gazebo; name the URDF of the robot");
   refuse_kind(path, "is XML of a kind that is not known");
+}
+
+/// Is an entry of the map a camera's matrix?
+bool holds_camera_matrix(const YAML::Node& yaml) {
+  return yaml.IsMap() && std::any_of(yaml.begin(), yaml.end(), [](const auto& entry) {
+           const auto n = entry.second.IsSequence() ? yaml_numbers(entry.second) : std::nullopt;
+           return n && n->size() == 9 && (*n)[0] > 1 && (*n)[4] > 1 && (*n)[8] == 1;
+         });
 }
 
 FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* robot) {
@@ -116,6 +135,7 @@ FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* r
   if (is_kalibr_target(yaml)) return FileKind::target;
   if (is_hand_eye_samples(yaml)) return FileKind::samples;
   if (is_pose_list(yaml)) return FileKind::poses;
+  if (holds_camera_matrix(yaml)) return FileKind::storage;
   if (const auto kind = listed_kind(path, text, robot)) return *kind;
   refuse_kind(path, "is YAML of a kind that is not known");
 }
@@ -166,7 +186,7 @@ std::string first_bytes_of(const fs::path& path) {
 
 bool is_one_camera(FileKind kind) {
   return kind == FileKind::camera_info || kind == FileKind::ost || kind == FileKind::realsense ||
-         kind == FileKind::camodocal;
+         kind == FileKind::camodocal || kind == FileKind::named;
 }
 
 bool has_images(const fs::path& folder) {
@@ -200,7 +220,9 @@ FileKind file_kind(const fs::path& path, const Robot* robot, const std::vector<s
   if (is_ost(text)) return FileKind::ost;
   if (is_camodocal(text)) return FileKind::camodocal;
   if (is_realsense_listing(text)) return FileKind::realsense;
-  if (has_number(path) && single_pose(text)) return FileKind::pose;
+  if (camera_entries(text, path.stem().string())) return FileKind::matrix;
+  if ((begin.starts_with("%") || looks_like_yaml(text)) && is_named_camera(text)) return FileKind::named;
+  if (has_number(path) && !poses_of_instant(text).empty()) return FileKind::pose;
   if (is_storage_text(text)) return storage_kind(path, text);
   if (begin.starts_with("{")) return json_kind(path, text, robot);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
@@ -245,6 +267,10 @@ const char* kind_text(FileKind kind) {
       return "a camera of RealSense";
     case FileKind::camodocal:
       return "a camera of camodocal";
+    case FileKind::named:
+      return "a camera by its numbers' names";
+    case FileKind::matrix:
+      return "numbers of a camera";
     case FileKind::target:
       return "a target of Kalibr";
     case FileKind::camchain:

@@ -25,6 +25,8 @@ enum class FileKind {
   ost,          // of ROS's camera_calibration
   realsense,    // its intrinsics
   camodocal,    // a camera of it
+  named,        // a camera by fx fy cx cy
+  matrix,       // a camera's matrix, or its lens, as plain numbers
   target,       // of Kalibr: what the images show
   camchain,     // of Kalibr
   bag,          // of ROS 2 or 1

@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace handsight {
 namespace {
@@ -96,6 +97,10 @@ double left_of_shifts(const std::vector<Motion>& motions, const Matrix3& turn) {
 }
 
 }  // namespace
+
+Message misfit_text(const Misfit& misfit) {
+  return message("{:.2g} degrees and {:.2g} mm", misfit.turn * 180 / std::numbers::pi, 1e3 * misfit.shift);
+}
 
 double Misfit::size() const { return std::hypot(turn, shift / lever); }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/message.h"
 #include "geometry/rigid.h"
 
 namespace handsight {
@@ -18,6 +19,12 @@ struct Misfit {
   /// Both in one number, rad: a shift as if it were 0.3 m away.
   double size() const;
 };
+
+/// rad: what is left (Misfit::size) of motions that go together, however noisy.
+constexpr double most_misfit = 0.15;
+
+/// "0.17 degrees and 1.3 mm".
+Message misfit_text(const Misfit& misfit);
 
 /// The flange's motions carried over to the target's by the one fixed transform that suits them best, found in closed
 /// form and against outliers. `base_from_flange` and `sensor_from_target` are paired; `eye_in_hand`: the flange carries

@@ -127,6 +127,57 @@ std::vector<Point> robtargets(std::string_view text) {
   return points;
 }
 
+/// Six numbers of a place and a turn by angles in degrees.
+std::optional<Point> point_of_six(std::string_view text, AngleKind kind) {
+  std::vector<double> numbers;
+  while (numbers.size() < 6) {
+    while (!text.empty() && (is_space(text.front()) || text.front() == ',')) text.remove_prefix(1);
+    const auto number = take_number(text);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  Point point;
+  std::copy_n(numbers.begin(), 3, point.place.begin());
+  for (std::size_t i = 3; i < 6; ++i) numbers[i] *= std::numbers::pi / 180;
+  point.rotation = rotation_by(kind, {numbers.begin() + 3, numbers.end()});
+  return point;
+}
+
+/// The lines between one that begins so and the next that begins otherwise, with their numbers in the text.
+template <class IsPoint>
+std::vector<Point> points_in_lines(std::string_view text, std::string_view begin, std::string_view end, AngleKind kind,
+                                   IsPoint&& numbers_of) {
+  std::vector<Point> points;
+  const std::size_t first = text.find(begin);
+  for (std::size_t at = first; at != std::string_view::npos && at < text.size();) {
+    const std::size_t next = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, next - at);
+    if (at > first && line.starts_with(end)) break;
+    if (auto point = point_of_six(numbers_of(line), kind)) {
+      point->line = line_at(text, at);
+      points.push_back(*point);
+    }
+    at = next + 1;
+  }
+  return points;
+}
+
+/// "C00001=430.1,-20.3,..." (or P00001=) of Yaskawa below ///RECTAN: with pulses in place of places nothing is read.
+std::vector<Point> rectangular_positions(std::string_view text) {
+  return points_in_lines(text, "///RECTAN", "//INST", AngleKind::rpy, [](std::string_view line) {
+    const bool is_point = line.size() > 2 && (line[0] == 'C' || line[0] == 'P') && line.find('=') < 12;
+    return is_point ? line.substr(line.find('=') + 1) : std::string_view();
+  });
+}
+
+/// "name x y z o a t" of Kawasaki below .TRANS.
+std::vector<Point> transformations(std::string_view text) {
+  return points_in_lines(text, ".TRANS", ".END", AngleKind::zyz, [](std::string_view line) {
+    const std::size_t blank = line.find_first_of(" \t");
+    return blank == std::string_view::npos || line.starts_with(".") ? std::string_view() : line.substr(blank);
+  });
+}
+
 struct Program {
   const char* language = nullptr;
   std::vector<Point> points;
@@ -140,6 +191,8 @@ Program program_of(std::string_view text) {
   if (has(text, "robtarget ")) return {"RAPID of ABB", robtargets(text)};
   if (has(text, "/POS") && has(text, "P["))
     return {"TP of Fanuc", points_in_braces(text, {"W", "P", "R"}, AngleKind::rpy)};
+  if (has(text, "/JOB") && has(text, "///RECTAN")) return {"INFORM of Yaskawa", rectangular_positions(text)};
+  if (has(text, "\n.TRANS") || text.starts_with(".TRANS")) return {"AS of Kawasaki", transformations(text)};
   return {};
 }
 

@@ -205,6 +205,12 @@ void warn_of_order(const JointSeries& s, const std::vector<Placed>& columns, con
       hint));
 }
 
+/// Are all readings from -100 to 100?
+bool may_be_per_cent(const JointSeries& s) {
+  return std::all_of(s.positions.begin(), s.positions.end(),
+                     [](const Eigen::VectorXd& q) { return q.cwiseAbs().maxCoeff() <= 100; });
+}
+
 void refuse_degrees(const JointSeries& s, const std::vector<Placed>& columns, const Robot& robot,
                     const std::string& file) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -214,9 +220,13 @@ void refuse_degrees(const JointSeries& s, const std::vector<Placed>& columns, co
       const double angle = std::abs(q[static_cast<Eigen::Index>(i)]);
       if (angle > most_of_a_turn && beyond(s.positions, static_cast<Eigen::Index>(i), joint) > 0)
         throw InputError(
-            message("{}: joint {} stands at {:.4g}, which in rad is {:.0f} turns: these are degrees. Say "
+            message("{}: joint {} stands at {:.4g}, which in rad is {:.0f} turns: these are degrees{}. Say "
                     "--degrees, or write the unit into the header: \"{} [deg]\".",
-                    file, joint.name, angle, angle / (2 * std::numbers::pi), joint.name));
+                    file, joint.name, angle, angle / (2 * std::numbers::pi),
+                    may_be_per_cent(s) ? Message(", or per cent of its range as servos tell it (then name LeRobot's "
+                                                 "calibration too)")
+                                       : Message(),
+                    joint.name));
     }
   }
 }

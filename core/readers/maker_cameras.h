@@ -28,6 +28,12 @@ bool is_realsense_listing(const std::string& text);
 RosCamera read_realsense(const YAML::Node& yaml, const std::string& file, std::vector<Message>& notes);
 RosCamera read_realsense_listing(const std::string& text, const std::string& file, std::vector<Message>& notes);
 
+/// YAML of fx fy cx cy by name, with image_width and image_height (or width and height) and a list of OpenCV's
+/// coefficients, as ZED's tools and people write them, or ORB-SLAM's Camera.fx ... with Camera.k1 ... k3 (of a
+/// KannalaBrandt8 k1 ... k4).
+bool is_named_camera(const std::string& text);
+RosCamera read_named_camera(const std::string& text, const std::string& file, std::vector<Message>& notes);
+
 /// camodocal's YAML: PINHOLE (k1 k2 p1 p2) and KANNALA_BRANDT (a fisheye's k2 k3 k4 k5).
 bool is_camodocal(const std::string& text);
 RosCamera read_camodocal(const std::string& text, const std::string& file);

@@ -131,7 +131,7 @@ StorageEntry yaml_entry(std::string_view body) {
   return list_of(std::move(numbers));
 }
 
-Entries parse_yaml(std::string_view text) {
+Entries yaml_entries(std::string_view text) {
   Entries entries;
   std::string name, body;
   const auto finish = [&] {
@@ -237,7 +237,7 @@ Entries parse_opencv_storage(const std::string& text, const std::string& file) {
   if (first == std::string::npos) refuse_text(file, "it is empty");
   Entries entries = text[first] == '{'   ? parse_json(text, file)
                     : text[first] == '<' ? parse_xml_storage(text, file)
-                                         : parse_yaml(text);
+                                         : yaml_entries(text);
   if (entries.empty()) refuse_text(file, "it has no entries with names");
   return entries;
 }

@@ -106,22 +106,61 @@ bool begins_with_a_pose(const YAML::Node& list) {
   }
 }
 
-/// A map whose values are lists of poses.
-bool is_map_of_lists(const YAML::Node& yaml) {
-  return yaml.IsMap() && std::any_of(yaml.begin(), yaml.end(), [](const auto& entry) {
-           return entry.second.IsSequence() && entry.second.size() > 2 && begins_with_a_pose(entry.second);
-         });
+/// "R_gripper2base" and "t_gripper2base": the list of places to a list of rotations; undefined where there is none.
+YAML::Node places_beside(const YAML::Node& yaml, const std::string& rotations) {
+  const bool is_named_so = rotations.size() > 1 && (rotations[0] == 'R' || rotations[0] == 'r');
+  return is_named_so ? first_of(yaml, {("t" + rotations.substr(1)).c_str(), ("T" + rotations.substr(1)).c_str()})
+                     : YAML::Node(YAML::NodeType::Undefined);
 }
 
+/// The pose of a rotation and a place of two lists.
+std::optional<Rigid> pose_of_parts(const YAML::Node& rotation, const YAML::Node& place) {
+  const auto r = yaml_numbers(rotation), t = yaml_numbers(place);
+  return r && t && r->size() == 9 && t->size() == 3 ? rigid_of_parts(*r, *t) : std::nullopt;
+}
+
+/// Does the map hold this list of rotations with the list of their places?
+bool are_parts(const YAML::Node& yaml, const std::string& name, const YAML::Node& rotations) {
+  const YAML::Node places = places_beside(yaml, name);
+  return places && places.IsSequence() && rotations.IsSequence() && rotations.size() > 2 &&
+         rotations.size() == places.size() && pose_of_parts(rotations[0], places[0]);
+}
+
+void add_parts(const YAML::Node& yaml, const std::string& name, const YAML::Node& rotations, const std::string& file,
+               NamedLists& lists) {
+  const YAML::Node places = places_beside(yaml, name);
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const auto pose = pose_of_parts(rotations[i], places[i]);
+    if (!pose) refuse_pose(file, i, "is not whole");
+    add_pose(lists, name.substr(name[1] == '_' ? 2 : 1), *pose);
+  }
+}
+
+/// Poses of its entries; a list of pairs names them as a list of its own does.
 NamedLists lists_of_map(const YAML::Node& yaml, const std::string& file) {
   NamedLists lists;
-  for (const auto& entry : yaml)
-    if (begins_with_a_pose(entry.second)) {
-      std::size_t number = 0;
-      for (const YAML::Node& node : entry.second)
-        add_pose(lists, entry.first.Scalar(), required_pose(node, file, number++));
+  for (const auto& entry : yaml) {
+    const std::string name = entry.first.Scalar();
+    if (are_parts(yaml, name, entry.second)) add_parts(yaml, name, entry.second, file, lists);
+    if (!begins_with_a_pose(entry.second)) continue;
+    std::size_t number = 0;
+    for (const YAML::Node& node : entry.second) {
+      if (const auto pose = find_pose(node, file, number))
+        add_pose(lists, name, *pose);
+      else if (!add_pair(node, file, number, lists))
+        refuse_pose(file, number, "is not whole");
+      ++number;
     }
+  }
   return lists;
+}
+
+/// A map whose values are lists of poses, or of their rotations and places.
+bool is_map_of_lists(const YAML::Node& yaml) {
+  return yaml.IsMap() && std::any_of(yaml.begin(), yaml.end(), [&](const auto& entry) {
+           return entry.second.IsSequence() && entry.second.size() > 2 &&
+                  (begins_with_a_pose(entry.second) || are_parts(yaml, entry.first.Scalar(), entry.second));
+         });
 }
 
 std::vector<double> times_in(const YAML::Node& list) {
@@ -140,13 +179,22 @@ ReadPoses named(const std::string& name, std::vector<Rigid> poses) {
 
 }  // namespace
 
+std::optional<Rigid> rigid_of_parts(const std::vector<double>& rotation, const std::vector<double>& place) {
+  const Matrix3 m = Matrix3(rotation.data()).transpose();  // row by row
+  if (!((m * m.transpose() - Matrix3::Identity()).norm() < 0.02) || !(m.determinant() > 0)) return std::nullopt;
+  return Rigid{nearest_rotation(m), Vector3(place.data())};
+}
+
 std::optional<Rigid> rigid_of_numbers(const std::vector<double>& n) {
   if (n.size() != 16 && n.size() != 12) return std::nullopt;
-  if (n.size() == 16 && std::abs(n[12]) + std::abs(n[13]) + std::abs(n[14]) + std::abs(n[15] - 1) > 1e-6)
-    return std::nullopt;
-  const Matrix3 m = (Matrix3() << n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10]).finished();
-  if (!((m * m.transpose() - Matrix3::Identity()).norm() < 0.02) || !(m.determinant() > 0)) return std::nullopt;
-  return Rigid{nearest_rotation(m), Vector3(n[3], n[7], n[11])};
+  const auto ends_so = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return std::abs(n[a]) + std::abs(n[b]) + std::abs(n[c]) + std::abs(n[15] - 1) < 1e-6;
+  };
+  if (n.size() == 12 || ends_so(12, 13, 14))
+    return rigid_of_parts({n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10]}, {n[3], n[7], n[11]});
+  if (ends_so(3, 7, 11))  // column by column, as libfranka has them
+    return rigid_of_parts({n[0], n[4], n[8], n[1], n[5], n[9], n[2], n[6], n[10]}, {n[12], n[13], n[14]});
+  return std::nullopt;
 }
 
 std::optional<Rigid> find_pose(const YAML::Node& node, const std::string& file, std::size_t number) {
@@ -160,9 +208,12 @@ std::optional<Rigid> find_pose(const YAML::Node& node, const std::string& file, 
   if (node["pose"] && node["pose"].IsMap()) return find_pose(node["pose"], file, number);
   if (node["transform"] && node["transform"].IsMap()) return find_pose(node["transform"], file, number);
   const auto xyz = list_numbers(first_of(node, {"translation", "position", "xyz", "t"}), {"x", "y", "z"});
-  const auto q = list_numbers(first_of(node, {"rotation", "orientation", "quaternion", "quaternion_xyzw", "q"}),
-                              {"x", "y", "z", "w"});
-  if (!xyz || !q || xyz->size() != 3 || q->size() != 4) return std::nullopt;
+  const auto q = list_numbers(
+      first_of(node, {"rotation", "orientation", "quaternion", "quaternion_xyzw", "q", "rotation_matrix", "R"}),
+      {"x", "y", "z", "w"});
+  if (!xyz || !q || xyz->size() != 3) return std::nullopt;
+  if (q->size() == 9) return rigid_of_parts(*q, *xyz);
+  if (q->size() != 4) return std::nullopt;
   return find_instant_pose(*xyz, *q, file, number);
 }
 

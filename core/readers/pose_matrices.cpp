@@ -3,18 +3,24 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
+#include <numbers>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "geometry/angle_kinds.h"
 #include "readers/opencv_storage.h"
 #include "readers/pose_list.h"
+#include "readers/texts/plain_text.h"
 
 namespace handsight {
 namespace {
 
+using NamedPosesOfInstant = std::vector<std::pair<std::string, Rigid>>;
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_pose = 4000;  // bytes of a file with one pose
@@ -30,7 +36,8 @@ std::optional<Numbered> numbered(const std::string& name) {
   std::size_t end = name.size();
   while (end > 0 && !is_digit(name[end - 1])) --end;
   std::size_t begin = end;
-  while (begin > 0 && is_digit(name[begin - 1]) && end - begin < 15) --begin;
+  while (begin > 0 && is_digit(name[begin - 1]) && end - begin < 19) --begin;  // ns since 1970 have 19
+  if (end - begin == 19 && name[begin] > '8') ++begin;
   if (begin == end) return std::nullopt;
   return Numbered{name.substr(0, begin) + name.substr(end), std::stoll(name.substr(begin, end - begin))};
 }
@@ -38,6 +45,9 @@ std::optional<Numbered> numbered(const std::string& name) {
 /// All numbers of a text without any other word; nothing where it has one.
 std::optional<std::vector<double>> only_numbers(const std::string& text) {
   std::string plain = text;
+  for (const char* word : {"numpy.array", "np.array", "array", "matrix"})  // as Python prints them
+    for (std::size_t at = plain.find(word); at != std::string::npos; at = plain.find(word))
+      plain.erase(at, std::string_view(word).size());
   for (char& c : plain)
     if (std::string_view("[](),;\r\n\t").find(c) != std::string_view::npos) c = ' ';
   std::vector<double> numbers;
@@ -56,6 +66,8 @@ Rigid of_place_and_vector(const std::vector<double>& n) {
 /// "rows: 6, cols: 1, data: ..." of ViSP, or a matrix that YAML holds.
 std::optional<Rigid> pose_of_yaml(const YAML::Node& yaml) {
   if (auto pose = find_pose(yaml, "", 0)) return pose;
+  if (yaml.IsMap() && yaml["FloatMatrix"] && yaml["FloatMatrix"]["Data"])  // of Zivid
+    return find_pose(yaml["FloatMatrix"]["Data"], "", 0);
   const auto numbers = yaml.IsMap() && yaml["data"] ? yaml_numbers(yaml["data"]) : std::nullopt;
   if (!numbers) return std::nullopt;
   if (numbers->size() == 6) return of_place_and_vector(*numbers);
@@ -71,6 +83,54 @@ std::optional<Rigid> pose_of_entries(const std::map<std::string, StorageEntry>& 
     only = pose;
   }
   return only;
+}
+
+/// A pose as HALCON's write_pose has it; its types of numbers are those of create_pose ("point" alone).
+std::optional<Rigid> pose_of_halcon(const std::string& text) {
+  std::map<char, std::vector<double>> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    const auto words = split_words(line);
+    if (words.size() < 2 || words[0].size() != 1) continue;
+    for (std::size_t i = 1; i < words.size(); ++i)
+      lines[words[0][0]].push_back(parse_number(words[i]).value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  const auto &type = lines['f'], &turn = lines['r'], &place = lines['t'];
+  if (type.size() != 1 || turn.size() != 3 || place.size() != 3) return std::nullopt;
+  constexpr double degree = std::numbers::pi / 180;
+  const std::vector<double> angles{turn[0] * degree, turn[1] * degree, turn[2] * degree};
+  const std::map<double, AngleKind> kinds{{0, AngleKind::moving_xyz}, {2, AngleKind::rpy}};
+  if (type[0] == 4) return Rigid{rotation_from_vector<double>(Vector3(turn.data())), Vector3(place.data())};
+  const auto kind = kinds.find(type[0]);
+  if (kind == kinds.end()) return std::nullopt;
+  return Rigid{rotation_by(kind->second, angles), Vector3(place.data())};
+}
+
+/// Without "rvec" and what joins it to the rest: "target" of "target_rvec".
+std::string without_word(const std::string& name, const std::string& word) {
+  std::string rest = name;
+  rest.erase(rest.find(word), word.size());
+  while (!rest.empty() && rest.back() == '_') rest.pop_back();
+  return rest;
+}
+
+/// What a map of one instant holds: poses, and rotation vectors with their places.
+NamedPosesOfInstant poses_of_map(const YAML::Node& yaml) {
+  NamedPosesOfInstant poses;
+  if (!yaml.IsMap()) return poses;
+  for (const auto& entry : yaml) {
+    if (!entry.first.IsScalar()) continue;
+    const std::string name = entry.first.Scalar();
+    if (const auto pose = find_pose(entry.second, "", 0)) poses.emplace_back(name, *pose);
+    if (name.find("rvec") == std::string::npos) continue;
+    std::string place_name = name;
+    place_name[name.find("rvec")] = 't';
+    const auto turn = yaml_numbers(entry.second), place = yaml_numbers(yaml[place_name]);
+    if (turn && place && turn->size() == 3 && place->size() == 3)
+      poses.emplace_back(without_word(name, "rvec"),
+                         Rigid{rotation_from_vector<double>(Vector3(turn->data())), Vector3(place->data())});
+  }
+  return poses;
 }
 
 /// By number, of each name.
@@ -110,14 +170,40 @@ void add_rotations_and_places(const std::map<std::string, StorageEntry>& entries
 
 }  // namespace
 
+namespace {
+
+/// The one pose that a text is as a whole.
 std::optional<Rigid> single_pose(const std::string& text) {
-  if (text.size() > longest_pose) return std::nullopt;
+  if (const auto numbers = only_numbers(text)) return rigid_of_numbers(*numbers);
+  if (text.starts_with("# 3D POSE PARAMETERS")) return pose_of_halcon(text);
+  const bool is_storage = text.starts_with("%YAML") || text.find("opencv") != std::string::npos;
+  return is_storage ? pose_of_entries(parse_opencv_storage(text, "")) : pose_of_yaml(parse_yaml(text, ""));
+}
+
+/// The number of the file's instant: its own, else its folder's.
+std::optional<Numbered> instant_of(const fs::path& file) {
+  if (const auto own = numbered(file.stem().string())) return own;
+  auto of_folder = numbered(file.parent_path().filename().string());
+  if (of_folder) of_folder->name = file.stem().string();
+  return of_folder;
+}
+
+bool is_pose_file(const fs::directory_entry& entry) {
+  std::error_code is_gone;
+  return entry.is_regular_file(is_gone) && entry.file_size(is_gone) <= longest_pose &&
+         !poses_of_instant(read_file(entry.path())).empty();
+}
+
+}  // namespace
+
+NamedPosesOfInstant poses_of_instant(const std::string& text) {
+  if (text.size() > longest_pose) return {};
   try {
-    if (const auto numbers = only_numbers(text)) return rigid_of_numbers(*numbers);
-    const bool is_storage = text.starts_with("%YAML") || text.find("opencv") != std::string::npos;
-    return is_storage ? pose_of_entries(parse_opencv_storage(text, "")) : pose_of_yaml(parse_yaml(text, ""));
+    if (const auto pose = single_pose(text)) return {{"", *pose}};
+    const bool is_map = looks_like_yaml(text) || first_line(text).starts_with("{");
+    return is_map && !text.starts_with("%YAML") ? poses_of_map(parse_yaml(text, "")) : NamedPosesOfInstant{};
   } catch (const InputError&) {
-    return std::nullopt;
+    return {};
   }
 }
 
@@ -126,8 +212,11 @@ std::vector<fs::path> pose_files_in(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     std::error_code is_gone;
-    if (!entry.is_regular_file(is_gone) || entry.file_size(is_gone) > longest_pose) continue;
-    if (numbered(entry.path().stem().string()) && single_pose(read_file(entry.path()))) files.push_back(entry.path());
+    if (!numbered(entry.path().stem().string())) continue;
+    if (is_pose_file(entry)) files.push_back(entry.path());
+    if (!entry.is_directory(is_gone)) continue;
+    for (const auto& inside : fs::directory_iterator(entry.path(), is_gone))
+      if (!numbered(inside.path().stem().string()) && is_pose_file(inside)) files.push_back(inside.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -137,14 +226,15 @@ std::vector<ReadPoses> read_pose_files(const std::vector<fs::path>& files, const
                                        std::vector<Message>& notes) {
   Groups groups;
   for (const fs::path& file : files) {
-    const auto at = numbered(file.stem().string());
-    const auto pose = single_pose(read_file(file));
-    if (!at || !pose)
+    const auto at = instant_of(file);
+    const NamedPosesOfInstant poses = poses_of_instant(read_file(file));
+    if (!at || poses.empty())
       throw InputError(
           message("{}: holds no single pose, or has no number in its name; expected a 4x4 matrix.", shown_path(file)));
-    if (!groups[at->name].emplace(at->number, *pose).second)
-      throw InputError(message("{}: another file of poses has the number {} too; expected one for each instant.",
-                               shown_path(file), at->number));
+    for (const auto& [name, pose] : poses)
+      if (!groups[name.empty() ? at->name : name].emplace(at->number, pose).second)
+        throw InputError(message("{}: another file of poses has the number {} too; expected one for each instant.",
+                                 shown_path(file), at->number));
   }
   return series_of(groups, what, notes);
 }

@@ -12,15 +12,18 @@
 
 namespace handsight {
 
-/// The one pose that a text holds: a 4x4 matrix (four rows, brackets or not, or OpenCV's), or the six numbers of a ViSP
-/// pose vector (place and rotation vector). Nothing where it holds something else.
-std::optional<Rigid> single_pose(const std::string& text);
+/// The poses that a text of one instant holds, by what it calls them ("" where it is one pose): a 4x4 matrix (four
+/// rows, brackets or not, OpenCV's or Zivid's), the six numbers of a ViSP pose vector (place and rotation vector), a
+/// pose of HALCON's, or a map of YAML or JSON with poses under names of their own ("O_T_EE", "target_rvec" and
+/// "target_tvec"). Empty where it holds something else.
+std::vector<std::pair<std::string, Rigid>> poses_of_instant(const std::string& text);
 
-/// The pose files of a folder; empty where there is none.
+/// The pose files of a folder, or of its numbered folders ("pose_00/data.json"); empty where there is none.
 std::vector<std::filesystem::path> pose_files_in(const std::filesystem::path& folder);
 
-/// Files of one pose each, in the order of the last number in their names; what stands before it says of what they are
-/// ("pose_fPe_1.yaml", "pose_cPo_1.yaml"). InputError where one is no pose or a number is there twice.
+/// Files of one instant each, in the order of the last number in their names (else of their folder's); what stands
+/// before it says of what they are ("pose_fPe_1.yaml", "pose_cPo_1.yaml"), where the file itself does not. InputError
+/// where one is no pose or a number is there twice.
 std::vector<ReadPoses> read_pose_files(const std::vector<std::filesystem::path>& files, const std::string& what,
                                        std::vector<Message>& notes);
 

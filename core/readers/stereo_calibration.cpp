@@ -57,7 +57,8 @@ void read_size(const Storage& storage, Found& found) {
   };
   for (const char* name : {"imageSize", "image_size", "size"})
     if (const auto both = numbers(name); both.size() == 2) set(both[0], both[1]);
-  for (const auto& [w, h] : {std::pair{"image_width", "image_height"}, std::pair{"width", "height"}}) {
+  for (const auto& [w, h] : {std::pair{"image_width", "image_height"}, std::pair{"image_Width", "image_Height"},
+                             std::pair{"width", "height"}}) {
     const auto width = numbers(w), height = numbers(h);
     if (width.size() == 1 && height.size() == 1) set(width[0], height[0]);
   }
@@ -91,7 +92,7 @@ bool take_distortion(Camera& camera, const std::vector<double>& numbers, std::si
 
 Camera look_up_camera(const StorageEntry& k, const std::optional<StorageEntry>& distortion, const char* side,
                       const Found& found, const std::string& files) {
-  const bool is_square = k.rows == 3 && k.cols == 3;
+  const bool is_square = (k.rows == 3 && k.cols == 3) || k.numbers.size() == 9;  // or its numbers row by row
   if (!is_square || !(k.numbers[0] > 0) || !(k.numbers[4] > 0))
     throw InputError(message("{}: the {} camera matrix is {} x {}; expected 3 x 3 with positive focal lengths.", files,
                              side, k.rows, k.cols));
@@ -143,8 +144,11 @@ Rigid right_from_left_of(const Found& found, const std::string& files, std::vect
   return motion;
 }
 
-constexpr std::initializer_list<const char*> one_matrix = {"camera_matrix", "cameraMatrix", "K", "mtx"},
-                                             one_distortion = {"distortion_coefficients", "distCoeffs", "D", "dist"};
+constexpr std::initializer_list<const char*>
+    one_matrix = {"camera_matrix",     "cameraMatrix",     "K",         "mtx",       "Camera_Matrix",
+                  "camera_intrinsics", "intrinsic_matrix", "intrinsic", "intrinsics"},
+    one_distortion = {"distortion_coefficients", "distCoeffs", "D",           "dist",      "Distortion_Coefficients",
+                      "distortion_coeffs",       "dist_coeff", "dist_coeffs", "distortion"};
 
 /// `name: "value"` of any of the texts; empty where there is none.
 std::string text_entry(const std::vector<StereoCalibrationText>& texts, const std::string& name) {

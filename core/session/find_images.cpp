@@ -61,7 +61,8 @@ std::optional<std::int64_t> number_of(const std::string& stem) {
   std::size_t end = stem.size();
   while (end > 0 && !is_digit(stem[end - 1])) --end;
   std::size_t begin = end;
-  while (begin > 0 && is_digit(stem[begin - 1]) && end - begin < 15) --begin;
+  while (begin > 0 && is_digit(stem[begin - 1]) && end - begin < 19) --begin;  // ns since 1970 have 19
+  if (end - begin == 19 && stem[begin] > '8') ++begin;
   if (begin == end) return std::nullopt;
   return std::stoll(stem.substr(begin, end - begin));
 }

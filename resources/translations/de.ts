@@ -10691,8 +10691,12 @@
         <translation>--target-frame %1: /tf des Bags hat kein solches Kind; es hat: %2.</translation>
     </message>
     <message>
-        <source>The bag has no pair of camera images with calibration, and its /tf %1 frames that sound like a target; name it with --target-frame. /tf has: %2.</source>
-        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, und sein /tf %1 Koordinatensysteme, die nach einem Ziel klingen; nenne es mit --target-frame. /tf hat: %2.</translation>
+        <source>The bag has no pair of camera images with calibration, and its /tf %1 frames that sound like a target; name it with --target-frame%2. /tf has: %3.</source>
+        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, und sein /tf %1 Koordinatensysteme, die nach einem Ziel klingen; nenne es mit --target-frame%2. /tf hat: %3.</translation>
+    </message>
+    <message>
+        <source>, once for each --tcp</source>
+        <translation>, einmal für jedes --tcp</translation>
     </message>
     <message>
         <source>The bag has %1 image topics with a calibration beside them where one is expected%2; record one camera with its CameraInfo, or a left and a right one, or say with --camera which to take.</source>
@@ -10799,8 +10803,52 @@
         <translation>Zu keiner der %1 Messungen gibt es Gelenkwerte: sie gehen von %2 bis %3 s, die Gelenke von %4 bis %5 s, und %6 wurden weggelassen, weil sich der Roboter bewegte. Gehen die Uhren gleich (--lag)? Stand der Roboter (--still 0 erlaubt Bewegung)?</translation>
     </message>
     <message>
-        <source>%1 and %2 are both tables of poses: which is the robot's flange, which the target that the sensor sees? Name the files so: flange.csv and target.csv.</source>
-        <translation>%1 und %2 sind beides Tabellen von Posen: welche ist der Flansch des Roboters, welche das Ziel, das der Sensor sieht? Nenne die Dateien so: flange.csv und target.csv.</translation>
+        <source>%1 and %2 are both tables of poses: which is the robot's flange, which the target that the sensor sees? Say with --target-frame which is the target's, or name the files so: flange.csv and target.csv.</source>
+        <translation>%1 und %2 sind beides Tabellen von Posen: welche ist der Flansch des Roboters, welche das Ziel, das der Sensor sieht? Sage mit --target-frame, welche die des Ziels ist, oder nenne die Dateien so: flange.csv und target.csv.</translation>
+    </message>
+    <message>
+        <source>--target-frame %1: no table of poses is called so; there are: %2.</source>
+        <translation>--target-frame %1: so heißt keine Tabelle von Posen; es gibt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2: the robot has no such link; it has: %3.</source>
+        <translation>%1 %2: der Roboter hat kein solches Glied; er hat: %3.</translation>
+    </message>
+    <message>
+        <source>%1 they agree to %2: leave --angles out.</source>
+        <translation>%1 stimmen sie auf %2 überein: lass --angles weg.</translation>
+    </message>
+    <message>
+        <source>As --angles has it, the motions of the flange and of the target do not agree (the best leaves %1); if %2</source>
+        <translation>So wie --angles es sagt, stimmen die Bewegungen von Flansch und Ziel nicht überein (das Beste lässt %1 übrig); wenn %2</translation>
+    </message>
+    <message>
+        <source>Images of other cameras are left out: %1. With --target, what the images show, each camera has a session.</source>
+        <translation>Bilder anderer Kameras werden weggelassen: %1. Mit --target, dem, was die Bilder zeigen, hat jede Kamera eine Sitzung.</translation>
+    </message>
+    <message>
+        <source>%1 moves with %2 (to %3; the next best frame to %4)</source>
+        <translation>%1 bewegt sich mit %2 (auf %3; das nächstbeste Koordinatensystem auf %4)</translation>
+    </message>
+    <message>
+        <source>%1: so the hands' targets are told apart (--target-frame says otherwise).</source>
+        <translation>%1: so werden die Ziele der Hände unterschieden (--target-frame sagt es anders).</translation>
+    </message>
+    <message>
+        <source>The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is read (PoseStamped, TransformStamped); one camera needs --target, what its images show. It has: %1.</source>
+        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, keine Koordinatensysteme in /tf und kein Thema von Posen, das gelesen wird (PoseStamped, TransformStamped); eine Kamera braucht --target, das, was ihre Bilder zeigen. Es hat: %1.</translation>
+    </message>
+    <message>
+        <source>a camera by its numbers' names</source>
+        <translation>eine Kamera nach den Namen ihrer Zahlen</translation>
+    </message>
+    <message>
+        <source>numbers of a camera</source>
+        <translation>Zahlen einer Kamera</translation>
+    </message>
+    <message>
+        <source>is JSON of a kind that is not known</source>
+        <translation>ist JSON einer Art, die nicht bekannt ist</translation>
     </message>
     <message>
         <source>There are %1 poses of the flange and %2 of the target; expected one of each an instant, in the same order, or a column that pairs them: number, image or time.</source>
@@ -11539,8 +11587,12 @@
         <translation>rad</translation>
     </message>
     <message>
-        <source>%1: joint %2 stands at %3, which in rad is %4 turns: these are degrees. Say --degrees, or write the unit into the header: "%5 [deg]".</source>
-        <translation>%1: Gelenk %2 steht auf %3, was in rad %4 Umdrehungen sind: das sind Grad. --degrees angeben oder die Einheit in die Kopfzeile schreiben: "%5 [deg]".</translation>
+        <source>%1: joint %2 stands at %3, which in rad is %4 turns: these are degrees%5. Say --degrees, or write the unit into the header: "%6 [deg]".</source>
+        <translation>%1: Gelenk %2 steht auf %3, was in rad %4 Umdrehungen sind: das sind Grad%5. --degrees angeben oder die Einheit in die Kopfzeile schreiben: "%6 [deg]".</translation>
+    </message>
+    <message>
+        <source>, or per cent of its range as servos tell it (then name LeRobot's calibration too)</source>
+        <translation>, oder Prozent seines Bereichs, wie Servos sie nennen (dann auch LeRobots Kalibrierung angeben)</translation>
     </message>
     <message>
         <source>%1: angles are read as degrees.</source>

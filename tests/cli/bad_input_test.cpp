@@ -205,6 +205,19 @@ TEST_F(BadInput, WrongUsageOfTheOptions) {
   EXPECT_EQ(run_cli(folder.path, {"--help"}).exit_code, 0);
 }
 
+TEST_F(BadInput, WhatIsMissingIsSaidWithWhatItIs) {
+  const auto errors = [&](const std::vector<std::string>& arguments) { return run_cli(folder.path, arguments).errors; };
+  EXPECT_EQ(errors({"convert", "images"}),
+            "--out is missing: Folder to make; it must not hold a session already.\n"
+            "handsight-cli convert --help lists all that it takes.\n");
+  EXPECT_EQ(errors({"fit"}).find("SESSION is missing: A session's folder or its session.xml"), 0U) << errors({"fit"});
+  EXPECT_EQ(errors({"checks", "images"}),
+            "There is no command \"checks\"; is check meant?\nhandsight-cli --help says what each does.\n");
+  const std::string unknown = errors({"--threads", "2", "calibrate", "images"});
+  EXPECT_EQ(unknown.find("There is no command \"calibrate\"; the commands are check detect label "), 0U) << unknown;
+  EXPECT_EQ(errors({}).find("No command is given; the commands are check "), 0U) << errors({});
+}
+
 TEST_F(BadInput, EveryCommandIsListedAndRefusesWhatIsNoSession) {
   const auto help = run_cli(folder.path, {"--help"});
   for (const std::string command : {"check", "fit", "diagnose", "improve", "plan"}) {

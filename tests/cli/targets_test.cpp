@@ -109,7 +109,7 @@ TEST_F(TargetCommands, BoardImagesBesideASessionTellOfItsCameras) {
     EXPECT_EQ(r.output.find("Camera images: ") != std::string::npos, with_images) << r.output;
     const auto json = nlohmann::json::parse(test::read_text(path("fit.json")));
     EXPECT_EQ(json.contains("camera_images"), with_images);
-    EXPECT_NE(r.output.find("mount_from_first, on stand\n"), std::string::npos)
+    EXPECT_NE(r.output.find("mount_from_first, on stand (where the camera sits)\n"), std::string::npos)
         << "where the camera stands is told too";
     if (with_images) {
       EXPECT_TRUE(json["camera_images"]["agree"].get<bool>()) << json["camera_images"];

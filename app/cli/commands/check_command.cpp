@@ -25,7 +25,9 @@ void add_lost_target(const Session& session, const TargetSearch& search, Session
                                              [](const Observation& o) { return !o.sightings.empty(); });
   Message text = message("The {} is found in none of the {} observations whose images were looked at.",
                          describe_target(*session.target), search.looked_at);
-  if (!search.in_its_place.empty()) text = search.in_its_place;
+  if (!search.in_its_place.empty())
+    text = message("{} Put that into <target> of {}, or convert again with it.", search.in_its_place,
+                   session.file.filename().string());
   (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
 }
 

@@ -50,8 +50,9 @@ int run_fix(const ConvertArguments& o) {
 }
 
 std::string summary(const std::string& folder, const Session& s) {
-  return fmt::format("{}: {} observations, {} joints, {}", folder, s.observations.size(), s.joints.size(),
-                     sensor_summary(s));
+  const std::string robot =
+      s.robot.is_of_poses ? std::string("poses of the flange") : fmt::format("{} joints", s.joints.size());
+  return fmt::format("{}: {} observations, {}, {}", folder, s.observations.size(), robot, sensor_summary(s));
 }
 
 void print_notes(const std::vector<Message>& notes) {

@@ -6,6 +6,7 @@
 #include "command.h"
 #include "diagnosis/outliers/flipped_targets.h"
 #include "diagnosis/ranking/outlier_rejection.h"
+#include "estimation/fit/sure_fit.h"
 #include "estimation/fit/undetermined.h"
 #include "estimation/report/export.h"
 #include "estimation/report/fit_report.h"
@@ -27,6 +28,22 @@ struct FitArguments {
   CameraImagesOptions camera_images;
   Output output;
 };
+
+/// What to type next, where the fit has an answer and nothing above says otherwise.
+void print_next(const FitArguments& o, const Session& session, const Fit& result) {
+  if (o.sessions.size() > 1 || !o.output.export_file.empty() || has_no_answer(result)) return;
+  const std::string& path = o.sessions.front();
+  const bool is_at_noise = result.noise && result.chi2_per_dof && *result.chi2_per_dof < 1.5;
+  if (!is_at_noise)
+    o.output.line(
+        fmt::format("Next: handsight-cli diagnose {0} (what the model lacks), then improve {0} adds it.", path));
+  else if (session.robot.is_of_poses)
+    o.output.line(
+        fmt::format("Next: handsight-cli export {} --as static_tf --out camera.py (or yaml, opencv, csv).", path));
+  else
+    o.output.line(
+        fmt::format("Next: handsight-cli fit {} --export calibration.xml, for predict, correct and export.", path));
+}
 
 int run(const FitArguments& o) {
   const Session session = open_joined_session(o.sessions, o.shared, o.output);
@@ -66,6 +83,7 @@ int run(const FitArguments& o) {
   const std::vector<Blunder> blunders =
       settles_it(size) || distance ? std::vector<Blunder>() : list_blunders(clean.session, result);
   print_blunders(o.output, o.sessions.front(), blunders);
+  if (blunders.empty() && !size && !distance && flipped.empty()) print_next(o, session, result);
   Json json = fit_json(session, result, reported, options);
   json["target_size"] = target_size_json(size);
   json["doubtful_distance"] = doubtful_distance_json(distance, clean.session);

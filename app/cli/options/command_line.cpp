@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/text.h"
@@ -80,11 +83,82 @@ std::shared_ptr<CLI::App> make_program(const std::string& name, const std::strin
   return program;
 }
 
+namespace {
+
+/// The command that was typed, else the program itself.
+const CLI::App& typed_command(const CLI::App& program) {
+  const auto typed = program.get_subcommands();
+  return typed.empty() ? program : *typed.front();
+}
+
+/// What is missing, with what it is.
+std::string missing_sentence(const CLI::App& program, const std::string& said) {
+  constexpr std::string_view end = " is required";
+  const std::string name = said.ends_with(end) ? said.substr(0, said.size() - end.size()) : std::string();
+  const CLI::App& command = typed_command(program);
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr || option->get_description().empty()) return {};
+  return fmt::format("{} is missing: {}.\n{} {} --help lists all that it takes.\n", name, option->get_description(),
+                     program.get_name(), command.get_name());
+}
+
+std::size_t letters_apart(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = before + (a[i - 1] == b[j - 1] ? 0 : 1);
+      before = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+/// Which of the commands is meant, or which there are.
+std::string unknown_command_sentence(const CLI::App& program, const std::string& typed) {
+  std::string names, nearest;
+  std::size_t apart = typed.size();
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); })) {
+    names += (names.empty() ? "" : " ") + command->get_name();
+    const std::size_t now = letters_apart(typed, command->get_name());
+    if (now < apart && now <= 2) {
+      apart = now;
+      nearest = command->get_name();
+    }
+  }
+  const std::string meant = nearest.empty() ? fmt::format("the commands are {}", names) : "is " + nearest + " meant?";
+  const std::string begin = typed.empty() ? "No command is given" : "There is no command " + in_quotes(typed);
+  return fmt::format("{}; {}{}\n{} --help says what each does.\n", begin, meant, nearest.empty() ? "." : "",
+                     program.get_name());
+}
+
+/// The first word that is no option; empty: there is none.
+std::string first_word(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (argv[i][0] != '-' && (i == 1 || std::string_view(argv[i - 1]) != "--threads")) return argv[i];
+  return {};
+}
+
+/// A sentence of our own where CLI11's says neither what is meant nor what to type next; empty: its own will do.
+std::string own_sentence(const CLI::App& program, const CLI::ParseError& error, int argc, char** argv) {
+  if (dynamic_cast<const CLI::RequiredError*>(&error) == nullptr) return {};
+  if (program.get_subcommands().empty()) return unknown_command_sentence(program, first_word(argc, argv));
+  return missing_sentence(program, error.what());
+}
+
+}  // namespace
+
 std::optional<int> parse(CLI::App& program, int argc, char** argv) {
   try {
     program.parse(argc, argv);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
+    if (const std::string sentence = own_sentence(program, error, argc, argv); !sentence.empty()) {
+      std::cerr << printable(sentence);
+      return wrong_input;
+    }
     std::ostringstream out, err;
     const int code = program.exit(error, out, err);
     std::cout << printable(out.str());

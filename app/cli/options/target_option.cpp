@@ -75,6 +75,21 @@ Words words_from(const std::string& text) {
   return words;
 }
 
+/// "square=25" is a board of 25 m a square.
+void require_likely_lengths(const Words& words) {
+  constexpr double longest = 5;  // m; a house's front is measured otherwise
+  const bool is_of_tags = std::any_of(
+      words.begin(), words.end(), [](const auto& word) { return word.first == "kind" && word.second == "aprilgrid"; });
+  for (const auto& [name, value] : words) {
+    const bool is_length = name == "square" || name == "marker" || name == "tag" || name == "size" ||
+                           name == "diameter" || name == "separation" || (name == "spacing" && !is_of_tags);
+    const auto number = is_length ? parse_number(value) : std::nullopt;
+    if (number && *number > longest)
+      throw InputError(message("The target: {}={} would be {} m; say the unit, {}={}mm where millimetres are meant.",
+                               name, value, value, name, value));
+  }
+}
+
 /// Kalibr's description, where the words are a file's name.
 std::optional<Target> target_from_yaml_file(const std::string& name) {
   std::error_code error;
@@ -138,6 +153,7 @@ Target target_from(const TargetOptions& o) {
   Words words = words_from(whole);
   for (const TargetWord& word : target_words)
     if (!(o.*word.value).empty()) words.emplace_back(word.name, o.*word.value);
+  require_likely_lengths(words);
   for (auto& [name, value] : words) value = in_metres(value);
   return target_from_words(words, "The target");
 }

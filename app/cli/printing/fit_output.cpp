@@ -192,12 +192,16 @@ void print_mount(const Output& out, const Session& s, const Fit& fit) {
                        : s.is_tracker()            ? "tracker"
                        : is_left_and_right(*s.rig) ? "left"
                                                    : "first";
-  out.line(fmt::format("\nmount_from_{}, on {}", sensor, s.mount.link));
+  out.line(fmt::format("\nmount_from_{}, on {} (where the {} sits)", sensor, s.mount.link,
+                       s.pose_sensor    ? "sensor"
+                       : s.is_tracker() ? "tracker"
+                                        : "camera"));
   print_pose(out, estimate(fit).mount_from_sensor, mount_covariance_at_origin(fit), true);
 }
 
 void print_answer(const Output& out, const Session& session, const Fit& fit) {
-  out.line(fmt::format("tcp_from_body{}", fit.converged() ? "" : " (NOT CONVERGED)"));
+  out.line(fmt::format("tcp_from_body{}{}", session.robot.is_of_poses ? ", on " + session.tcp : std::string(),
+                       fit.converged() ? "" : " (NOT CONVERGED)"));
   print_pose(out, fit.tcp_from_body, body_covariance_at_origin(fit), fit.rotation_is_observed,
              undetermined_tip(session, fit), !is_accuracy_unknown(fit));
   if (is_accuracy_unknown(fit)) return;
@@ -206,8 +210,9 @@ void print_answer(const Output& out, const Session& session, const Fit& fit) {
                        : "  (sigmas from how the observations differ: the noise is not known)");
   if (const auto target = tcp_from_target(session, fit)) {
     const Vector3 xyz = 1e3 * target->translation, angles = degrees * rpy_from_rotation(target->rotation);
-    out.line(fmt::format("The target's own frame in the TCP's: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",
-                         xyz.x(), xyz.y(), xyz.z(), angles.x(), angles.y(), angles.z()));
+    out.line(fmt::format("The target's own frame in {}: {:.4f} {:.4f} {:.4f} mm, rpy {:.4f} {:.4f} {:.4f} deg",
+                         session.robot.is_of_poses ? "that of " + session.tcp : "the TCP's", xyz.x(), xyz.y(), xyz.z(),
+                         angles.x(), angles.y(), angles.z()));
   }
   print_mount(out, session, fit);
 }

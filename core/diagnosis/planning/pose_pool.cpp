@@ -48,7 +48,8 @@ PoseJudge::PoseJudge(const Session& session, const Fit& fit) : fit_(fit), rigid_
     if (fit.problem.marker_is_seen[m]) markers_.push_back(all[m]);
   for (const Vector3& m : markers_) middle_ += m / static_cast<double>(markers_.size());
   set_limits(session);
-  if (fit.problem.rig) learn_what_shows(session);
+  if (fit.problem.rig || session.pose_sensor) learn_what_shows();
+  if (!fit.problem.rig && session.pose_sensor) learn_sight();
 }
 
 void PoseJudge::set_limits(const Session& session) {
@@ -69,7 +70,7 @@ void PoseJudge::set_limits(const Session& session) {
   }
 }
 
-void PoseJudge::learn_what_shows(const Session& session) {
+void PoseJudge::learn_what_shows() {
   std::vector<Vector3> ways;  // to the first camera, TCP frame
   double nearest = 1e300, farthest = 0;
   for (const ProblemObservation& o : fit_.problem.observations) {
@@ -93,6 +94,28 @@ void PoseJudge::learn_what_shows(const Session& session) {
   most_turned_ = std::clamp(turned, 0.7, 1.2);
 }
 
+void PoseJudge::learn_sight() {
+  std::vector<Vector3> lines;
+  for (const ProblemObservation& o : fit_.problem.observations)
+    lines.push_back((sensor_from_tcp_at(o, estimate(fit_)) * middle_).normalized());
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& line : lines) mean += line / static_cast<double>(lines.size());
+  if (lines.empty() || mean.norm() < 0.3) return;  // it sees all around
+  sight_ = mean.normalized();
+  double widest = 0;
+  for (const Vector3& line : lines) widest = std::max(widest, std::acos(std::clamp(sight_->dot(line), -1.0, 1.0)));
+  widest_ = std::clamp(1.25 * widest, 0.3, 1.2);
+}
+
+double PoseJudge::unseen_by_poses(const Rigid& sensor_from_tcp) const {
+  const Vector3 x = sensor_from_tcp * middle_, line = x.normalized();
+  double total = 2 * std::max(0.0, nearest_ - x.norm()) + 2 * std::max(0.0, x.norm() - farthest_);
+  if (sight_) total += std::max(0.0, std::acos(std::clamp(sight_->dot(line), -1.0, 1.0)) - widest_);
+  if (!facing_) return total;
+  const Vector3 normal = sensor_from_tcp.rotation * *facing_;
+  return total + std::max(0.0, std::acos(std::clamp(-normal.dot(line), -1.0, 1.0)) - most_turned_);
+}
+
 double PoseJudge::unseen_by(const Camera& camera, const Vector3& x, const Vector3& normal,
                             const Vector3& middle) const {
   const double margin = std::min(40.0, 0.05 * std::min(camera.width, camera.height));  // the whole label is seen
@@ -106,7 +129,7 @@ double PoseJudge::unseen_by(const Camera& camera, const Vector3& x, const Vector
 }
 
 double PoseJudge::unseen(const Rigid& sensor_from_tcp) const {
-  if (!fit_.problem.rig) return 0;
+  if (!fit_.problem.rig) return sight_ || facing_ ? unseen_by_poses(sensor_from_tcp) : 0;
   const Rig& rig = *fit_.problem.rig;
   const Vector3 facing = facing_.value_or(Vector3::Zero());
   double total = 0;

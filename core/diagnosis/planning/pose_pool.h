@@ -22,7 +22,8 @@ class PoseJudge {
   /// any two) see every marker; else how far from that it is, in rough units of a radian. Springs are left out.
   double violation(const Eigen::VectorXd& position) const;
 
-  /// Do the cameras see a body that sits there? Always true before a tracker.
+  /// Do the cameras see a body that sits there, does a sensor of poses by what it has seen? Always true before a
+  /// tracker.
   bool is_shown(const Rigid& sensor_from_tcp) const { return unseen(sensor_from_tcp) == 0; }
 
   /// What every joint may take (rad, m), in the order of the session: limits less a margin; of a joint without limits
@@ -33,7 +34,10 @@ class PoseJudge {
 
  private:
   void set_limits(const Session& session);
-  void learn_what_shows(const Session& session);
+  void learn_what_shows();
+  /// Of a sensor of poses, whose image is not known: where it looks, by what it has seen.
+  void learn_sight();
+  double unseen_by_poses(const Rigid& sensor_from_tcp) const;
   double unseen(const Rigid& sensor_from_tcp) const;
   double unseen_by(const Camera& camera, const Vector3& x, const Vector3& normal, const Vector3& middle) const;
 
@@ -44,6 +48,8 @@ class PoseJudge {
   std::optional<Vector3> facing_;          // TCP frame: where the markers look; absent: all around
   double most_turned_ = 0.9;               // rad, between `facing_` and the way to a camera
   double nearest_ = 0.3, farthest_ = 1.6;  // m from the camera
+  std::optional<Vector3> sight_;           // sensor frame: where a sensor of poses looks; absent: all around
+  double widest_ = 0.5;                    // rad, between `sight_` and what it sees
   Eigen::VectorXd lower_, upper_;
 };
 
