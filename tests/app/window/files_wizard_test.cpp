@@ -59,7 +59,7 @@ struct FilesPage {
 class FilesWizardTest : public BoardWizard {
  protected:
   /// What a detector and the robot's driver publish while the robot goes from pose to pose and stands a second in each.
-  void write_bag(const std::filesystem::path& bag_folder) {
+  void write_bag(const std::filesystem::path& bag_folder, const std::vector<std::string>& tags = {"tag_7"}) {
     const Rigid hand_from_target{rotation_from_rpy({0.3, -0.2, 0.9}), {0.02, 0.05, 0.1}};
     fixture::BagWriter bag(bag_folder);
     const int joints = bag.topic("/joint_states", "sensor_msgs/msg/JointState"),
@@ -72,9 +72,12 @@ class FilesWizardTest : public BoardWizard {
         const double stamp = 1.7e9 + 2.0 * static_cast<double>(k) + t;
         std::vector<double> position(now.position.data(), now.position.data() + now.position.size());
         bag.message(joints, stamp, fixture::joint_state(stamp, simulated.joints, position));
-        bag.message(
-            tf, stamp,
-            fixture::transform(stamp, "camera", "tag_7", root_from_link(simulated, now, "hand") * hand_from_target));
+        for (std::size_t tag = 0; tag < tags.size(); ++tag) {
+          const Rigid beside{Matrix3::Identity(), {0.06 * static_cast<double>(tag), 0, 0}};
+          bag.message(tf, stamp,
+                      fixture::transform(stamp, "camera", tags[tag],
+                                         root_from_link(simulated, now, "hand") * hand_from_target * beside));
+        }
       }
   }
   FilesPage files{desk};
@@ -133,6 +136,28 @@ TEST_F(FilesWizardTest, ABagThatIsDroppedBecomesASessionAndSaysWhatItTook) {
   ASSERT_TRUE(desk.document().is_open());
   ASSERT_TRUE(desk.settle());
   EXPECT_GE(desk.document().session().observations.size(), 12U);
+  ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
+  EXPECT_LT(desk.document().model()->fit->residual_rms, 1e-4);
+}
+
+TEST_F(FilesWizardTest, ABagWithTwoTargetsBecomesACollectionThatOpens) {
+  simulate_like("one_camera_board");
+  write_bag(folder.path / "morning", {"tag_7", "tag_8"});
+  ASSERT_TRUE(files.drop({folder.path / "morning", urdf}, &desk.window));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(files.dialog()));
+  desk.find<QComboBox>("files_tcp")->setCurrentText("hand");
+  files.fill("files_out", folder.path / "made");
+  ASSERT_TRUE(files.make()->isEnabled()) << files.said().toStdString();
+  ASSERT_TRUE(files.press_make());
+  EXPECT_TRUE(files.said().startsWith("Made: a collection of 2 sessions with ")) << files.said().toStdString();
+  const QString report = desk.find<QPlainTextEdit>("files_report")->toPlainText();
+  EXPECT_TRUE(report.contains("several targets in /tf (tag_7, tag_8)")) << report.toStdString();
+  EXPECT_FALSE(report.contains("--")) << "the window has no options: " << report.toStdString();
+  desk.click(files.make());
+  ASSERT_TRUE(desk.document().is_open());
+  ASSERT_TRUE(desk.settle());
+  ASSERT_EQ(desk.document().session().parts.size(), 2U);
+  EXPECT_TRUE(desk.find<QWidget>("sessions")->isVisible());
   ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);
   EXPECT_LT(desk.document().model()->fit->residual_rms, 1e-4);
 }
