@@ -113,14 +113,20 @@ bool is_map_of_lists(const YAML::Node& yaml) {
          });
 }
 
+/// Of lists beside each other, or of one whose items are pairs.
 NamedLists lists_of_map(const YAML::Node& yaml, const std::string& file) {
   NamedLists lists;
-  for (const auto& entry : yaml)
-    if (begins_with_a_pose(entry.second)) {
-      std::size_t number = 0;
-      for (const YAML::Node& node : entry.second)
-        add_pose(lists, entry.first.Scalar(), required_pose(node, file, number++));
+  for (const auto& entry : yaml) {
+    if (!begins_with_a_pose(entry.second) || entry.second.size() < 3) continue;
+    std::size_t number = 0;
+    for (const YAML::Node& node : entry.second) {
+      if (const auto pose = find_pose(node, file, number))
+        add_pose(lists, entry.first.Scalar(), *pose);
+      else if (!add_pair(node, file, number, lists))
+        refuse_pose(file, number, "is not whole");
+      ++number;
     }
+  }
   return lists;
 }
 
