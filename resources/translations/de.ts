@@ -11443,6 +11443,38 @@
         <translation>%1: so passen %2 von %3 Zeilen auf %4 Grad zusammen; die anderen passen nicht zu ihnen, wie man sie auch liest: Beobachtungen %5. Siehe, was check sagt.</translation>
     </message>
     <message>
+        <source>stray_poses: %1 is no list of observations such as 3,5,8.</source>
+        <translation>stray_poses: %1 ist keine Liste von Beobachtungen wie 3,5,8.</translation>
+    </message>
+    <message>
+        <source>The poses of %1 of %2 observations (%3) do not go with the others, which agree among themselves: as where a board is read from its other end, a tag's tilt flips, a tracker takes a body for turned, or something moved.</source>
+        <translation>Die Posen von %1 von %2 Beobachtungen (%3) passen nicht zu den anderen, die untereinander übereinstimmen: so, wie wenn ein Brett vom anderen Ende gelesen wird, die Neigung eines Tags umschlägt, ein Tracker einen Körper für gedreht hält oder sich etwas bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Leave these observations out of %1.</source>
+        <translation>Diese Beobachtungen aus %1 weglassen.</translation>
+    </message>
+    <message>
+        <source>its pose does not go with those of the others</source>
+        <translation>seine Pose passt nicht zu denen der anderen</translation>
+    </message>
+    <message>
+        <source>target_scaled: the places of the target's poses need no factor.</source>
+        <translation>target_scaled: die Orte der Posen des Targets brauchen keinen Faktor.</translation>
+    </message>
+    <message>
+        <source>target_scaled: expected a factor above 0, such as 0.5.</source>
+        <translation>target_scaled: erwartet wird ein Faktor über 0, etwa 0.5.</translation>
+    </message>
+    <message>
+        <source>The target is %1 % %2 than the program that told its poses was told.</source>
+        <translation>Das Target ist %1 % %2, als dem Programm gesagt wurde, das seine Posen angibt.</translation>
+    </message>
+    <message>
+        <source>Measure the target over its whole length and give the right size to that program; until then multiply the places of each &lt;target_pose&gt; in %1 by %2.</source>
+        <translation>Das Target über die ganze Länge messen und diesem Programm die richtige Größe geben; bis dahin die Orte jeder &lt;target_pose&gt; in %1 mit %2 malnehmen.</translation>
+    </message>
+    <message>
         <source>No reading of %1 makes the motions of both agree (the best leaves %2): do the rows belong together, is one of them inverted, is the robot's file of this robot? If they do, %3.</source>
         <translation>Keine Lesart von %1 bringt die Bewegungen beider zur Übereinstimmung (die beste lässt %2): gehören die Zeilen zusammen, ist eine invertiert, ist die Roboterdatei die dieses Roboters? Wenn sie zusammengehören: %3.</translation>
     </message>
