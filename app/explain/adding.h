@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "diagnosis/selection/improvement_result.h"
 #include "findings/explain_texts.h"
 #include "findings/fit_watch.h"
 #include "findings/proof_plots.h"

@@ -14,11 +14,12 @@ namespace handsight {
 
 struct BlunderKind {
   std::string id;
-  bool of_images = false;    // what cameras saw is read otherwise: its points have to be found anew
-  bool of_poses = false;     // poses are read otherwise
-  double measured_unit = 1;  // new metre of what the sensor measured, in old ones
-  double points_unit = 1;    // the same of the points that follow from it
-  int numbers = 0;           // that are found with it
+  bool of_images = false;  // what cameras saw is read otherwise: its points have to be found anew
+  bool of_poses = false;   // poses are read otherwise
+  bool is_tried_alone = true, is_tried_in_pairs = true;  // beside others that are of poses
+  double measured_unit = 1;                              // new metre of what the sensor measured, in old ones
+  double points_unit = 1;                                // the same of the points that follow from it
+  int numbers = 0;                                       // that are found with it
   /// Where it may have been made in this session.
   std::function<std::vector<std::string>(const Session&)> places;
   /// Puts the session right there; `where` is one of the places, settled.
@@ -45,5 +46,6 @@ std::vector<BlunderKind> image_blunders();
 std::vector<BlunderKind> picture_blunders();
 std::vector<BlunderKind> link_blunders();
 std::vector<BlunderKind> gravity_blunders();
+std::vector<BlunderKind> stray_blunders();
 
 }  // namespace handsight

@@ -10,6 +10,7 @@
 #include "blunders/places.h"
 #include "blunders/quick_fits.h"
 #include "blunders/seen_points.h"
+#include "blunders/stray_poses.h"
 #include "blunders/trials.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/start/multi_start.h"
@@ -257,7 +258,8 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   Trials trials(thin);
   const std::vector<Trial> tried = trials.run(goes_on);
   const std::vector<const Trial*> promising = most_promising(tried);
-  if (promising.empty()) return {};
+  const bool may_stray = session.pose_sensor.has_value();
+  if (promising.empty() && !may_stray) return {};
   const double before =
       has_unknown_lever(session) ? fit(whole, {.smallest_step = 1e-9}).residual_rms : given.residual_rms;
   const Judge judge(thin, trials, given);
@@ -273,6 +275,7 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
       say_what_else(claims, claim, blunders);
       return blunders;
     }
+  if (const auto strays = may_stray ? find_stray_poses(whole, before) : std::nullopt) return {*strays};
   return {};
 }
 

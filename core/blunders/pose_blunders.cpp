@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "blunders/blunder_kinds.h"
@@ -119,6 +120,28 @@ BlunderKind pose_inverted() {
         session_name(s), as_it_was_not);
   };
   return k;
+}
+
+constexpr double least_rescaled = 0.1;  // less is told as the target's size once the poses are read as they are
+
+/// The factor of all places of the target by which it goes best with the hand: coarse first, then the lowest of the
+/// valley.
+double find_scale(const Session& points) {
+  const auto left_at = [&](double factor) {
+    Session s = points;
+    for (Observation& o : s.observations)
+      if (o.target_pose) o.target_pose->translation *= factor;
+    show_again(s);
+    const auto found = solve_hand_eye(s);
+    return found ? found->mean_square : 1e300;
+  };
+  double best = 1, least = 1e300, step = std::log(1.25);
+  for (int i = -9; i <= 9; ++i)
+    if (const double left = left_at(std::exp(i * step)); left < least) least = left, best = std::exp(i * step);
+  for (int pass = 0; pass < 12; ++pass, step *= 0.6)
+    for (const double factor : {best * std::exp(-0.5 * step), best * std::exp(0.5 * step)})
+      if (const double left = left_at(factor); left < least) least = left, best = factor;
+  return best;
 }
 
 std::vector<std::string> with_each(const std::vector<std::string>& tables, const std::vector<std::string>& values) {
@@ -305,8 +328,46 @@ BlunderKind euler_convention() {
   return k;
 }
 
+/// Places of the target's poses times a factor: the target is of another size than the program was told.
+BlunderKind target_scaled() {
+  BlunderKind k;
+  k.id = "target_scaled";
+  k.is_tried_alone = false;  // alone it is the size of the target, which is told as such (target_size.h)
+  k.numbers = 1;
+  k.places = [](const Session& s) {
+    return has_target_poses(s) ? std::vector<std::string>{"target"} : std::vector<std::string>();
+  };
+  k.settle = [](const std::string& where, const Session& points) {
+    const double factor = find_scale(points);
+    if (std::abs(factor - 1) < least_rescaled)
+      throw InputError("target_scaled: the places of the target's poses need no factor.");
+    return fmt::format("{}={:.4g}", where.substr(0, where.find('=')), factor);
+  };
+  k.mend = [](const std::string& where, Session& s) {
+    const double factor = number_in(name_and_value(where).second, "target_scaled");
+    if (!(factor > 0)) throw InputError(message("target_scaled: expected a factor above 0, such as 0.5."));
+    for (Observation& o : s.observations)
+      if (o.target_pose) o.target_pose->translation *= factor;
+    show_again(s);
+  };
+  k.text = [](const std::string& where, const Session&) {
+    const double factor = number_in(name_and_value(where).second, "target_scaled");
+    return message("The target is {:.1f} % {} than the program that told its poses was told.",
+                   100 * std::abs(factor - 1), factor > 1 ? "larger" : "smaller");
+  };
+  k.fix = [](const std::string& where, const Session& s) {
+    return message(
+        "Measure the target over its whole length and give the right size to that program; until then multiply the "
+        "places of each <target_pose> in {} by {}.",
+        session_name(s), name_and_value(where).second);
+  };
+  return k;
+}
+
 }  // namespace
 
-std::vector<BlunderKind> pose_blunders() { return {pose_inverted(), quaternion_order(), euler_convention()}; }
+std::vector<BlunderKind> pose_blunders() {
+  return {pose_inverted(), quaternion_order(), euler_convention(), target_scaled()};
+}
 
 }  // namespace handsight

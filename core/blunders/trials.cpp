@@ -131,10 +131,24 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
 
 std::vector<Mend> Trials::singles() const {
   std::vector<Mend> all;
-  for (const BlunderKind& kind : blunder_kinds())
+  for (const BlunderKind& kind : blunder_kinds()) {
+    if (!kind.is_tried_alone) continue;
     for (const std::string& where : kind.places(thin_))
       if (!stand_still_ || kind.id != "wrong_link") all.push_back({&kind, where});
+  }
   return all;
+}
+
+/// Those that show only once the poses are read otherwise, beside each of these.
+std::vector<std::vector<Mend>> Trials::beside_poses(const std::vector<Mend>& alone) const {
+  std::vector<std::vector<Mend>> pairs;
+  for (const BlunderKind& kind : blunder_kinds()) {
+    if (kind.is_tried_alone || !kind.is_tried_in_pairs) continue;
+    for (const std::string& where : kind.places(thin_))
+      for (const Mend& mend : alone)
+        if (mend.kind->of_poses) pairs.push_back({mend, {&kind, where}});
+  }
+  return pairs;
 }
 
 /// The best few beside every other one; turned joints and poses, of which two are often wrong at once, all of them. Of
@@ -190,7 +204,8 @@ std::vector<Trial> Trials::run(const std::function<bool(double)>& goes_on) {
     trials[k] = tried({alone[k]}, alone.size());
   });
   if (!goes_on(0.2)) return {};
-  const auto two = pairs(trials);
+  auto two = pairs(trials);
+  for (auto& pair : beside_poses(alone)) two.push_back(std::move(pair));
   std::vector<Trial> of_two(two.size());
   const std::size_t so_many = alone.size() * alone.size() / 2;
   each_part(static_cast<int>(two.size()), true, [&](int i) {

@@ -44,6 +44,7 @@ class Trials {
   Trial tried(std::vector<Mend> mends, std::size_t of_so_many) const;
   const Session& list_points(const Mend& mend);
   std::vector<Mend> singles() const;
+  std::vector<std::vector<Mend>> beside_poses(const std::vector<Mend>& alone) const;
   std::vector<std::vector<Mend>> pairs(const std::vector<Trial>& singles) const;
 
   const Session& thin_;

@@ -9,6 +9,8 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/listed_rows.h"
+#include "convert/points_of_body.h"
+#include "convert/rows_of_two.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
 #include "readers/mocap_csv.h"
@@ -76,6 +78,20 @@ Table table_of_file(const fs::path& path, const std::string& file, const Robot* 
                                o.columns);
 }
 
+/// Rows of the flange and rows of the target in one table.
+void bring_both(const std::vector<RowsOf>& both, const std::string& file, const Robot* robot, const TableOptions& o,
+                Brought& b) {
+  b.notes.push_back(
+      message("{}: its rows with {} are taken for poses of the flange, those with {} for poses of the "
+              "target, paired in their order.",
+              file, in_quotes(both[0].word), in_quotes(both[1].word)));
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    std::vector<ReadPoses> read = read_pose_table(both[i].table, robot != nullptr, o.poses, b.notes);
+    for (ReadPoses& one : read) one.role = i == 0 ? "flange" : "target";
+    add_poses(std::move(read), file, b);
+  }
+}
+
 void bring_poses(const fs::path& path, const std::string& file, const Robot* robot, const TableOptions& o, Brought& b) {
   if (fs::is_directory(path)) return add_poses(read_pose_files(pose_files_in(path), file, b.notes), file, b);
   const std::string text = read_text(path);
@@ -86,6 +102,7 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
   } else {
     const Table table = table_of_file(path, file, robot, o);
     b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
+    if (const auto both = rows_of_two(table); !both.empty()) return bring_both(both, file, robot, o, b);
     add_poses(read_pose_table(table, robot != nullptr, o.poses, b.notes), file, b);
   }
 }
@@ -150,13 +167,29 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
     require_new(!b.joints, file, kind);
-    waiting.beside_joints.push_back(without_columns(table, list_joint_columns(table, *robot)));
+    auto taken = list_joint_columns(table, *robot);
+    if (const auto column = find_column(table, {"marker", "smr", "reflector", "marker_id"})) {
+      for (const auto& row : table.rows) b.markers.push_back(row[*column]);
+      taken.push_back(*column);
+    }
+    waiting.beside_joints.push_back(without_columns(table, taken));
     if (!b.servos.empty()) set_radians(table, b.servos, std::exchange(degrees, false), b.notes);
     b.joints = read_joint_table(std::move(table), *robot, degrees, b.notes);
+    if (!b.joints->times.empty()) b.markers.clear();  // rows may stand in another order now
   } else {
-    require_new(!b.points, file, kind);
     if (robot && !table.has_header) b.unnamed_columns = unnamed_columns(table, *robot);
-    b.points = read_point_table(std::move(table), b.notes);
+    PointSeries points = read_point_table(std::move(table), b.notes);
+    if (!b.points) {
+      b.points = std::move(points);
+      return;
+    }
+    auto both = with_more_markers(*b.points, points);
+    require_new(both.has_value(), file, kind);
+    b.points = std::move(*both);
+    b.notes.push_back(
+        message("{}: its points keep their distances from those of the files before it: they are taken "
+                "for further markers of the same body (number {} on).",
+                file, b.points->points.front().size() - points.points.front().size()));
   }
 }
 

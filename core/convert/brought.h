@@ -29,6 +29,7 @@ struct Brought {
   std::optional<JointSeries> joints;
   std::vector<NamedPoses> poses;
   std::optional<PointSeries> points;
+  std::vector<double> markers;  // whose point each line of joint readings is measured with; empty: nobody says
   std::optional<HandEyeSamples> samples;
   std::optional<Rig> rig;
   std::vector<RosCamera> cameras;

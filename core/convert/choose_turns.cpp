@@ -5,7 +5,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "convert/hand_eye_misfit.h"
+#include "geometry/hand_eye_consensus.h"
+#include "geometry/hand_eye_misfit.h"
 
 namespace handsight {
 namespace {
@@ -19,6 +20,7 @@ struct Trial {
   std::size_t flange = 0, target = 0;  // places among the readings
   Misfit misfit;
   std::vector<Rigid> flange_poses, target_poses;
+  std::vector<bool> agrees = {};  // where not all rows do: those that go together
 };
 
 std::size_t count_numbers(const NamedPoses& p) { return std::max<std::size_t>(1, p.turns.readings.size()); }
@@ -79,7 +81,8 @@ Message readings_text(const NamedPoses& flange, const NamedPoses& target, const 
   std::vector<Message> texts;
   for (const auto& [poses, reading] : {std::pair(&flange, trial.flange), std::pair(&target, trial.target)})
     if (is_open(*poses))
-      texts.push_back(message("{}: {} are read as {}", poses->file, poses->turns.columns,
+      texts.push_back(message("{}: {} are read as {}", poses->file,
+                              columns_text(poses->turns, poses->turns.readings[reading]),
                               reading_text(poses->turns.readings[reading])));
   return joined(texts, "; ");
 }
@@ -170,6 +173,47 @@ bool goes_together(const std::vector<Trial>& trials) {
          });
 }
 
+std::vector<Rigid> inverted(std::vector<Rigid> poses) {
+  for (Rigid& pose : poses) pose = inverse(pose);
+  return poses;
+}
+
+/// The reading by which most of the rows go together, where no other comes near; nothing where there is none by which
+/// half of them do, and six.
+std::optional<Trial> by_most_rows(std::vector<Trial> trials, bool eye_in_hand) {
+  constexpr std::size_t fewest = 6;
+  constexpr double agreement = 0.1;  // rad
+  std::vector<std::size_t> counts;
+  for (Trial& trial : trials) {
+    const auto found =
+        hand_eye_consensus(eye_in_hand ? trial.flange_poses : inverted(trial.flange_poses), trial.target_poses);
+    const bool is_good =
+        found && found->left < agreement && found->count() >= fewest && 2 * found->count() >= trial.flange_poses.size();
+    counts.push_back(is_good ? found->count() : 0);
+    if (is_good) trial.agrees = found->agrees, trial.misfit = {found->left, 0};
+  }
+  const auto best = std::max_element(counts.begin(), counts.end());
+  if (best == counts.end() || *best == 0) return std::nullopt;
+  Trial chosen = trials[static_cast<std::size_t>(best - counts.begin())];
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (counts[i] > 0 && !are_alike(trials[i], chosen, agreement)) return std::nullopt;
+  return chosen;
+}
+
+/// Takes the reading of most rows, and says which do not go with them.
+void take_by_most_rows(const Trial& chosen, NamedPoses& flange, NamedPoses& target, std::vector<Message>& notes) {
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < chosen.agrees.size(); ++i)
+    if (!chosen.agrees[i]) others.push_back(fmt::format("{}", i));
+  const std::size_t all = chosen.agrees.size();
+  notes.push_back(
+      message("{}: so {} of {} rows go together to {:.2g} degrees; the others do not go with them, however they are "
+              "read: observations {}. See what check says.",
+              readings_text(flange, target, chosen), all - others.size(), all, chosen.misfit.turn / degree,
+              shortened(fmt::format("{}", fmt::join(others, ", ")), 150)));
+  take(chosen, flange, target);
+}
+
 }  // namespace
 
 bool is_open(const NamedPoses& poses) { return poses.turns.readings.size() > 1; }
@@ -183,14 +227,18 @@ void choose_turns(NamedPoses& flange, NamedPoses& target, bool eye_in_hand, std:
     return;
   }
   if (!goes_together(trials)) {  // as if one table were inverted
-    std::vector<Trial> inverted = trials_of(flange, target, !eye_in_hand);
-    if (inverted.empty() || inverted.front().misfit.size() > most_misfit)
+    std::vector<Trial> other_way = trials_of(flange, target, !eye_in_hand);
+    if (other_way.empty() || other_way.front().misfit.size() > most_misfit) {
+      for (const bool other : {false, true})
+        if (const auto most = by_most_rows(other ? other_way : trials, other ? !eye_in_hand : eye_in_hand))
+          return take_by_most_rows(*most, flange, target, notes);
       return without_agreement(flange, target, trials.front(), eye_in_hand, notes);
+    }
     notes.emplace_back(
         "The motions of the flange and of the target agree only if the poses of one of them are inverted (the sensor "
         "in the target's frame for the target in the sensor's), or with the sensor on the other side (--eye-on-base); "
         "see what fit says.");
-    trials = std::move(inverted);
+    trials = std::move(other_way);
   }
   const std::vector<const Trial*> good = serving(trials, flange, target);
   for (const Trial* other : good)

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "convert/convert_inputs.h"
 #include "convert/opened_folders.h"
+#include "convert/points_of_body.h"
 #include "estimation/report/session_warnings.h"
 #include "readers/bags/bag.h"
 #include "readers/robots/robot_file.h"
@@ -84,6 +85,18 @@ std::optional<Bag> find_bag(const std::vector<fs::path>& files) {
   return found == files.end() ? std::nullopt : std::optional(open_bag(*found));
 }
 
+/// The points as the markers of one body, where each line has one of them.
+PointSeries points_of_body(const Brought& b, std::vector<Message>& notes) {
+  if (!b.markers.empty()) return markers_by_number(*b.points, b.markers);
+  const auto markers = markers_line_by_line(*b.points, b.joints->positions.size());
+  if (!markers) return *b.points;
+  notes.push_back(
+      message("There are {} measurements for each line of joint readings, and they keep their distances: "
+              "they are taken for the markers 0 to {} of one body.",
+              markers->points.front().size(), markers->points.front().size() - 1));
+  return *markers;
+}
+
 Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<Bag>& bag, const Brought& b,
                     const ConvertOptions& o, Conversion c) {
   if (bag) return from_bag(robot, *bag, b, o, std::move(c));
@@ -114,7 +127,10 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
   if (!b.image_folders.empty()) return from_images(*robot, b, o, std::move(c));
   if (!b.joints && !b.unnamed_columns.empty()) throw InputError(b.unnamed_columns);
   if (!b.joints) throw InputError("There are no joint readings; name a table (CSV) of them, a column a joint.");
-  if (b.points) return from_points(*robot, *b.joints, *b.points, {}, o, std::move(c));
+  if (b.points) {
+    const PointSeries points = points_of_body(b, c.notes);
+    return from_points(*robot, *b.joints, points, {}, o, std::move(c));
+  }
   if (b.poses.size() == 1) return from_poses(*robot, *b.joints, b.poses[0], o, std::move(c));
   if (b.poses.size() > 1)
     throw InputError(message("There are {} things with poses ({}); say with --target-frame which is on the hand.",

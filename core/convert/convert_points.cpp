@@ -182,9 +182,16 @@ Conversion from_points(const FieldUrdf& robot, const JointSeries& joints, const 
   parts.times = chosen(points.times, p.events);
   parts.points = chosen(points.points, p.events);
   std::size_t unseen = 0;
-  for (const auto& row : parts.points)
-    for (const auto& point : row) unseen += !point.has_value();
-  if (unseen > 0) c.notes.push_back(message("{} points were not seen by the device; they are left out.", unseen));
+  bool one_by_one = true;
+  for (const auto& row : parts.points) {
+    const auto missing = static_cast<std::size_t>(std::count(row.begin(), row.end(), std::nullopt));
+    unseen += missing;
+    one_by_one = one_by_one && missing + 1 == row.size();
+  }
+  if (unseen > 0 && one_by_one)
+    c.notes.push_back(message("Each line has one of {} markers.", parts.points.front().size()));
+  else if (unseen > 0)
+    c.notes.push_back(message("{} points were not seen by the device; they are left out.", unseen));
   c.session = write_measured_session(parts, o);
   return c;
 }

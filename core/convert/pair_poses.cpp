@@ -223,6 +223,7 @@ NamedPoses take_rows(const NamedPoses& p, const Rows& rows) {
   NamedPoses some = p;
   some.series = take_rows(p.series, rows);
   some.turns.numbers = some_of(p.turns.numbers, rows);
+  some.turns.places = some_of(p.turns.places, rows);
   return some;
 }
 

@@ -118,6 +118,13 @@ std::vector<int> joints_of_columns(const Table& t, const Robot& robot, bool& are
   return joints;
 }
 
+/// Does each number come after the one before it, as times do?
+bool ascends(const Table& t, std::size_t column) {
+  for (std::size_t r = 1; r < t.rows.size(); ++r)
+    if (!(t.rows[r][column] > t.rows[r - 1][column])) return false;
+  return true;
+}
+
 struct Placed {
   std::size_t column;
   int joint;
@@ -134,6 +141,12 @@ std::vector<Placed> placed(Table& t, const Robot& robot, bool degrees, std::vect
           message("{}: has {} columns and no header, the robot {} joints that move by themselves: {}. "
                   "Write a first line with the columns' names.",
                   t.file, t.width(), names.size(), shortened(fmt::format("{}", fmt::join(names, " ")), 250)));
+    if (first && !ascends(t, 0))
+      throw InputError(
+          message("{}: has one column more than the robot has joints, and no header; the first would be a time, and "
+                  "does not ascend. Name the columns with --table-columns \"{} marker\" (a name each; - is left out; "
+                  "marker says which point of a tracker a line's measurement is of).",
+                  t.file, shortened(fmt::format("{}", fmt::join(names, " ")), 150)));
     if (first) t.columns[0].name = "time";
     for (std::size_t i = 0; i < names.size(); ++i) all.push_back({first + i, find_joint(robot, names[i]), degrees});
     notes.push_back(message("{}: has no header; its columns are taken for {}{}.", t.file, first ? "time " : "",

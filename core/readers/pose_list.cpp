@@ -142,7 +142,7 @@ NamedLists lists_of_map(const YAML::Node& yaml, const std::string& file) {
   for (const auto& entry : yaml) {
     const std::string name = entry.first.Scalar();
     if (are_parts(yaml, name, entry.second)) add_parts(yaml, name, entry.second, file, lists);
-    if (!begins_with_a_pose(entry.second)) continue;
+    if (!begins_with_a_pose(entry.second) || entry.second.size() < 3) continue;
     std::size_t number = 0;
     for (const YAML::Node& node : entry.second) {
       if (const auto pose = find_pose(node, file, number))

@@ -116,6 +116,18 @@ double largest_turn(const Table& t, const PoseColumns& p) {
   return largest;
 }
 
+/// Without a header the turn may stand before the place.
+void add_turns_first(const Table& t, const PoseColumns& p, const std::vector<AngleKind>& kinds, bool degrees,
+                     ReadPoses& read) {
+  constexpr double most_degrees = 400;
+  const double largest = largest_place(t, p);
+  if (largest > most_degrees) return;  // mm of a place
+  for (TurnReading reading : list_readings(kinds, "", degrees, false, largest)) {
+    reading.turn_first = true;
+    read.turns.readings.push_back(reading);
+  }
+}
+
 bool has_unit_quaternions(const ReadPoses& read) {
   return std::all_of(read.turns.numbers.begin(), read.turns.numbers.end(), [](const std::vector<double>& q) {
     return std::abs(std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) - 1) < 0.05;
@@ -141,6 +153,7 @@ void say_readings(const Table& t, const PoseColumns& p, const PoseTableOptions& 
   const std::string& unit = t.columns[p.turn[0]].unit;
   const double largest = largest_turn(t, p);
   read.turns.readings = list_readings(kinds, unit, o.degrees, usually_degrees, largest);
+  if (!t.has_header && p.turn.size() == 3) add_turns_first(t, p, kinds, o.degrees, read);
   if (p.turn.size() == 3 && unit != "deg" && unit != "rad" && !o.degrees && largest > most_radians)
     notes.push_back(message("{}: angles of up to {:.0f} can only be degrees; they are read so.", what, largest));
 }
@@ -175,6 +188,7 @@ ReadPoses read_columns(const Table& t, const PoseColumns& p, const Keys& keys, c
     s.poses.push_back({Matrix3::Identity(), unit * Vector3(row[p.xyz[0]], row[p.xyz[1]], row[p.xyz[2]])});
     auto& numbers = read.turns.numbers.emplace_back();
     for (const std::size_t c : p.turn) numbers.push_back(row[c]);
+    if (!t.has_header && p.turn.size() == 3) read.turns.places.push_back({row[p.xyz[0]], row[p.xyz[1]], row[p.xyz[2]]});
     keep(keys.times, r, s.times);
     keep(keys.numbers, r, s.numbers);
     keep(keys.names, r, s.names);
@@ -209,13 +223,31 @@ std::vector<TurnReading> list_readings(std::vector<AngleKind> kinds, const std::
   return all;
 }
 
+namespace {
+
+/// The unit of places that stand where turns do otherwise: m, or mm where they could be no metres.
+double unit_of(const std::vector<std::vector<double>>& places) {
+  double largest = 0;
+  for (const auto& place : places)
+    for (const double x : place) largest = std::max(largest, std::abs(x));
+  return largest > longest_m ? 1e-3 : 1;
+}
+
+}  // namespace
+
 void read_turns(const Turns& turns, const TurnReading& reading, PoseSeries& series) {
+  const double unit = reading.turn_first ? unit_of(turns.numbers) : 1;
   for (std::size_t i = 0; i < series.poses.size(); ++i) {
-    std::vector<double> numbers = turns.numbers[i];
+    std::vector<double> numbers = reading.turn_first ? turns.places[i] : turns.numbers[i];
     if (reading.degrees)
       for (double& n : numbers) n *= std::numbers::pi / 180;
     series.poses[i].rotation = rotation_by(reading.kind, numbers);
+    if (reading.turn_first) series.poses[i].translation = unit * Vector3(turns.numbers[i].data());
   }
+}
+
+Message columns_text(const Turns& turns, const TurnReading& reading) {
+  return reading.turn_first ? Message("the three columns before the last three") : turns.columns;
 }
 
 Message reading_text(const TurnReading& reading) {

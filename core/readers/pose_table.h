@@ -15,12 +15,14 @@ namespace handsight {
 struct TurnReading {
   AngleKind kind = AngleKind::quaternion_xyzw;
   bool degrees = false;
+  bool turn_first = false;  // without a header: the first three columns are the turn, the last three the place
 };
 
 /// The numbers by which a table tells its turns.
 struct Turns {
   Message columns;                           // "rx ry rz", as sentences call them
   std::vector<std::vector<double>> numbers;  // one list a pose, as written
+  std::vector<std::vector<double>> places;   // the columns before them, where they may be the turn; else empty
   std::vector<TurnReading> readings;         // what they may be, the likeliest first; one: the table says it
   bool first_is_usual = false;               // the first is to be taken wherever it serves
   bool is_reported = false;                  // by PoseTableOptions::angles
@@ -54,6 +56,9 @@ void read_turns(const Turns& turns, const TurnReading& reading, PoseSeries& seri
 
 /// "rotation vectors (axis times angle) in degrees".
 Message reading_text(const TurnReading& reading);
+
+/// The columns that are the turn by this reading, as sentences call them.
+Message columns_text(const Turns& turns, const TurnReading& reading);
 
 /// What columns without names may be: three numbers any kind of angles, four a quaternion.
 std::vector<TurnReading> list_readings(std::vector<AngleKind> kinds, const std::string& unit, bool says_degrees,

@@ -80,12 +80,14 @@ bool are_names(const TextCells& cells, const std::vector<std::string>& names) {
 struct Line {
   std::string_view text;
   int number = 0;
+  bool is_after_gap = false;  // behind an empty line
 };
 
 /// Lines with something in them; of a comment that begins its line the words may be the header ("# time x y z").
 std::vector<Line> lines_of(std::string_view text, std::string_view& last_comment) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<Line> lines;
+  bool is_after_gap = false;
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
@@ -99,9 +101,37 @@ std::vector<Line> lines_of(std::string_view text, std::string_view& last_comment
       hash = line.find('#', hash + 1);
     if (hash == 0 && lines.empty()) last_comment = line.substr(1);
     if (hash != std::string_view::npos) line = line.substr(0, hash);
-    if (!split_words(line).empty()) lines.push_back({line, number});
+    const bool is_empty = split_words(line).empty();
+    if (!is_empty) lines.push_back({line, number, is_after_gap});
+    is_after_gap = is_empty;
   }
   return lines;
+}
+
+/// What stands between the cells. Where tabs and blanks are mixed both do, if that makes all lines alike.
+char separator_of(const std::vector<Line>& lines) {
+  const char separator = cell_separator(lines.back().text);
+  if (separator != '\t' && separator != ' ') return separator;
+  const auto are_alike = [&](char between) {
+    const std::size_t width = split_cells(lines.front().text, between).size();
+    return std::all_of(lines.begin(), lines.end(),
+                       [&](const Line& line) { return split_cells(line.text, between).size() == width; });
+  };
+  return separator == '\t' && !are_alike('\t') && are_alike(' ') ? ' ' : separator;
+}
+
+/// Programs write results and remarks below a table, behind an empty line: from there on nothing is as wide as it.
+std::size_t end_of_rows(const std::vector<Line>& lines, char separator) {
+  constexpr std::size_t fewest = 3;
+  const auto cells = [&](std::size_t i) { return split_cells(lines[i].text, separator); };
+  const std::size_t width = cells(0).size();
+  std::size_t end = lines.size();
+  while (end > fewest && cells(end - 1).size() != width) --end;
+  if (end == lines.size() || !lines[end].is_after_gap) return lines.size();
+  const TextCells first = cells(end);
+  const bool has_words =
+      std::any_of(first.begin(), first.end(), [](const std::string& cell) { return !cell_number(cell, false); });
+  return has_words ? end : lines.size();
 }
 
 /// Names and units of the columns, from the first line or from a remark before it. Is the first line the header?
@@ -155,11 +185,12 @@ void add_row(const TextCells& cells, int line, bool decimal_commas, const std::v
   table.lines.push_back(line);
 }
 
-/// Names of points before numbers without a header ("P1 1.2 3.4 5.6") say nothing that is needed.
+/// Names of points before numbers without a header ("P1 1.2 3.4 5.6") are no column of the table.
 void drop_words_without_header(Table& table) {
   for (std::size_t c = table.width(); !table.has_header && c-- > 0;) {
     const std::vector<std::string>& words = table.columns[c].words;
     if (words.empty() || std::any_of(words.begin(), words.end(), is_image_file_name)) continue;
+    table.row_words = words;
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(c));
     for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(c));
   }
@@ -170,9 +201,12 @@ void drop_words_without_header(Table& table) {
 std::optional<Table> parse_table(std::string_view text, const std::string& file,
                                  const std::vector<std::string>& names) {
   std::string_view comment;
-  const std::vector<Line> lines = lines_of(text, comment);
+  std::vector<Line> lines = lines_of(text, comment);
   if (lines.empty()) return std::nullopt;
-  const char separator = cell_separator(lines.back().text);
+  const Line last = lines.back();
+  if (const std::size_t end = end_of_rows(lines, cell_separator(lines.front().text)); end < lines.size())
+    lines.resize(end);
+  const char separator = separator_of(lines);
   const bool decimal_commas = separator == ';' && lines.back().text.find(',') != std::string_view::npos &&
                               lines.back().text.find('.') == std::string_view::npos;
   Table table;
@@ -205,6 +239,9 @@ std::optional<Table> parse_table(std::string_view text, const std::string& file,
   drop_words_without_header(table);
   if (table.width() < 2) return std::nullopt;
   if (decimal_commas) table.notes.push_back(message("{}: commas are read as decimal points.", file));
+  if (lines.back().number != last.number)
+    table.notes.push_back(message("{}: what stands below its rows, behind an empty line, is left out (up to line {}).",
+                                  file, last.number));
   return table;
 }
 

@@ -23,6 +23,7 @@ struct Table {
   std::vector<TableColumn> columns;
   std::vector<std::vector<double>> rows;  // NaN: an empty cell, or "nan", or a word
   std::vector<int> lines;                 // of the rows
+  std::vector<std::string> row_words;     // what stood before the numbers of each, without a header; empty: nothing
   bool has_header = false;
   std::vector<Message> notes;  // decimal commas, what else was understood; a sentence each
 

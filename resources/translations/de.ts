@@ -11015,6 +11015,10 @@
         <translation>Kein Roboter ist bekannt, nur wo sein Flansch ist: was sich in den Gelenken biegt oder falsch ist, lässt sich nicht unterscheiden; nenne dafür seine URDF und eine Tabelle von Gelenkwerten.</translation>
     </message>
     <message>
+        <source>Each line has one of %1 markers.</source>
+        <translation>Jede Zeile hat einen von %1 Markern.</translation>
+    </message>
+    <message>
         <source>%1 points were not seen by the device; they are left out.</source>
         <translation>%1 Punkte hat das Gerät nicht gesehen; sie bleiben weg.</translation>
     </message>
@@ -11485,6 +11489,74 @@
     <message>
         <source>%1, or %2: both suit the other poses as well; %3.</source>
         <translation>%1, oder %2: beides passt gleich gut zu den anderen Posen; %3.</translation>
+    </message>
+    <message>
+        <source>%1: what stands below its rows, behind an empty line, is left out (up to line %2).</source>
+        <translation>%1: was unter den Zeilen steht, hinter einer Leerzeile, bleibt weg (bis Zeile %2).</translation>
+    </message>
+    <message>
+        <source>%1: its rows with %2 are taken for poses of the flange, those with %3 for poses of the target, paired in their order.</source>
+        <translation>%1: die Zeilen mit %2 gelten als Posen des Flansches, die mit %3 als Posen des Targets, gepaart in ihrer Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>%1: its points keep their distances from those of the files before it: they are taken for further markers of the same body (number %2 on).</source>
+        <translation>%1: die Punkte behalten ihre Abstände von denen der Dateien davor: sie gelten als weitere Marker desselben Körpers (ab Nummer %2).</translation>
+    </message>
+    <message>
+        <source>%1: has one column more than the robot has joints, and no header; the first would be a time, and does not ascend. Name the columns with --table-columns "%2 marker" (a name each; - is left out; marker says which point of a tracker a line's measurement is of).</source>
+        <translation>%1: hat eine Spalte mehr als der Roboter Gelenke und keine Kopfzeile; die erste wäre eine Zeit und steigt nicht. Die Spalten mit --table-columns "%2 marker" benennen (je ein Name; - bleibt weg; marker sagt, zu welchem Punkt eines Trackers die Messung einer Zeile gehört).</translation>
+    </message>
+    <message>
+        <source>There are %1 measurements for each line of joint readings, and they keep their distances: they are taken for the markers 0 to %2 of one body.</source>
+        <translation>Auf jede Zeile mit Gelenkwinkeln kommen %1 Messungen, und sie behalten ihre Abstände: sie gelten als die Marker 0 bis %2 eines Körpers.</translation>
+    </message>
+    <message>
+        <source>The lines of joint readings say which marker was measured (%1 lines), and there are %2 measurements of %3 points each; expected one point for each line.</source>
+        <translation>Die Zeilen mit Gelenkwinkeln sagen, welcher Marker gemessen wurde (%1 Zeilen), und es gibt %2 Messungen von je %3 Punkten; erwartet wird ein Punkt je Zeile.</translation>
+    </message>
+    <message>
+        <source>The column marker has %1, expected whole numbers.</source>
+        <translation>In der Spalte marker steht %1, erwartet werden ganze Zahlen.</translation>
+    </message>
+    <message>
+        <source>the three columns before the last three</source>
+        <translation>die drei Spalten vor den letzten drei</translation>
+    </message>
+    <message>
+        <source>%1: so %2 of %3 rows go together to %4 degrees; the others do not go with them, however they are read: observations %5. See what check says.</source>
+        <translation>%1: so passen %2 von %3 Zeilen auf %4 Grad zusammen; die anderen passen nicht zu ihnen, wie man sie auch liest: Beobachtungen %5. Siehe, was check sagt.</translation>
+    </message>
+    <message>
+        <source>stray_poses: %1 is no list of observations such as 3,5,8.</source>
+        <translation>stray_poses: %1 ist keine Liste von Beobachtungen wie 3,5,8.</translation>
+    </message>
+    <message>
+        <source>The poses of %1 of %2 observations (%3) do not go with the others, which agree among themselves: as where a board is read from its other end, a tag's tilt flips, a tracker takes a body for turned, or something moved.</source>
+        <translation>Die Posen von %1 von %2 Beobachtungen (%3) passen nicht zu den anderen, die untereinander übereinstimmen: so, wie wenn ein Brett vom anderen Ende gelesen wird, die Neigung eines Tags umschlägt, ein Tracker einen Körper für gedreht hält oder sich etwas bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Leave these observations out of %1.</source>
+        <translation>Diese Beobachtungen aus %1 weglassen.</translation>
+    </message>
+    <message>
+        <source>its pose does not go with those of the others</source>
+        <translation>seine Pose passt nicht zu denen der anderen</translation>
+    </message>
+    <message>
+        <source>target_scaled: the places of the target's poses need no factor.</source>
+        <translation>target_scaled: die Orte der Posen des Targets brauchen keinen Faktor.</translation>
+    </message>
+    <message>
+        <source>target_scaled: expected a factor above 0, such as 0.5.</source>
+        <translation>target_scaled: erwartet wird ein Faktor über 0, etwa 0.5.</translation>
+    </message>
+    <message>
+        <source>The target is %1 % %2 than the program that told its poses was told.</source>
+        <translation>Das Target ist %1 % %2, als dem Programm gesagt wurde, das seine Posen angibt.</translation>
+    </message>
+    <message>
+        <source>Measure the target over its whole length and give the right size to that program; until then multiply the places of each &lt;target_pose&gt; in %1 by %2.</source>
+        <translation>Das Target über die ganze Länge messen und diesem Programm die richtige Größe geben; bis dahin die Orte jeder &lt;target_pose&gt; in %1 mit %2 malnehmen.</translation>
     </message>
     <message>
         <source>No reading of %1 makes the motions of both agree (the best leaves %2): do the rows belong together, is one of them inverted, is the robot's file of this robot? If they do, %3.</source>

@@ -277,7 +277,7 @@ TEST(FindBlunders, SentencesSayWhatAndWhere) {
   const Fit f = fit(s);
   const auto found = find_blunders(s, f);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0].text, testing::HasSubstr("a3"));
+  EXPECT_THAT(found[0].text.english(), testing::HasSubstr("a3"));
   EXPECT_THAT(found[0].fix, testing::AllOf(testing::HasSubstr("a3"), testing::HasSubstr("session.xml")));
   EXPECT_TRUE(found[0].in_pixels);
   EXPECT_LT(found[0].rms_after, 0.5);
@@ -288,6 +288,34 @@ TEST(FindBlunders, SentencesSayWhatAndWhere) {
 TEST(FindBlunders, EndsWhereNobodyWantsItAnyMore) {
   const Session s = turned(six_axes(), "a3");
   EXPECT_THAT(find_blunders(s, fit(s), [](double) { return false; }), IsEmpty());
+}
+
+TEST(FindBlunders, PosesThatDoNotGoWithTheOthersUpToNearlyHalf) {
+  // A tracker that takes a body for turned: in a stretch of rows, and each time a little otherwise.
+  Session s = fixture::pose_session(8);
+  std::string ids;
+  for (std::size_t i = 6; i < 16; ++i) {
+    const double by = 0.7 + 0.1 * static_cast<double>(i);
+    const Rigid turned{rotation_from_rpy({by, 0.4, -0.3}), {0.1, 0.02 * static_cast<double>(i), 0.05}};
+    *s.observations[i].target_pose = *s.observations[i].target_pose * turned;
+    ids += (ids.empty() ? "" : ",") + std::to_string(s.observations[i].id);
+  }
+  show_poses(s, pose_lever(*s.pose_sensor));
+  const Fit whole = fit(s);
+  const auto found = find_blunders(s, whole);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].id, "stray_poses");
+  EXPECT_EQ(found[0].where, ids);
+  EXPECT_LT(found[0].rms_after, 1e-3);
+  EXPECT_THAT(found[0].text.english(), testing::HasSubstr("10 of 24"));
+  EXPECT_LT(fit(mended(s, "stray_poses:" + ids)).residual_rms, 1e-3);
+}
+
+TEST(FindBlunders, InvertedPosesOfATargetOfAnotherSize) {
+  const Session wrong = fixture::with_target_poses(fixture::pose_session(9), [](const Rigid& p) {
+    return inverse(Rigid{p.rotation, 3.1 * p.translation});
+  });
+  EXPECT_THAT(blunders_in(wrong), testing::UnorderedElementsAre("pose_inverted:target", "target_scaled:target=0.3226"));
 }
 
 }  // namespace

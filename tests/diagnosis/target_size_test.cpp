@@ -7,6 +7,7 @@
 #include "estimation/report/fit_report.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
+#include "session/sample.h"
 #include "session/session_xml.h"
 
 namespace handsight {
@@ -101,6 +102,22 @@ TEST(TargetSize, OfAPoseSensorsTargetIsThatOfItsDistances) {
   EXPECT_NEAR(f.effects.at(0).term.values[0], 0.03, 3 * f.effects[0].sigmas[0]);
   const Diagnosis d = diagnose(s.session, quick_sizes());
   EXPECT_EQ(d.candidates.at(0).id, "target_scale") << d.reason;
+}
+
+/// Poses that took no part in the fit are farther away by the same share as those that did.
+TEST(TargetSize, OfAPoseSensorsTargetHoldsForOtherPoses) {
+  Session like = fixture::stand_session();
+  like.rig.reset();
+  like.pose_sensor = PoseSensor{3e-4, 1e-3};
+  show_poses(like, pose_lever(*like.pose_sensor));
+  SimulatedSession s = simulated(like, {});
+  for (Observation& o : s.session.observations) o.target_pose->translation /= 1.03;
+  show_poses(s.session, pose_lever(*s.session.pose_sensor));
+  std::vector<int> even, odd;
+  for (int i = 0; i < static_cast<int>(s.session.observations.size()); ++i) (i % 2 == 0 ? even : odd).push_back(i);
+  const Session half = take_part(s.session, even);
+  const Fit f = fitted(half, "target_scale");
+  EXPECT_LT(*error_on(take_part(s.session, odd), f).rms_m, 1.5 * *report(half, f).held_out.rms_m);
 }
 
 TEST(TargetBend, IsFoundAndNamed) {

@@ -63,6 +63,14 @@ void add_known_place(const Session& session, int fixture, std::vector<MountPlace
   }
 }
 
+/// A target's scale is by the places where a pose sensor saw it: terms of a fit of other observations know only theirs.
+void take_own_places(const Session& session, const OwnEffects& own, std::vector<EffectTerm>& terms) {
+  if (!session.pose_sensor) return;
+  for (EffectTerm& term : terms)
+    for (const auto& effect : own)
+      if (term.own && term.id == "target_scale" && effect->id == term.id) term.own = effect;
+}
+
 }  // namespace
 
 Problem make_problem(const Session& session, const Chain& chain, const std::vector<EffectTerm>& held,
@@ -94,6 +102,7 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
   source->chain = chain;
   source->states = observation_states(session, source->chain);
   source->own_effects = list_own_effects(session, source->chain);
+  take_own_places(session, source->own_effects, problem.terms);
   const bool torques = reads(&Effect::reads_torque, problem.terms, source->own_effects);
   const bool places = reads(&Effect::reads_place, problem.terms, source->own_effects);
   for (ObservationState& c : source->states) {

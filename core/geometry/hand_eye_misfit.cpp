@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/hand_eye_misfit.h"
+#include "geometry/hand_eye_misfit.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

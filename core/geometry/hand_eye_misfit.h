@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well the motions of a flange and what a sensor saw go together: the test of how poses are to be read. Internal to
-// convert.
+// How well the motions of a flange and what a sensor saw go together: the test of how poses are to be read.
 #pragma once
 
 #include <optional>
