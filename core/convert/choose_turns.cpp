@@ -2,6 +2,7 @@
 #include "convert/choose_turns.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr double at_all = 0.4;     // rad: of robots that err by degrees, where nothing else comes near
 constexpr double as_well = 3;      // times the best
 constexpr double as_exact = 0.01;  // rad
+constexpr double degree = std::numbers::pi / 180;
 
 /// One reading of both tables.
 struct Trial {

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "convert/convert_inputs.h"
 #include "convert/convert_pairing.h"
-#include "convert/hand_eye_misfit.h"
+#include "geometry/hand_eye_misfit.h"
 #include "readers/robots/robot_file.h"
 
 namespace handsight {

@@ -90,7 +90,7 @@ TEST_F(StrangerTables, TurnsMayStandBeforePlaces) {
 TEST_F(StrangerTables, RowsThatDoNotGoWithTheOthersAreSaid) {
   const Rigid other{rotation_from_rpy({0.4, 0.9, -0.2}), {0.1, 0.02, 0.15}};  // the tracker takes the body for turned
   for (std::size_t i = 5; i < 12; ++i)
-    flange[i] = flange[i] * Rigid{rotation_from_rpy({0.1 * double(i), 0, 0}), {}} * other;
+    flange[i] = flange[i] * Rigid{rotation_from_rpy({0.1 * double(i), 0, 0}), Vector3::Zero()} * other;
   std::string robot, camera;
   for (std::size_t i = 0; i < flange.size(); ++i) {
     robot += row(vector(flange[i]), xyz(flange[i]));

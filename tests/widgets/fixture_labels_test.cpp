@@ -32,7 +32,7 @@ class FixtureLabels : public testing::Test {
     return places;
   }
   QImage with_a_fixture_called(const QString& name, const Vector3& at) {
-    SceneFixture socket{.name = name, .kind = SceneFixtureKind::socket};
+    SceneFixture socket{.name = name, .shape = FixtureShape::ring};
     socket.root_from_fixture.translation = at;
     view_.set_fixtures({socket});
     return view_.picture(1);
