@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "convert/bag_sessions.h"
+#include "convert/bags/bag_sessions.h"
 #include "convert/convert.h"
 #include "convert/convert_collection.h"
 

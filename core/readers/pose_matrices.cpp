@@ -182,7 +182,7 @@ std::optional<Rigid> single_pose(const std::string& text) {
 
 /// The number of the file's instant: its own, else its folder's.
 std::optional<Numbered> instant_of(const fs::path& file) {
-  if (const auto own = numbered(file.stem().string())) return own;
+  if (auto own = numbered(file.stem().string())) return own;
   auto of_folder = numbered(file.parent_path().filename().string());
   if (of_folder) of_folder->name = file.stem().string();
   return of_folder;

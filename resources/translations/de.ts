@@ -3128,7 +3128,7 @@
     </message>
     <message>
         <source>Where it fails</source>
-        <translation>Wo es danebenliegt</translation>
+        <translation>Wo es abweicht</translation>
     </message>
     <message>
         <source>Each point: as if %1 alone had made the whole error. It is more than the %2 mrad to which the joints repeat, for all of them had their share.</source>
@@ -3140,7 +3140,7 @@
     </message>
     <message>
         <source>Where it fails: the proof</source>
-        <translation>Wo es danebenliegt: der Beweis</translation>
+        <translation>Wo es abweicht: der Beweis</translation>
     </message>
     <message>
         <source>Where it sits</source>

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "convert/bag_fixture.h"
-#include "convert/bag_sessions.h"
+#include "convert/bags/bag_sessions.h"
 #include "convert/own_files.h"
 #include "estimation/fit/fit.h"
 #include "estimation/fit/fit_parts.h"

@@ -7,7 +7,7 @@
 #include "base/numbers.h"
 #include "blunders/mended.h"
 #include "command.h"
-#include "convert/bag_sessions.h"
+#include "convert/bags/bag_sessions.h"
 #include "convert/convert.h"
 #include "convert/convert_collection.h"
 #include "geometry/angle_kinds.h"

@@ -154,8 +154,8 @@ TEST_F(FilesWizardTest, ABagWithTwoTargetsBecomesACollectionThatOpens) {
   EXPECT_TRUE(report.contains("several targets in /tf (tag_7, tag_8)")) << report.toStdString();
   EXPECT_FALSE(report.contains("--")) << "the window has no options: " << report.toStdString();
   desk.click(files.make());
+  ASSERT_TRUE(desk.settle());  // a collection is read beside the window
   ASSERT_TRUE(desk.document().is_open());
-  ASSERT_TRUE(desk.settle());
   ASSERT_EQ(desk.document().session().parts.size(), 2U);
   EXPECT_TRUE(desk.find<QWidget>("sessions")->isVisible());
   ASSERT_TRUE(desk.document().model() && desk.document().model()->fit);

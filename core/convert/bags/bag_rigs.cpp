@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/bag_rigs.h"
+#include "convert/bags/bag_rigs.h"
 
 #include <algorithm>
 #include <cctype>

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "convert/bag_rigs.h"
-#include "convert/bag_sessions.h"
+#include "convert/bags/bag_rigs.h"
+#include "convert/bags/bag_sessions.h"
 #include "convert/convert_inputs.h"
 #include "convert/convert_pairing.h"
 

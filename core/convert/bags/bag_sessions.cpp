@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "convert/bag_sessions.h"
+#include "convert/bags/bag_sessions.h"
 
 #include <algorithm>
 
 #include "base/text.h"
-#include "convert/bag_rigs.h"
+#include "convert/bags/bag_rigs.h"
 #include "convert/convert_inputs.h"
 #include "convert/frames_by_motion.h"
 #include "convert/opened_folders.h"
