@@ -3140,7 +3140,7 @@
     </message>
     <message>
         <source>Where it fails: the proof</source>
-        <translation>Wo es abweicht: der Beweis</translation>
+        <translation>Abweichung: der Beweis</translation>
     </message>
     <message>
         <source>Where it sits</source>
