@@ -151,6 +151,22 @@ std::vector<std::vector<Mend>> Trials::beside_poses(const std::vector<Mend>& alo
   return pairs;
 }
 
+/// What shows only beside another one and explains as much by itself needs no other: poses that all turn about one axis
+/// hardly tell how their turns are to be read.
+void Trials::drop_needless(const std::vector<Mend>& alone, std::vector<Trial>& pairs, std::size_t of_so_many) const {
+  constexpr double clearly = 10;  // ln of a Bayes factor
+  std::map<std::string, double> by_itself;
+  for (const std::vector<Mend>& pair : beside_poses(alone))
+    if (!by_itself.contains(pair[1].kind->id))
+      by_itself[pair[1].kind->id] = tried({pair[1]}, of_so_many).ln_bayes_factor;
+  std::erase_if(pairs, [&](const Trial& t) {
+    return std::any_of(t.mends.begin(), t.mends.end(), [&](const Mend& m) {
+      const auto one = by_itself.find(m.kind->id);
+      return one != by_itself.end() && t.ln_bayes_factor < one->second + clearly;
+    });
+  });
+}
+
 /// The best few beside every other one; turned joints and poses, of which two are often wrong at once, all of them. Of
 /// a robot of very many joints the likeliest: most_pairs bounds what a search costs.
 std::vector<std::vector<Mend>> Trials::pairs(const std::vector<Trial>& singles) const {
@@ -213,6 +229,7 @@ std::vector<Trial> Trials::run(const std::function<bool(double)>& goes_on) {
     of_two[k] = tried(two[k], so_many);
   });
   if (!goes_on(0.8)) return {};
+  drop_needless(alone, of_two, so_many);
   trials.insert(trials.end(), std::make_move_iterator(of_two.begin()), std::make_move_iterator(of_two.end()));
   std::stable_sort(trials.begin(), trials.end(),
                    [](const Trial& a, const Trial& b) { return a.ln_bayes_factor > b.ln_bayes_factor; });

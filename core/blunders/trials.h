@@ -45,6 +45,7 @@ class Trials {
   const Session& list_points(const Mend& mend);
   std::vector<Mend> singles() const;
   std::vector<std::vector<Mend>> beside_poses(const std::vector<Mend>& alone) const;
+  void drop_needless(const std::vector<Mend>& alone, std::vector<Trial>& pairs, std::size_t of_so_many) const;
   std::vector<std::vector<Mend>> pairs(const std::vector<Trial>& singles) const;
 
   const Session& thin_;
