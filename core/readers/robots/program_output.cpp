@@ -10,8 +10,6 @@
 
 #include <chrono>
 
-extern char** environ;
-
 namespace handsight {
 namespace {
 
