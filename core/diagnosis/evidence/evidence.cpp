@@ -83,8 +83,11 @@ double whiten_observation(const LinearModel& model, std::size_t i, const Repeata
                           WhitenedRows& rows) {
   const LinearObservation& o = model.observations[i];
   const auto by_place = o.by_body.leftCols<3>();
-  Eigen::MatrixXd v = std::pow(repeatability.joints, 2) * o.by_joints * o.by_joints.transpose() +
-                      std::pow(repeatability.place, 2) * by_place * by_place.transpose();
+  Eigen::MatrixXd by_joints = repeatability.joints * o.by_joints;
+  for (std::size_t j = 0; j < repeatability.of_joint.size(); ++j)
+    by_joints.col(static_cast<Eigen::Index>(j)) *= repeatability.of_joint[j];
+  Eigen::MatrixXd v =
+      by_joints * by_joints.transpose() + std::pow(repeatability.place, 2) * by_place * by_place.transpose();
   v.diagonal().array() += 1;
   const Eigen::LLT<Eigen::MatrixXd> llt(v);
   rows.whiteners[i] = llt.matrixL().solve(Eigen::MatrixXd::Identity(o.count, o.count));

@@ -27,8 +27,9 @@ struct NoiseKnowledge {
 /// What is drawn anew in every observation, beside the measurements' noise: each joint's value, and the hand's place as
 /// the sensor sees it (a coordinate of it).
 struct Repeatability {
-  double joints = 0;  // rad
-  double place = 0;   // m
+  double joints = 0;                  // rad; where they differ the root of the mean square
+  double place = 0;                   // m
+  std::vector<double> of_joint = {};  // one a joint, times `joints`; empty: all alike
 
   bool is_any() const { return joints > 0 || place > 0; }
   bool operator==(const Repeatability&) const = default;

@@ -18,69 +18,100 @@ constexpr int most_rounds = 20;
 constexpr double settled_share = 1e-2;  // of a variance, from round to round
 constexpr double negligible = 1e-12;    // (1 urad)^2, (1 um)^2
 
-/// The white noise (in units of its variance), the joints' scatter (rad^2) and the place's (m^2).
-using Variances = Eigen::Vector3d;
-
 /// Of the body's motion, or of what of it is seen.
 using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// One observation's covariance for variances of 1: of the joints and of the place.
-struct Shares {
-  Covariance joints, place;
+/// The white noise's (in units of its variance), the joints' (rad^2; one for all or one each) and the place's (m^2).
+using Variances = Eigen::VectorXd;
+
+/// Which of the variances a motion's size has: the columns of the joints, then of the place.
+using Groups = std::vector<Eigen::Index>;
+
+using Motions = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, Eigen::Dynamic>;
+
+/// What one observation sees of motions of 1.
+struct Shown {
+  Motions by_motions;
   Eigen::VectorXd error;
 };
 
-std::vector<Shares> shares_of(const LinearModel& model) {
-  std::vector<Shares> all;
+std::vector<Shown> shown_by(const LinearModel& model) {
+  std::vector<Shown> all;
   for (const LinearObservation& o : model.observations) {
-    const auto by_place = o.by_body.leftCols<3>();
-    all.push_back({o.by_joints * o.by_joints.transpose(), by_place * by_place.transpose(),
-                   model.external_error.segment(o.first, o.count)});
+    Shown one{{}, model.external_error.segment(o.first, o.count)};
+    one.by_motions.resize(o.count, o.by_joints.cols() + 3);
+    one.by_motions << o.by_joints, o.by_body.leftCols<3>();
+    all.push_back(std::move(one));
   }
   return all;
 }
 
-/// By the variances, summed over the observations.
+/// By the noise's variance and one for each motion (its share K of the covariance V is b b^T of its column b), summed
+/// over the observations; or by the variances of their groups, the noise's first.
 struct Likelihood {
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();      // e^T V^-1 K V^-1 e, for each share K of the covariance V
-  Eigen::Vector3d traces = Eigen::Vector3d::Zero();       // tr(V^-1 K), what they are expected to be
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // tr(V^-1 K V^-1 L)
+  Eigen::VectorXd squares;      // e^T V^-1 K V^-1 e
+  Eigen::VectorXd traces;       // tr(V^-1 K), what they are expected to be
+  Eigen::MatrixXd information;  // tr(V^-1 K V^-1 L)
+
+  explicit Likelihood(Eigen::Index variances = 0)
+      : squares(Eigen::VectorXd::Zero(variances)),
+        traces(Eigen::VectorXd::Zero(variances)),
+        information(Eigen::MatrixXd::Zero(variances, variances)) {}
 };
 
-Likelihood likelihood_of(std::span<const Shares> some, const Variances& v) {
-  Likelihood sum;
-  for (const Shares& s : some) {
-    Covariance covariance = v[1] * s.joints + v[2] * s.place;
-    covariance.diagonal().array() += v[0];
-    const Eigen::LLT<Covariance> llt(covariance);
-    const std::array<Covariance, 3> by{llt.solve(Covariance::Identity(covariance.rows(), covariance.cols())),
-                                       llt.solve(s.joints), llt.solve(s.place)};
-    const Eigen::VectorXd w = llt.solve(s.error);
-    sum.squares += Eigen::Vector3d(w.squaredNorm(), w.dot(s.joints * w), w.dot(s.place * w));
-    for (int k = 0; k < 3; ++k) {
-      sum.traces[k] += by[k].trace();
-      for (int l = 0; l < 3; ++l) sum.information(k, l) += by[k].cwiseProduct(by[l].transpose()).sum();
-    }
+Likelihood likelihood_by_motions(std::span<const Shown> some, double noise, const Eigen::VectorXd& of_motions) {
+  const Eigen::Index motions = of_motions.size();
+  Likelihood sum(1 + motions);
+  Motions weighted, solved;
+  Eigen::MatrixXd between(motions, motions);
+  for (const Shown& s : some) {
+    weighted = s.by_motions * of_motions.asDiagonal();
+    Covariance covariance = weighted.lazyProduct(s.by_motions.transpose());
+    covariance.diagonal().array() += noise;
+    const Covariance inverse =
+        Eigen::LLT<Covariance>(covariance).solve(Covariance::Identity(covariance.rows(), covariance.cols()));
+    solved = inverse.lazyProduct(s.by_motions);
+    between.noalias() = s.by_motions.transpose().lazyProduct(solved);
+    sum.squares[0] += (inverse * s.error).squaredNorm();
+    sum.squares.tail(motions).array() += (solved.transpose() * s.error).array().square();
+    sum.traces[0] += inverse.trace();
+    sum.traces.tail(motions) += between.diagonal();
+    sum.information(0, 0) += inverse.squaredNorm();
+    sum.information.row(0).tail(motions) += solved.colwise().squaredNorm();
+    sum.information.bottomRightCorner(motions, motions).array() += between.array().square();
   }
+  sum.information.col(0) = sum.information.row(0).transpose();
+  return sum;
+}
+
+Likelihood in_groups(const Likelihood& by_motions, const Groups& groups, Eigen::Index variances) {
+  Eigen::MatrixXd belongs = Eigen::MatrixXd::Zero(by_motions.squares.size(), variances);
+  belongs(0, 0) = 1;
+  for (std::size_t m = 0; m < groups.size(); ++m) belongs(static_cast<Eigen::Index>(m) + 1, groups[m]) = 1;
+  Likelihood sum;
+  sum.squares = belongs.transpose() * by_motions.squares;
+  sum.traces = belongs.transpose() * by_motions.traces;
+  sum.information = belongs.transpose() * by_motions.information * belongs;
   return sum;
 }
 
 /// In parts, as many however many threads there are: sums then are the same bit by bit.
-Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
+Likelihood likelihood(const std::vector<Shown>& all, const Groups& groups, const Variances& v) {
   constexpr std::size_t parts = 8, worth_threads = 100;
+  const Eigen::VectorXd of_motions = v(groups);
   std::array<Likelihood, parts> sums;
   each_part(parts, all.size() >= worth_threads, [&](int i) {
     const auto part = static_cast<std::size_t>(i);
     const std::size_t first = all.size() * part / parts, end = all.size() * (part + 1) / parts;
-    sums[part] = likelihood_of(std::span(all).subspan(first, end - first), v);
+    sums[part] = likelihood_by_motions(std::span(all).subspan(first, end - first), v[0], of_motions);
   });
-  Likelihood sum;
+  Likelihood sum(1 + of_motions.size());
   for (const Likelihood& part : sums) {
     sum.squares += part.squares;
     sum.traces += part.traces;
     sum.information += part.information;
   }
-  return sum;
+  return in_groups(sum, groups, v.size());
 }
 
 /// A step of Fisher's scoring from `v` on. No variance falls below a tenth or grows beyond ten times of what it was;
@@ -88,8 +119,8 @@ Likelihood likelihood(const std::vector<Shares>& all, const Variances& v) {
 /// it.
 Variances scored(const Likelihood& at, const Variances& v, bool with_noise) {
   Variances next = v;
-  std::vector<int> free;
-  for (int k = with_noise ? 0 : 1; k < 3; ++k) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = with_noise ? 0 : 1; k < v.size(); ++k) {
     const bool is_gone = v[k] <= negligible && at.squares[k] < at.traces[k];
     if (!(at.information(k, k) > 0))
       next[k] = 0;
@@ -106,33 +137,55 @@ Variances scored(const Likelihood& at, const Variances& v, bool with_noise) {
   return next;
 }
 
+Repeatability repeatability_of(const Variances& v) {
+  const auto sigma = [](double variance, double most) {
+    return variance <= negligible ? 0 : std::min(std::sqrt(variance), most);
+  };
+  const Eigen::Index joints = v.size() - 2;
+  Repeatability r{0, sigma(v[1 + joints], worst_repeatability.place)};
+  double squares = 0;
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    r.of_joint.push_back(sigma(v[1 + j], worst_repeatability.joints));
+    squares += r.of_joint.back() * r.of_joint.back();
+  }
+  if (joints > 0) r.joints = std::sqrt(squares / static_cast<double>(joints));
+  for (double& one : r.of_joint) one = r.joints > 0 ? one / r.joints : 1;
+  if (joints < 2 || r.joints == 0) r.of_joint.clear();
+  return r;
+}
+
 std::vector<Repeatability> usual_levels() { return {{0, 0}, {1e-4, 0}, {3e-4, 0}, {1e-3, 0}, {3e-3, 0}}; }
 
 std::vector<Repeatability> list_parts(const Repeatability& s) {
   std::vector<Repeatability> parts;
-  for (const double part : {0.0, 0.1, 0.3, 0.6, 1.0}) parts.push_back({part * s.joints, part * s.place});
+  for (const double part : {0.0, 0.1, 0.3, 0.6, 1.0}) parts.push_back({part * s.joints, part * s.place, s.of_joint});
   return parts;
 }
 
 }  // namespace
 
 Repeatability likely_repeatability(const LinearModel& model, const Repeatability& start, const NoiseKnowledge& noise,
-                                   bool with_place) {
-  const std::vector<Shares> all = shares_of(model);
-  Variances v(1, std::pow(std::max(start.joints, 1e-4), 2), 0);
-  if (with_place) v[2] = std::pow(std::max(start.place, 1e-4), 2);
+                                   Scattering scattering) {
+  const std::vector<Shown> all = shown_by(model);
+  const Eigen::Index joints = all.empty() ? 0 : all.front().by_motions.cols() - 3;
+  const bool each = scattering == Scattering::each_joint_and_place;
+  const Eigen::Index count = each ? joints : 1;
+  Groups groups;
+  for (Eigen::Index j = 0; j < joints; ++j) groups.push_back(each ? 1 + j : 1);
+  groups.insert(groups.end(), 3, 1 + count);
+  Variances v = Variances::Zero(2 + count);
+  v[0] = 1;
+  v.segment(1, count).setConstant(std::pow(std::max(start.joints, 1e-4), 2));
+  if (scattering != Scattering::joints) v[1 + count] = std::pow(std::max(start.place, 1e-4), 2);
   for (int round = 0; round < most_rounds; ++round) {
     const Variances before = v;
-    v = scored(likelihood(all, v), v, !noise.known);
+    v = scored(likelihood(all, groups, v), v, !noise.known);
     const bool is_settled =
         ((v - before).array().abs() <= settled_share * before.array() || before.array() <= negligible).all();
     if (is_settled) break;
   }
   v /= v[0];
-  const auto sigma = [](double variance, double most) {
-    return variance <= negligible ? 0 : std::min(std::sqrt(variance), most);
-  };
-  return {sigma(v[1], worst_repeatability.joints), sigma(v[2], worst_repeatability.place)};
+  return repeatability_of(v);
 }
 
 std::vector<Repeatability> repeatability_levels(const LinearModel& model, const NoiseKnowledge& noise) {
@@ -145,10 +198,14 @@ std::vector<Repeatability> repeatability_levels(const LinearModel& model, const 
       top = e;
       best = level;
     }
-  for (const bool with_place : {false, true}) {
-    if (with_place && !noise.known) continue;
-    const Repeatability likely = likely_repeatability(model, best, noise, with_place);
-    const double e = evidence(likely);
+  const auto observations = static_cast<double>(model.observations.size());
+  for (const Scattering scattering :
+       {Scattering::joints, Scattering::joints_and_place, Scattering::each_joint_and_place}) {
+    if (scattering != Scattering::joints && !noise.known) continue;
+    const Repeatability likely = likely_repeatability(model, best, noise, scattering);
+    // Schwarz's price of a number: joints that differ have one each.
+    const auto more = static_cast<double>(std::max<std::size_t>(likely.of_joint.size(), 1) - 1);
+    const double e = evidence(likely) - 0.5 * more * std::log(observations);
     if (e <= top + clearly_likelier) continue;
     top = e;
     best = likely;

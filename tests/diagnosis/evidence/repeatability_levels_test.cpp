@@ -49,7 +49,7 @@ TEST(RepeatabilityLevels, LikelyScatterIsTheOneThatWasDrawn) {
     constexpr int draws = 8;
     for (int i = 0; i < draws; ++i) {
       draw_errors(truth, 100 + static_cast<std::uint64_t>(i), model);
-      const Repeatability found = likely_repeatability(model, {}, {}, true);
+      const Repeatability found = likely_repeatability(model, {}, {}, Scattering::joints_and_place);
       joints += found.joints / draws;
       place += found.place / draws;
     }
@@ -61,8 +61,8 @@ TEST(RepeatabilityLevels, LikelyScatterIsTheOneThatWasDrawn) {
 TEST(RepeatabilityLevels, LikelyScatterDoesNotDependOnWhereTheSearchBegins) {
   LinearModel model = make_model(200);
   draw_errors({7e-4, 3e-4}, 3, model);
-  const Repeatability a = likely_repeatability(model, {}, {}, true),
-                      b = likely_repeatability(model, {3e-3, 0}, {}, true);
+  const Repeatability a = likely_repeatability(model, {}, {}, Scattering::joints_and_place),
+                      b = likely_repeatability(model, {3e-3, 0}, {}, Scattering::joints_and_place);
   EXPECT_NEAR(a.joints, b.joints, 0.1 * a.joints);
   EXPECT_NEAR(a.place, b.place, 0.1 * a.place);
 }
@@ -71,7 +71,7 @@ TEST(RepeatabilityLevels, WhereThePlaceAloneScattersTheJointsHaveNone) {
   LinearModel model = make_model(200);
   for (LinearObservation& o : model.observations) o.by_joints.setZero();
   draw_errors({0, 5e-4}, 13, model);
-  const Repeatability found = likely_repeatability(model, {}, {}, true);
+  const Repeatability found = likely_repeatability(model, {}, {}, Scattering::joints_and_place);
   EXPECT_NEAR(found.place, 5e-4, 5e-5);
   EXPECT_EQ(found.joints, 0);
 }
@@ -79,13 +79,13 @@ TEST(RepeatabilityLevels, WhereThePlaceAloneScattersTheJointsHaveNone) {
 TEST(RepeatabilityLevels, WhatIsNegligibleIsNone) {
   LinearModel model = make_model(200);
   model.external_error.setZero();
-  EXPECT_EQ(likely_repeatability(model, {}, {}, true), Repeatability{});
+  EXPECT_EQ(likely_repeatability(model, {}, {}, Scattering::joints_and_place), Repeatability{});
 }
 
 TEST(RepeatabilityLevels, WhereTheNoiseIsUnknownOnlyTheJointsShare) {
   LinearModel model = make_model(300);
   draw_errors({1e-3, 0}, 5, model);
-  const Repeatability found = likely_repeatability(model, {}, {false, 1000}, false);
+  const Repeatability found = likely_repeatability(model, {}, {false, 1000}, Scattering::joints);
   EXPECT_NEAR(found.joints, 1e-3, 2e-4);
   EXPECT_EQ(found.place, 0);
 }
