@@ -9091,6 +9091,10 @@
         <translation>Gelenken, die auf %1 mrad wiederholen</translation>
     </message>
     <message>
+        <source> (%1 to %2 mrad)</source>
+        <translation> (%1 auf %2 mrad)</translation>
+    </message>
+    <message>
         <source>a hand whose place scatters by %1 mm</source>
         <translation>einer Hand, deren Ort um %1 mm streut</translation>
     </message>

@@ -213,7 +213,8 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   out.line(story_text(story, d));
   if (d.verdict == Verdict::too_few_observations) return;
   out.line();
-  const std::string repeatability = d.verdict == Verdict::adequate ? repeatability_text(d.repeatability) : "";
+  const std::string repeatability =
+      d.verdict == Verdict::adequate ? repeatability_text(d.repeatability, d.model.session.joints) : "";
   out.line(fmt::format("Error     {}{}{}", error_line(story.error), story.error.noise ? "" : "; noise unknown",
                        repeatability.empty() ? "" : "; scatter as of " + repeatability));
   if (d.attribution.cause != ErrorCause::none)
@@ -251,6 +252,16 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   }
 }
 
+/// One a joint, rad; an empty object where all joints are taken to repeat alike.
+static Json repeatabilities_json(const Diagnosis& d) {
+  Json j = Json::object();
+  const std::vector<std::string>& names = d.model.session.joints;
+  const std::vector<double>& times = d.repeatability.of_joint;
+  if (times.size() != names.size()) return j;
+  for (std::size_t i = 0; i < names.size(); ++i) j[names[i]] = d.repeatability.joints * times[i];
+  return j;
+}
+
 Json diagnosis_json(const Session& session, const Diagnosis& d, const std::set<std::string>& refused) {
   const bool tracker = session.is_tracker();
   const Json null = nullptr;
@@ -273,6 +284,7 @@ Json diagnosis_json(const Session& session, const Diagnosis& d, const std::set<s
          {"error_attribution", attribution_json(d.attribution)},
          {"blame", attribution_json(d.attribution)},  // its older name
          {"joint_repeatability_rad", d.repeatability.joints},
+         {"joint_repeatabilities_rad", repeatabilities_json(d)},
          {"place_repeatability_m", d.repeatability.place},
          {"place_scatter_m", d.repeatability.place},  // its older name
          {"threshold_ln_bayes_factor", d.threshold},

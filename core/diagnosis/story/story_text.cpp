@@ -36,7 +36,7 @@ Message of_lead(const Story& s, const Diagnosis& d) {
 }
 
 Message of_repeatability(const Story& s, const Diagnosis& d) {
-  const Message size = repeatability_text(d.repeatability);
+  const Message size = repeatability_text(d.repeatability, d.model.session.joints);
   return message(
       "What is left, {}, differs from pose to pose and follows nothing that was measured{}: no effect "
       "can remove it.",

@@ -171,7 +171,7 @@ Message adequate_text(const Diagnosis& d, bool has_repeatability) {
       "the noise {}.",
       d.report.used, reported_error(d.report.held_out), noise_text(d));
   if (has_repeatability || d.repeatability.is_any()) {
-    const Message size = repeatability_text(d.repeatability);
+    const Message size = repeatability_text(d.repeatability, d.model.session.joints);
     text += message(" What is left is scatter from pose to pose that follows nothing{}.",
                     size.empty() ? Message() : message(", as of {}", size));
   }
@@ -182,7 +182,7 @@ Message adequate_text(const Diagnosis& d, bool has_repeatability) {
 }
 
 Message poor_repeatability_text(const Diagnosis& d) {
-  const Message size = repeatability_text(d.repeatability);
+  const Message size = repeatability_text(d.repeatability, d.model.session.joints);
   const Fit& fit = d.model.fit;
   Message text = message(
       "What is left, {} held out, is {:.1f} times the noise ({}) and follows nothing that was "

@@ -64,16 +64,25 @@ double beyond_usual_repeatability(const Session& session, const Fit& fit, const 
   return std::min(beyond, beyond_repeats(fit).value_or(beyond));
 }
 
+/// The joints that are worse, and the place, as bad as `most` and no worse.
+static Repeatability at_most(Repeatability r, const Repeatability& most) {
+  for (double& times : r.of_joint) times = std::min(times, most.joints / r.joints);
+  if (r.of_joint.empty()) r.joints = std::min(r.joints, most.joints);
+  r.place = std::min(r.place, most.place);
+  return r;
+}
+
 double find_ln_against_usual_repeatability(const Session& session, const Fit& fit, const LinearModel& model,
                                            const NoiseKnowledge& noise, const Repeatability& best) {
   Repeatability usual = usual_of(session);
   usual.joints *= clearly;
   usual.place *= clearly;
-  if (best.joints <= usual.joints && best.place <= usual.place) return 0;
+  const Repeatability no_worse = at_most(best, usual);
+  if (no_worse == best) return 0;
   if (beyond_repeats(fit).value_or(2 * clearly) <= clearly) return 0;
   const auto ln_evidence = [&](const Repeatability& r) { return whiten(model, r, noise).ln_evidence; };
-  const double likeliest =
-      std::max({ln_evidence(usual), ln_evidence({usual.joints, 0}), ln_evidence({0, usual.place})});
+  const double likeliest = std::max(
+      {ln_evidence(usual), ln_evidence({usual.joints, 0}), ln_evidence({0, usual.place}), ln_evidence(no_worse)});
   return ln_evidence(best) - likeliest;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/evidence/variance_components.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
 
@@ -37,7 +38,10 @@ void draw_errors(const Repeatability& repeatability, std::uint64_t seed, LinearM
   for (const LinearObservation& o : model.observations) {
     // One by one: the operands of an operator are evaluated in the compiler's order.
     const Eigen::VectorXd place = repeatability.place * o.by_body.leftCols<3>() * drawn(3);
-    const Eigen::VectorXd joints = repeatability.joints * o.by_joints * drawn(o.by_joints.cols());
+    Eigen::VectorXd of_joints = repeatability.joints * drawn(o.by_joints.cols());
+    for (std::size_t j = 0; j < repeatability.of_joint.size(); ++j)
+      of_joints[static_cast<Eigen::Index>(j)] *= repeatability.of_joint[j];
+    const Eigen::VectorXd joints = o.by_joints * of_joints;
     model.external_error.segment(o.first, o.count) = drawn(o.count) + joints + place;
   }
 }
@@ -49,7 +53,7 @@ TEST(RepeatabilityLevels, LikelyScatterIsTheOneThatWasDrawn) {
     constexpr int draws = 8;
     for (int i = 0; i < draws; ++i) {
       draw_errors(truth, 100 + static_cast<std::uint64_t>(i), model);
-      const Repeatability found = likely_repeatability(model, {}, {}, Scattering::joints_and_place);
+      const Repeatability found = likely_repeatability(model, {}, {}, true);
       joints += found.joints / draws;
       place += found.place / draws;
     }
@@ -58,11 +62,48 @@ TEST(RepeatabilityLevels, LikelyScatterIsTheOneThatWasDrawn) {
   }
 }
 
+/// Of the fixture's six joints, 1 in the mean of squares.
+const std::vector<double> uneven{0.2, 0.3, 2.34, 0.5, 0.2, 0.3};
+
+TEST(RepeatabilityLevels, JointsThatScatterDifferentlyAreToldFromEachOther) {
+  LinearModel model = make_model(300);
+  constexpr int draws = 16;
+  std::vector<double> mean(uneven.size(), 0);
+  for (std::uint64_t seed = 21; seed < 21 + draws; ++seed) {
+    draw_errors({8e-4, 0, uneven}, seed, model);
+    const Repeatability found = likely_of_each_joint(model, {1e-3, 0}).value().repeatability;
+    ASSERT_EQ(found.of_joint.size(), uneven.size());
+    for (std::size_t j = 0; j < mean.size(); ++j) mean[j] += std::pow(found.joints * found.of_joint[j], 2) / draws;
+  }
+  for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(mean[j], std::pow(8e-4 * uneven[j], 2), 2e-7) << j;
+  // So little of the others moves a marker by less than the noise: they are taken to be as the first ones.
+  for (std::size_t j = 3; j < uneven.size(); ++j) EXPECT_LT(mean[j], std::pow(8e-4, 2)) << j;
+}
+
+TEST(RepeatabilityLevels, JointsDifferWhereThatIsClearlyLikelier) {
+  LinearModel model = make_model(300);
+  int unevenly = 0, evenly = 0;
+  for (std::uint64_t seed = 40; seed < 50; ++seed) {
+    draw_errors({8e-4, 0, uneven}, seed, model);
+    unevenly += repeatability_levels(model, {}).back().of_joint.empty() ? 0 : 1;
+    draw_errors({8e-4, 0}, seed, model);
+    evenly += repeatability_levels(model, {}).back().of_joint.empty() ? 1 : 0;
+  }
+  EXPECT_EQ(unevenly, 10);
+  EXPECT_EQ(evenly, 10);
+}
+
+TEST(RepeatabilityLevels, TheJointThatRepeatsWorstIsNamed) {
+  const std::vector<std::string> joints{"a1", "a2", "a3", "a4", "a5", "a6"};
+  EXPECT_EQ(repeatability_text({8e-4, 0, uneven}, joints), "joints that repeat to 0.8 mrad (a3 to 1.9 mrad)");
+  EXPECT_EQ(repeatability_text({8e-4, 0}, joints), "joints that repeat to 0.8 mrad");
+}
+
 TEST(RepeatabilityLevels, LikelyScatterDoesNotDependOnWhereTheSearchBegins) {
   LinearModel model = make_model(200);
   draw_errors({7e-4, 3e-4}, 3, model);
-  const Repeatability a = likely_repeatability(model, {}, {}, Scattering::joints_and_place),
-                      b = likely_repeatability(model, {3e-3, 0}, {}, Scattering::joints_and_place);
+  const Repeatability a = likely_repeatability(model, {}, {}, true),
+                      b = likely_repeatability(model, {3e-3, 0}, {}, true);
   EXPECT_NEAR(a.joints, b.joints, 0.1 * a.joints);
   EXPECT_NEAR(a.place, b.place, 0.1 * a.place);
 }
@@ -71,7 +112,7 @@ TEST(RepeatabilityLevels, WhereThePlaceAloneScattersTheJointsHaveNone) {
   LinearModel model = make_model(200);
   for (LinearObservation& o : model.observations) o.by_joints.setZero();
   draw_errors({0, 5e-4}, 13, model);
-  const Repeatability found = likely_repeatability(model, {}, {}, Scattering::joints_and_place);
+  const Repeatability found = likely_repeatability(model, {}, {}, true);
   EXPECT_NEAR(found.place, 5e-4, 5e-5);
   EXPECT_EQ(found.joints, 0);
 }
@@ -79,13 +120,13 @@ TEST(RepeatabilityLevels, WhereThePlaceAloneScattersTheJointsHaveNone) {
 TEST(RepeatabilityLevels, WhatIsNegligibleIsNone) {
   LinearModel model = make_model(200);
   model.external_error.setZero();
-  EXPECT_EQ(likely_repeatability(model, {}, {}, Scattering::joints_and_place), Repeatability{});
+  EXPECT_EQ(likely_repeatability(model, {}, {}, true), Repeatability{});
 }
 
 TEST(RepeatabilityLevels, WhereTheNoiseIsUnknownOnlyTheJointsShare) {
   LinearModel model = make_model(300);
   draw_errors({1e-3, 0}, 5, model);
-  const Repeatability found = likely_repeatability(model, {}, {false, 1000}, Scattering::joints);
+  const Repeatability found = likely_repeatability(model, {}, {false, 1000}, false);
   EXPECT_NEAR(found.joints, 1e-3, 2e-4);
   EXPECT_EQ(found.place, 0);
 }

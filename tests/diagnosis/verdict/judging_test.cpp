@@ -94,13 +94,15 @@ TEST_F(Judge, NothingThatPassesIsAdequateOnlyWhereTheNoiseIsKnown) {
   EXPECT_EQ(judged({}).verdict, Verdict::adequate);
 }
 
-/// A robot whose joints repeat to so much, in rad.
-Diagnosis with_repeatability(double joints, std::optional<double> declared = std::nullopt) {
-  SimulatedSession s = simulate_session(fixture::stand_session(4), {.observations = 60, .seed = 4});
+/// A robot whose joints repeat to so much, in rad, and the second one to another figure.
+Diagnosis with_repeatability(double joints, std::optional<double> declared = std::nullopt,
+                             std::optional<double> second = std::nullopt, int observations = 60) {
+  SimulatedSession s = simulate_session(fixture::stand_session(4), {.observations = observations, .seed = 4});
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   for (Observation& o : s.session.observations)
-    for (double& q : o.position) q += joints * normal(random);
+    for (Eigen::Index j = 0; j < o.position.size(); ++j)
+      o.position[j] += (j == 1 ? second.value_or(joints) : joints) * normal(random);
   s.session.repeatability = declared;
   return diagnose(s.session);
 }
@@ -124,6 +126,17 @@ TEST(Judging, JointsThatScatterAsMuchAsAHandMayAreTold) {
   EXPECT_LT(*d.beyond_repeatability, 1.1) << "no more than noise and all usual scatter together";
   EXPECT_GT(d.ln_against_usual_repeatability, ln_20);
   EXPECT_EQ(d.verdict, Verdict::unexplained) << d.reason;
+}
+
+/// The mean of all joints hides none: it is each joint that may scatter as much as robots do.
+TEST(Judging, OneJointThatScattersMoreThanRobotsDoIsNamed) {
+  const Diagnosis one = with_repeatability(2e-5, std::nullopt, 6e-4, 200),
+                  usual = with_repeatability(2e-5, std::nullopt, 3e-4, 200);
+  EXPECT_LT(one.repeatability.joints, usual_repeatability.joints);
+  EXPECT_EQ(one.verdict, Verdict::unexplained) << one.reason;
+  EXPECT_NE(one.reason.find("(a2 to 0."), std::string::npos) << one.reason;
+  EXPECT_EQ(usual.verdict, Verdict::adequate) << usual.reason;
+  EXPECT_NE(usual.reason.find("(a2 to 0."), std::string::npos) << usual.reason;
 }
 
 }  // namespace
