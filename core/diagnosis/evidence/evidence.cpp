@@ -84,8 +84,8 @@ double whiten_observation(const LinearModel& model, std::size_t i, const Repeata
   const LinearObservation& o = model.observations[i];
   const auto by_place = o.by_body.leftCols<3>();
   Eigen::MatrixXd by_joints = repeatability.joints * o.by_joints;
-  for (std::size_t j = 0; j < repeatability.of_joint.size(); ++j)
-    by_joints.col(static_cast<Eigen::Index>(j)) *= repeatability.of_joint[j];
+  for (Eigen::Index j = 0; j < by_joints.cols() && !repeatability.of_joint.empty(); ++j)
+    by_joints.col(j) *= repeatability.of_joint[static_cast<std::size_t>(j)];
   Eigen::MatrixXd v =
       by_joints * by_joints.transpose() + std::pow(repeatability.place, 2) * by_place * by_place.transpose();
   v.diagonal().array() += 1;

@@ -34,12 +34,15 @@ struct Shown {
   Eigen::VectorXd error;
 };
 
+/// Parts of a joined session may have fewer joints than others: those that they have not show nothing.
 std::vector<Shown> shown_by(const LinearModel& model) {
+  Eigen::Index joints = 0;
+  for (const LinearObservation& o : model.observations) joints = std::max(joints, o.by_joints.cols());
   std::vector<Shown> all;
   for (const LinearObservation& o : model.observations) {
-    Shown one{{}, model.external_error.segment(o.first, o.count)};
-    one.by_motions.resize(o.count, o.by_joints.cols() + 3);
-    one.by_motions << o.by_joints, o.by_body.leftCols<3>();
+    Shown one{Motions::Zero(o.count, joints + 3), model.external_error.segment(o.first, o.count)};
+    one.by_motions.leftCols(o.by_joints.cols()) = o.by_joints;
+    one.by_motions.rightCols<3>() = o.by_body.leftCols<3>();
     all.push_back(std::move(one));
   }
   return all;
