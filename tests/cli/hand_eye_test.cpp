@@ -106,6 +106,18 @@ TEST_F(HandEyeCommands, PredictTellsWhereTheSensorIsForAPoseOfTheFlange) {
   EXPECT_THAT(predicted.errors, HasSubstr("taken as the robot tells it"));
 }
 
+TEST_F(HandEyeCommands, PredictRefusesBeforeItPrints) {
+  for (const std::vector<std::string>& poses : {std::vector<std::string>{}, {"--position", "0.4 -0.1"}}) {
+    std::vector<std::string> words{"predict", at("s")};
+    words.insert(words.end(), poses.begin(), poses.end());
+    const auto refused = run_cli(folder.path, words);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.output, "");
+    EXPECT_THAT(refused.errors, AllOf(HasSubstr("--position"), Not(HasSubstr("taken as the robot tells it"))));
+  }
+  EXPECT_THAT(run_cli(folder.path, {"predict", at("s")}).errors, HasSubstr("x y z roll pitch yaw"));
+}
+
 /// Where the sensor sits stands nowhere in the session: what is simulated like it has it where the fit has it.
 TEST_F(HandEyeCommands, WhatIsSimulatedHasTheSensorWhereTheFitHasIt) {
   const auto simulated = run_cli(folder.path, {"simulate", "--like", at("s"), "--out", at("like"), "--noise", "1e-5"});
