@@ -25,6 +25,10 @@
         <translation>ein Gelenk, das andersherum zählt, Messungen um eins versetzt, eine andere Einheit</translation>
     </message>
     <message>
+        <source>mm in the mean</source>
+        <translation>mm im Mittel</translation>
+    </message>
+    <message>
         <source>Write the session put right</source>
         <translation>Berichtigte Sitzung schreiben</translation>
     </message>
