@@ -9487,6 +9487,14 @@
         <translation>; nachsehen, ob es px dieser Kameras sind, und sie neu markieren oder ausschließen.</translation>
     </message>
     <message>
+        <source>%1: the distance of %2 from %3 tells nothing, as nothing touches %4 and where it stands is a guess; touch it, say how well its place is known (place_sigma), or leave the &lt;apart&gt; out.</source>
+        <translation>%1: Der Abstand von %2 und %3 sagt nichts, denn nichts berührt %4, und wo es steht, ist geraten; es berühren, sagen, wie genau der Ort bekannt ist (place_sigma), oder das &lt;apart&gt; weglassen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing says where the fixture %2 is, and nothing touches it; touch it, say where it is, or leave it out.</source>
+        <translation>%1: Nichts sagt, wo die Vorrichtung %2 ist, und nichts berührt sie; sie berühren, sagen, wo sie ist, oder sie weglassen.</translation>
+    </message>
+    <message>
         <source>%1: nothing says where the fixture %2 is, and %3 touch%4 of it do not tell; touch it more often, or say where it is about.</source>
         <translation>%1: nichts sagt, wo die Vorrichtung %2 ist, und %3 Berührung%4 sagt es nicht; sie öfter berühren oder sagen, wo sie ungefähr ist.</translation>
     </message>
