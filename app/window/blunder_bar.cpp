@@ -59,7 +59,7 @@ std::filesystem::path mended_folder(const Session& session) {
   const std::filesystem::path named = old.has_filename() ? old : old.parent_path();
   std::error_code error;
   for (int i = 1;; ++i) {
-    const std::filesystem::path made =
+    std::filesystem::path made =
         named.parent_path() / (named.filename().string() + (i == 1 ? "_mended" : fmt::format("_mended_{}", i)));
     if (!std::filesystem::exists(made, error)) return made;
   }
