@@ -130,7 +130,7 @@ QString make_title(const EffectTerm& term, const Robot& robot) {
 
 QString display_name(const std::vector<EffectTerm>& terms, const Session& session) {
   if (terms.empty()) return {};
-  const QString title = within_sentence(make_title(terms.front(), session.robot));
+  QString title = within_sentence(make_title(terms.front(), session.robot));
   if (term_effect(terms.front()).is_unnamed()) return title;
   return of_places(title, list_places(terms, session));
 }

@@ -41,7 +41,7 @@ QString effect_title(const std::string& id) {
 
 QString place_text(const std::string& place) {
   // A joint's name is what the robot's file calls it, even where a text of the core is called the same.
-  const QString name = QString::fromStdString(place);
+  QString name = QString::fromStdString(place);
   const QStringList words = name.split(' ');
   bool is_number = false;
   if (words.size() == 2 && words[0] == "marker" && (words[1].toInt(&is_number), is_number))

@@ -132,7 +132,7 @@ Journal::File::~File() {
 
 /// A copy beside the journal, under a name that is not taken by another one.
 fs::path Journal::set_aside(const std::string& text, const std::string& why) const {
-  const fs::path aside = file_.string() + "." + hash(text).substr(0, 8) + ".aside";
+  fs::path aside = file_.string() + "." + hash(text).substr(0, 8) + ".aside";
   try {
     replace_file(aside, text);
   } catch (const InputError&) {
@@ -191,7 +191,7 @@ void Journal::append(const JournalEntry& entry) { write_line(find_line(entry)); 
 void Journal::clear(const std::string& digest) { start(digest); }
 
 fs::path Journal::clear_and_keep(const std::string& digest) {
-  const fs::path kept = set_aside(read_file(file_), "session.xml was changed by another program");
+  fs::path kept = set_aside(read_file(file_), "session.xml was changed by another program");
   start(digest);
   return kept;
 }

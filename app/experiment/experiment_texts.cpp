@@ -103,7 +103,7 @@ std::vector<CauseInWords> likeliest_causes(const Knowledge& known) {
 }
 
 QString step_text(const ExperimentStep& step) {
-  const QString reason = translated(step.reason);
+  QString reason = translated(step.reason);
   if (step.id < 0) return reason;
   if (step.accepted) return QObject::tr("taken");
   return QObject::tr("rejected: %1").arg(reason);

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 

@@ -10,7 +10,7 @@ namespace handsight::app {
 /// A residual against a variable, by their names, so that it means the same in every version of the model.
 struct PlotKey {
   std::string residual, variable;
-  auto operator<=>(const PlotKey&) const = default;
+  auto operator<=>(const PlotKey&) const = default;  // NOLINT(modernize-use-nullptr): what compilers make of it
 };
 
 /// Whose residuals are plotted, and in which unit.

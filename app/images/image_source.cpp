@@ -157,7 +157,7 @@ ShownImage ImageSource::read(const Session& session, const Observation& observat
   else if (is_new)
     wanted->changed.wait_for(lock, std::chrono::milliseconds(patience_ms), is_done);
   if (!wanted->is_done) return {.is_coming = true};
-  const ShownImage shown = wanted->shown;
+  ShownImage shown = wanted->shown;
   reading_.remove(key);
   keep(key, shown);
   return shown;

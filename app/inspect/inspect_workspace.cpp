@@ -259,7 +259,7 @@ WorkStatus InspectWorkspace::status() const {
                                       [](const Observation& o) { return o.decision == Decision::rejected; });
   const Story& story = workbench_.story();
   // Where many are beyond the noise the model is wrong, and the few that stand out of them are not what to say of it.
-  const WorkStatus beyond{WorkState::care, tr("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used)};
+  WorkStatus beyond{WorkState::care, tr("%1 of %2 beyond 3 σ").arg(story.beyond).arg(story.used)};
   if (story.many_beyond()) return beyond;
   if (odd + rejected > 0) return {WorkState::care, tr("%1 odd").arg(odd + rejected)};
   if (story.beyond > 0) return beyond;  // which the histogram counts too

@@ -14,10 +14,10 @@
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"
-#include "printing/blunder_output.h"
 #include "printing/comparison_output.h"
 #include "printing/diagnosis_output.h"
 #include "printing/export_output.h"
+#include "printing/first_look.h"
 #include "printing/fit_output.h"
 #include "printing/improvement_output.h"
 #include "printing/reported_json.h"
@@ -116,17 +116,8 @@ Fitted fitted(const Session& session, const Names& effects, const std::string& o
 
 std::string checked(const Session& session) {
   SessionCheck check = check_session(session);
-  const bool works = check.problems.empty();
-  const auto size = works ? cli::find_target_size(session) : std::nullopt;
-  if (size) check.warnings.push_back(size->text + " " + size->fix);
-  const auto distance = works ? cli::find_doubtful_distance(session) : std::nullopt;
-  if (distance) check.warnings.push_back(distance->text);
-  cli::Json json = cli::check_json(session, check);
-  json["target_size"] = cli::target_size_json(size);
-  json["doubtful_distance"] = cli::doubtful_distance_json(distance, session);
-  json["blunders"] = cli::blunders_json(works && !cli::settles_it(size) && !distance ? cli::list_blunders(session)
-                                                                                     : std::vector<Blunder>());
-  return make_text(json);
+  const cli::FirstLook look = cli::first_look(session, check);
+  return make_text(cli::first_look_json(session, check, look));
 }
 
 std::string diagnosis_text(const Session& session, const Names& effects) {

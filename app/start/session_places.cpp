@@ -159,7 +159,7 @@ std::vector<SampleSession> sample_sessions() {
 }
 
 fs::path working_copy(const SampleSession& sample) {
-  const fs::path copy = copy_folder(sample.name);
+  fs::path copy = copy_folder(sample.name);
   std::error_code error;
   if (fs::exists(copy / "session.xml", error)) return copy;
   const fs::path partial = copy.string() + ".partial";

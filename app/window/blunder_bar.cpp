@@ -46,9 +46,10 @@ std::vector<Blunder> searched(const Session& session, JobControl& control) {
   }
 }
 
-QString size_text(const Blunder& b, double rms) {
-  return b.in_pixels ? widgets::with_unit_text(rms, QObject::tr("px"))
-                     : widgets::with_unit_text(1e3 * as_reported(rms, false), QObject::tr("mm"));
+/// As the figure of errors beside it has it.
+QString error_text(const Blunder& b, double error) {
+  return b.in_pixels ? widgets::with_unit_text(error, QObject::tr("px"))
+                     : widgets::with_unit_text(1e3 * error, QObject::tr("mm in the mean"));
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ std::filesystem::path mended_folder(const Session& session) {
   const std::filesystem::path named = old.has_filename() ? old : old.parent_path();
   std::error_code error;
   for (int i = 1;; ++i) {
-    const std::filesystem::path made =
+    std::filesystem::path made =
         named.parent_path() / (named.filename().string() + (i == 1 ? "_mended" : fmt::format("_mended_{}", i)));
     if (!std::filesystem::exists(made, error)) return made;
   }
@@ -156,7 +157,7 @@ void BlunderBar::refresh() {
   sizes_->setVisible(first.is_by_fit);
   sizes_->setText((found_.size() == 1 ? tr("Fitted with it, %1 are left; put right, %2.")
                                       : tr("Fitted with them, %1 are left; both put right, %2."))
-                      .arg(size_text(first, first.rms_before), size_text(first, first.rms_after)));
+                      .arg(error_text(first, first.error_before), error_text(first, first.error_after)));
   write_->setEnabled(true);
   QPalette tinted = palette();
   tinted.setColor(QPalette::Window, widgets::colors().care_tint);

@@ -43,7 +43,7 @@ QString put_in(const QString& form, const std::vector<Message>& arguments) {
 }  // namespace
 
 QString translated(const Message& message) {
-  const QString text = QString::fromStdString(message.form());
+  QString text = QString::fromStdString(message.form());
   switch (message.kind()) {
     case Message::Kind::verbatim:
       return text;

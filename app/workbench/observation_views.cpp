@@ -279,7 +279,7 @@ double round_magnification(double size, double wanted) {
   if (!(size > 0)) return 1;
   const double exact = wanted / size;
   double best = 1;
-  for (double decade = 1; decade <= 1e4; decade *= 10)
+  for (const double decade : {1.0, 10.0, 100.0, 1e3, 1e4})
     for (const double step : {1.0, 2.0, 5.0})
       if (decade * step <= exact) best = decade * step;
   return best;

@@ -16,7 +16,7 @@ std::filesystem::path preferences_file() { return state_folder() / "preferences.
 
 Json read_preferences() {
   try {
-    const Json all = Json::parse(read_file(preferences_file()));
+    Json all = Json::parse(read_file(preferences_file()));
     if (all.is_object()) return all;
   } catch (const std::exception&) {
     // Never chose anything, or the file is broken: then everything is as at first.

@@ -17,8 +17,9 @@ struct Blunder {
   Message fix;            // one sentence: what to change, and in which file
   bool is_by_fit = true;  // false: it shows in the files themselves; nothing is known of what is left
   bool in_pixels = true;
-  double rms_before = 0;  // px or m of one coordinate, of the session as it is
-  double rms_after = 0;   // ... once this one is put right, with those of `together_with`
+  double rms_before = 0;                     // px or m of one coordinate, of the session as it is
+  double rms_after = 0;                      // ... once this one is put right, with those of `together_with`
+  double error_before = 0, error_after = 0;  // the same as a fit's report says it (reported_error)
   double ln_bayes_factor = 0;
   std::vector<std::string> together_with = {};  // ID:WHERE of those that have to be put right beside it
   std::string session = {}, folder = {};        // of several sessions: the title of the one that has it, and its folder

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "blunders/places.h"
 #include "blunders/quick_fits.h"
+#include "blunders/reported_error.h"
 #include "blunders/seen_points.h"
 #include "blunders/stray_poses.h"
 #include "blunders/trials.h"
@@ -133,8 +134,14 @@ std::vector<std::string> list_names(const std::vector<Mend>& mends) {
   return names;
 }
 
+/// What a fit leaves of one coordinate (px, m), and as its report says it.
+struct FitError {
+  double rms = 0, reported = 0;
+};
+
 /// One entry a mend, of a pair both.
-std::vector<Blunder> reported(const Session& session, const Trial& trial, double ln, double before, double after) {
+std::vector<Blunder> reported(const Session& session, const Trial& trial, double ln, const FitError& before,
+                              const FitError& after) {
   std::vector<Blunder> blunders;
   const std::vector<std::string> names = list_names(trial.mends);
   for (std::size_t i = 0; i < trial.mends.size(); ++i) {
@@ -144,8 +151,10 @@ std::vector<Blunder> reported(const Session& session, const Trial& trial, double
               .text = mend.kind->text(mend.where, session),
               .fix = mend.kind->fix(mend.where, session),
               .in_pixels = !session.is_tracker(),
-              .rms_before = before,
-              .rms_after = after,
+              .rms_before = before.rms,
+              .rms_after = after.rms,
+              .error_before = before.reported,
+              .error_after = after.reported,
               .ln_bayes_factor = ln};
     for (std::size_t k = 0; k < names.size(); ++k)
       if (k != i) b.together_with.push_back(names[k]);
@@ -154,13 +163,20 @@ std::vector<Blunder> reported(const Session& session, const Trial& trial, double
   return blunders;
 }
 
-/// The whole fit of the whole session once it is right; nothing where that is not clearly better.
-std::optional<double> confirmed(const Session& session, const Trial& trial, double before) {
+/// As who has put it right will read it: with the sensor's own lever, which `with_one_lever` does without.
+double reported_once_right(const Session& given, const Trial& trial) {
+  const Session right = put_right(given, trial.mends);
+  return reported_error(right, fit(right, {.smallest_step = 1e-9}));
+}
+
+/// The whole fit of the whole session (`given`, with one lever) once it is right; nothing where that is not clearly
+/// better.
+std::optional<FitError> confirmed(const Session& given, const Session& session, const Trial& trial, double before) {
   try {
     const Fit right = fit(put_right(session, trial.mends), {.smallest_step = 1e-9});
     const bool is_answer = !is_no_answer(right.problem, right.solution);
-    return is_answer && find_unit(trial.mends) * right.residual_rms < 0.8 * before ? std::optional(right.residual_rms)
-                                                                                   : std::nullopt;
+    if (!is_answer || !(find_unit(trial.mends) * right.residual_rms < 0.8 * before)) return std::nullopt;
+    return FitError{right.residual_rms, reported_once_right(given, trial)};
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -260,8 +276,9 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   const std::vector<const Trial*> promising = most_promising(tried);
   const bool may_stray = session.pose_sensor.has_value();
   if (promising.empty() && !may_stray) return {};
-  const double before =
-      has_unknown_lever(session) ? fit(whole, {.smallest_step = 1e-9}).residual_rms : given.residual_rms;
+  const FitError before{
+      has_unknown_lever(session) ? fit(whole, {.smallest_step = 1e-9}).residual_rms : given.residual_rms,
+      reported_error(session, given)};
   const Judge judge(thin, trials, given);
   std::vector<Claim> claims;
   for (std::size_t i = 0; i < promising.size(); ++i) {
@@ -270,13 +287,18 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   }
   bring_likeliest_first(thin, claims);
   for (const Claim& claim : claims)
-    if (const auto after = confirmed(whole, *claim.trial, before)) {
+    if (const auto after = confirmed(session, whole, *claim.trial, before.rms)) {
       std::vector<Blunder> blunders = reported(session, *claim.trial, claim.ln, before, *after);
       say_what_else(claims, claim, blunders);
       return blunders;
     }
-  if (const auto strays = may_stray ? find_stray_poses(whole, before) : std::nullopt) return {*strays};
-  return {};
+  auto strays = may_stray ? find_stray_poses(whole, before.rms) : std::nullopt;
+  if (!strays) return {};
+  strays->error_before = before.reported;
+  Session others = session;
+  find_blunder_kind(strays->id)->mend(strays->where, others);
+  strays->error_after = reported_error(others, fit(others, {.smallest_step = 1e-9}));
+  return {*strays};
 }
 
 }  // namespace handsight

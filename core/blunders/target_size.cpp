@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "blunders/reported_error.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/sure_fit.h"
 
@@ -32,7 +33,7 @@ Message lengths(const Session& session, double scale) {
 }
 
 struct SizeFound {
-  double scale = 0, sigma = 0, rms = 0;
+  double scale = 0, sigma = 0, rms = 0, error = 0;
 };
 
 /// By the effect that says so.
@@ -47,7 +48,7 @@ std::optional<SizeFound> by_effect(const Session& session, const FitOptions& opt
   const Fit right = fit(session, with);
   if (!right.converged() || right.effects.empty()) return std::nullopt;
   const FittedEffect& size = right.effects.back();
-  return SizeFound{size.term.values.at(0), size.sigmas.at(0), right.residual_rms};
+  return SizeFound{size.term.values.at(0), size.sigmas.at(0), right.residual_rms, reported_error(session, right)};
 }
 
 /// By fits with other sizes: of single tags, each of which may lie anywhere.
@@ -69,7 +70,7 @@ class SizesOfTags {
       here = square_at(at);
     }
     const double numbers = 6.0 * static_cast<double>(session_.observations.size());
-    return SizeFound{at, std::sqrt(here / (curvature * numbers)), std::sqrt(here)};
+    return SizeFound{at, std::sqrt(here / (curvature * numbers)), std::sqrt(here), std::sqrt(here)};
   }
 
  private:
@@ -104,7 +105,9 @@ std::optional<TargetSize> other_target_size(const Session& session, const Fit& f
                      .sigma = size->sigma,
                      .in_pixels = !session.is_tracker(),
                      .rms_before = before,
-                     .rms_after = size->rms};
+                     .rms_after = size->rms,
+                     .error_before = reported_error(session, fit_before),
+                     .error_after = size->error};
     if (std::abs(found.scale) < std::max(least_scale, 5 * found.sigma) || found.scale < -0.75 || found.scale > 3)
       return std::nullopt;
     found.text = message("The target is {:.1f} % {} than its description says{}.", 100 * std::abs(found.scale),

@@ -13,9 +13,10 @@ namespace handsight {
 struct TargetSize {
   double scale = 0, sigma = 0;  // the target is so much larger than its description says: 0.09 is 9 %
   bool in_pixels = true;
-  double rms_before = 0, rms_after = 0;  // px or m, of one coordinate: with the size described, and with this one
-  Message text;                          // one sentence: how large it is, by its squares, tags or distances
-  Message fix;                           // one sentence: what to do
+  double rms_before = 0, rms_after = 0;      // px or m, of one coordinate: with the size described, and with this one
+  double error_before = 0, error_after = 0;  // the same as a fit's report says it (reported_error)
+  Message text;                              // one sentence: how large it is, by its squares, tags or distances
+  Message fix;                               // one sentence: what to do
 };
 
 /// The size that makes the fit of a session right, where it leaves many times the noise and one size of the target

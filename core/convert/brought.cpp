@@ -13,7 +13,7 @@
 #include "convert/rows_of_two.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
-#include "readers/mocap_csv.h"
+#include "readers/mocap/mocap_csv.h"
 #include "readers/pose_matrices.h"
 #include "readers/stereo_calibration.h"
 #include "readers/texts/camera_texts.h"
@@ -61,7 +61,7 @@ Table without_columns(Table t, const std::vector<std::size_t>& columns) {
 bool is_list_of_poses(const std::string& text, const std::string& file) {
   if (!looks_like_yaml(text) && !first_line(text).starts_with("{")) return false;
   try {
-    return is_pose_list(parse_yaml(text, file));
+    return !has_several_documents(text) && is_pose_list(parse_yaml(text, file));
   } catch (const InputError&) {
     return false;
   }
@@ -194,8 +194,7 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
 }
 
 void bring_mocap(const fs::path& path, const std::string& file, const PoseTableOptions& o, Brought& b) {
-  const std::string text = read_text(path);
-  MocapTables all = is_motive_csv(text) ? read_motive_csv(text, file) : read_vicon_csv(text, file);
+  MocapTables all = *read_mocap(read_text(path), file);
   b.notes.insert(b.notes.end(), all.notes.begin(), all.notes.end());
   for (const MocapBody& body : all.bodies) {
     auto read = read_pose_table(body.table, true, o, b.notes);

@@ -8,6 +8,7 @@
 #include "convert/choose_turns.h"
 #include "convert/convert_inputs.h"
 #include "convert/pair_poses.h"
+#include "convert/shown_target.h"
 #include "convert/turns_by_images.h"
 #include "readers/stereo_calibration.h"
 #include "vision/image/image_header.h"
@@ -91,8 +92,11 @@ void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std
       fit_to_images(rig.at(c), static_cast<int>(size->width), static_cast<int>(size->height), notes);
 }
 
-void require_target(const Rig& rig, const ConvertOptions& o) {
+void require_target(const Rig& rig, const ConvertOptions& o, const std::vector<std::filesystem::path>& folders) {
   if (o.target || is_pair(rig)) return;
+  if (static_cast<int>(folders.size()) == rig.count())
+    if (const Message shown = shown_target_text(find_images(folders_by_camera(rig, folders))); !shown.empty())
+      throw InputError(message("No --target is named. {}", shown));
   throw InputError(
       message("With {} {} something must be shown whose points name themselves: say what with --target, for example "
               "\"charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\"; markers without names "
@@ -100,11 +104,24 @@ void require_target(const Rig& rig, const ConvertOptions& o) {
               rig.count(), rig.count() == 1 ? "camera" : "cameras"));
 }
 
+namespace {
+
+/// Two cameras without a target: markers are looked for, whatever else the images show.
+void say_what_is_shown(const Rig& rig, const ConvertOptions& o, const std::vector<InstantImages>& images,
+                       std::vector<Message>& notes) {
+  if (o.target || !is_pair(rig)) return;
+  if (const Message shown = shown_target_text(images); !shown.empty())
+    notes.push_back(message("No --target is named: the session is one of markers without names. {}", shown));
+}
+
+}  // namespace
+
 /// Cameras and images beside what the parts say of the robot.
 Session with_images(const SessionParts& parts, const Brought& b, const ConvertOptions& o, std::vector<Message>& notes) {
   Rig rig = rig_of_brought(b);
-  require_target(rig, o);
+  require_target(rig, o, b.image_folders);
   const std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
+  say_what_is_shown(rig, o, images, notes);
   match_images(images, parts.joints.positions.size(), "lines of joint readings", rig.count());
   fit_to_first_images(rig, images, notes);
   return write_camera_session(parts, rig, images, o, notes);
@@ -138,8 +155,9 @@ Conversion from_images(const FieldUrdf& robot, const Brought& b, const ConvertOp
 Conversion from_flange_images(const Brought& b, const ConvertOptions& o, Conversion c) {
   NamedPoses flange = b.poses.front();
   Rig rig = rig_of_brought(b);
-  require_target(rig, o);
+  require_target(rig, o, b.image_folders);
   std::vector<InstantImages> images = find_images(folders_by_camera(rig, b.image_folders));
+  say_what_is_shown(rig, o, images, c.notes);
   pair_images(flange, images, rig.count(), o.pairing.lag, c.notes);
   fit_to_first_images(rig, images, c.notes);
   SessionParts parts;

@@ -62,7 +62,9 @@ Conversion from_bag(const std::optional<FieldUrdf>& robot, const Bag& bag, const
 /// The cameras' sizes as the first of these images of each has them.
 void fit_to_first_images(Rig& rig, const std::vector<InstantImages>& images, std::vector<Message>& notes);
 
-/// InputError where nothing can be found in the images of this rig: without a target markers have no names.
-void require_target(const Rig& rig, const ConvertOptions& options);
+/// InputError where nothing can be found in the images of this rig: without a target markers have no names. The
+/// sentence says which target the images in these folders show.
+void require_target(const Rig& rig, const ConvertOptions& options,
+                    const std::vector<std::filesystem::path>& folders = {});
 
 }  // namespace handsight

@@ -15,12 +15,13 @@
 #include "readers/camera_files.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
-#include "readers/mocap_csv.h"
+#include "readers/mocap/mocap_csv.h"
 #include "readers/pose_files.h"
 #include "readers/pose_matrices.h"
 #include "readers/robots/lerobot.h"
 #include "readers/robots/robot_file.h"
 #include "readers/texts/camera_texts.h"
+#include "readers/texts/cells.h"
 #include "session/new_session.h"
 
 namespace handsight {
@@ -104,6 +105,12 @@ FileKind json_kind(const fs::path& path, const std::string& text, const Robot* r
   return FileKind::storage;
 }
 
+/// A line a message: {"topic":"/tf","sequence":3,"log_time":...,"publish_time":...,"data":{...}}.
+bool is_printed_mcap(std::string_view first) {
+  return first.starts_with("{") && first.find("\"topic\"") != std::string_view::npos &&
+         first.find("\"log_time\"") != std::string_view::npos && first.find("\"data\"") != std::string_view::npos;
+}
+
 bool has_number(const fs::path& path) {
   const std::string stem = path.stem().string();
   return stem.find_first_of("0123456789") != std::string::npos;
@@ -134,7 +141,7 @@ FileKind yaml_kind(const fs::path& path, const std::string& text, const Robot* r
   if (is_camera_info(yaml) || is_echoed_camera_info(yaml)) return FileKind::camera_info;
   if (is_kalibr_target(yaml)) return FileKind::target;
   if (is_hand_eye_samples(yaml)) return FileKind::samples;
-  if (is_pose_list(yaml)) return FileKind::poses;
+  if (is_pose_list(yaml) && !has_several_documents(text)) return FileKind::poses;
   if (holds_camera_matrix(yaml)) return FileKind::storage;
   if (const auto kind = listed_kind(path, text, robot)) return *kind;
   refuse_kind(path, "is YAML of a kind that is not known");
@@ -189,15 +196,15 @@ bool is_one_camera(FileKind kind) {
          kind == FileKind::camodocal || kind == FileKind::named;
 }
 
+bool is_image_name(const fs::path& file) {
+  constexpr std::array endings{".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp"};
+  return std::find(endings.begin(), endings.end(), lower_case(file.extension().string())) != endings.end();
+}
+
 bool has_images(const fs::path& folder) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    std::string ending = entry.path().extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    for (const char* known : {".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp"})
-      if (ending == known) return true;
-  }
-  return false;
+  const fs::directory_iterator entries(folder, error);
+  return std::any_of(begin(entries), end(entries), [](const auto& entry) { return is_image_name(entry.path()); });
 }
 
 FileKind file_kind(const fs::path& path, const Robot* robot, const std::vector<std::string>& columns) {
@@ -216,7 +223,7 @@ FileKind file_kind(const fs::path& path, const Robot* robot, const std::vector<s
   const std::string_view begin = first_line(text);
   if (begin.empty()) refuse_kind(path, "is empty");
   if (begin.starts_with("<")) return xml_kind(path, text);
-  if (is_motive_csv(text) || is_vicon_csv(text)) return FileKind::mocap;
+  if (is_mocap(text)) return FileKind::mocap;
   if (is_ost(text)) return FileKind::ost;
   if (is_camodocal(text)) return FileKind::camodocal;
   if (is_realsense_listing(text)) return FileKind::realsense;
@@ -224,6 +231,11 @@ FileKind file_kind(const fs::path& path, const Robot* robot, const std::vector<s
   if ((begin.starts_with("%") || looks_like_yaml(text)) && is_named_camera(text)) return FileKind::named;
   if (has_number(path) && !poses_of_instant(text).empty()) return FileKind::pose;
   if (is_storage_text(text)) return storage_kind(path, text);
+  if (is_printed_mcap(begin))
+    refuse_kind(
+        path,
+        "holds messages of a bag as `mcap cat --json` prints them; name the bag itself (.mcap), which is read as "
+        "it is");
   if (begin.starts_with("{")) return json_kind(path, text, robot);
   if (text.find('\0') != std::string::npos) refuse_kind(path, "is no text");
   if (looks_like_yaml(text)) return yaml_kind(path, text, robot);
@@ -260,7 +272,7 @@ const char* kind_text(FileKind kind) {
     case FileKind::servos:
       return "servos of LeRobot";
     case FileKind::mocap:
-      return "motion capture of Motive or Vicon";
+      return "motion capture of Motive, Vicon or Qualisys";
     case FileKind::ost:
       return "a calibration of ROS's camera_calibration";
     case FileKind::realsense:

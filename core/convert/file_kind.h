@@ -18,7 +18,7 @@ enum class FileKind {
   pose,         // a file with one pose
   points,       // a table of points
   servos,       // of LeRobot: what its joint readings mean
-  mocap,        // CSV of Motive's or Vicon's: rigid bodies or markers
+  mocap,        // a table of Motive's, Vicon's or Qualisys's: rigid bodies or markers
   samples,      // of easy_handeye
   storage,      // of OpenCV
   camera_info,  // of ROS, as a file or as `ros2 topic echo` tells it
@@ -41,6 +41,9 @@ bool is_one_camera(FileKind kind);
 
 /// "a table of joint readings".
 const char* kind_text(FileKind kind);
+
+/// Is it called as images are?
+bool is_image_name(const std::filesystem::path& file);
 
 /// Is there an image in the folder?
 bool has_images(const std::filesystem::path& folder);

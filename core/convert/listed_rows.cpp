@@ -179,11 +179,32 @@ std::vector<std::string> documents_of(const std::string& text) {
   return parts;
 }
 
+/// A message of a PoseArray with one pose is one of a pose; nothing where it holds none.
+std::optional<YAML::Node> message_of_one_pose(const YAML::Node& item, const std::string& file) {
+  if (!item.IsMap() || !item["header"] || !item["poses"] || !item["poses"].IsSequence()) return item;
+  const YAML::Node poses = item["poses"];
+  if (poses.size() == 0) return std::nullopt;
+  if (poses.size() > 1)
+    throw InputError(
+        message("{}: its messages hold several poses each (PoseArray), and which is meant nothing tells; "
+                "`ros2 topic echo --field poses[0] TOPIC` prints one of them.",
+                file));
+  YAML::Node one;
+  one["header"] = item["header"];
+  one["pose"] = poses[0];
+  return one;
+}
+
 /// The list that a document is, or has under its only list of maps; its own map where it is one of several documents.
 std::vector<YAML::Node> items_of(const std::vector<std::string>& documents, const std::string& file) {
   std::vector<YAML::Node> items;
   for (const std::string& document : documents) items.push_back(parse_yaml(document, file));
-  if (items.size() != 1) return items;
+  if (items.size() != 1) {
+    std::vector<YAML::Node> messages;
+    for (const YAML::Node& item : items)
+      if (const auto one = message_of_one_pose(item, file)) messages.push_back(*one);
+    return messages;
+  }
   YAML::Node list = items.front();
   if (list.IsMap())
     for (const auto& entry : items.front())
@@ -313,6 +334,8 @@ std::optional<Table> named_table(const std::string& text, const std::string& fil
 }
 
 }  // namespace
+
+bool has_several_documents(const std::string& text) { return documents_of(text).size() > 1; }
 
 std::optional<Table> parse_listed_rows(const std::string& text, const std::string& file,
                                        const std::vector<std::string>& joints) {

@@ -10,11 +10,14 @@
 
 namespace handsight {
 
-/// Maps of YAML or JSON: `ros2 topic echo` of joint states and of poses, JSON a line, lists of maps (also within a map
-/// of their own). A row each; lists of joint angles have the robot's `joints` as names. Nothing where the text is none
-/// of these. InputError where it is no YAML.
+/// Maps of YAML or JSON: `ros2 topic echo` of joint states and of poses (of a PoseArray where each has one), JSON a
+/// line, lists of maps (also within a map of their own). A row each; lists of joint angles have the robot's `joints` as
+/// names. Nothing where the text is none of these. InputError where it is no YAML.
 std::optional<Table> parse_listed_rows(const std::string& text, const std::string& file,
                                        const std::vector<std::string>& joints);
+
+/// Are there several documents, as `ros2 topic echo` parts messages?
+bool has_several_documents(const std::string& text);
 
 /// What tf2_echo prints, lists in brackets a line, arrays as NumPy prints them. Nothing where the text is none of
 /// these.

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/file_kind.h"
+#include "convert/sample_folders.h"
 #include "readers/bags/bag.h"
 #include "readers/pose_matrices.h"
 
@@ -50,6 +51,7 @@ OpenedFolders opened_folders(const std::vector<fs::path>& named) {
   OpenedFolders opened;
   std::error_code error;
   for (const fs::path& path : named) {
+    if (fs::is_directory(path, error) && !is_one_thing(path)) refuse_sample_folders(path);
     const auto inside =
         fs::is_directory(path, error) && !is_one_thing(path) ? contents_of(path) : std::vector<fs::path>{};
     if (inside.empty()) opened.files.push_back(path);

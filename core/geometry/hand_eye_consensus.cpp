@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/hand_eye_consensus.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
@@ -45,7 +48,7 @@ Matrix3 nearest_turn(const Matrix3& sum) {
 }
 
 /// By motions about two axes at least.
-Rigid solve(const std::vector<Motion>& motions) {
+Rigid solve_by_axes(const std::vector<Motion>& motions) {
   Matrix3 sum = Matrix3::Zero(), normal = 1e-12 * Matrix3::Identity();
   for (const Motion& m : motions) sum += m.turn_a * m.turn_b.transpose();
   const Vector3 across_a = motions[0].turn_a.cross(motions[1].turn_a),
@@ -60,6 +63,58 @@ Rigid solve(const std::vector<Motion>& motions) {
   }
   x.translation = normal.inverse() * right;
   return x;
+}
+
+/// Of turns about one axis: where it points, all towards the first's side.
+Vector3 one_axis(const std::vector<Motion>& motions, Vector3 Motion::*turn) {
+  Vector3 sum = Vector3::Zero();
+  for (const Motion& m : motions) sum += m.*turn * (m.turn_a.dot(motions.front().turn_a) < 0 ? -1.0 : 1.0);
+  return sum.normalized();
+}
+
+/// By motions about one axis: the turn about it and the place across it follow from how far things moved; the place
+/// along it is 0.
+Rigid solve_by_shifts(const std::vector<Motion>& motions) {
+  const Vector3 axis = one_axis(motions, &Motion::turn_a);
+  const Matrix3 to_axis = Eigen::Quaterniond::FromTwoVectors(one_axis(motions, &Motion::turn_b), axis).matrix();
+  const Vector3 first = axis.unitOrthogonal(), second = axis.cross(first);
+  const Eigen::Matrix<double, 2, 3> across =
+      (Eigen::Matrix<double, 2, 3>() << first.transpose(), second.transpose()).finished();
+  // (R_a - 1) place - Rot(angle) shift_b = -shift_a, of what lies across the axis; unknown: place, cos and sin.
+  Eigen::Matrix4d normal = 1e-12 * Eigen::Matrix4d::Identity();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (const Motion& m : motions) {
+    const Vector2 shift_b = across * (to_axis * m.b.translation);
+    Eigen::Matrix<double, 2, 4> row;
+    row.leftCols<2>() = across * (m.a.rotation - Matrix3::Identity()) * across.transpose();
+    row.col(2) = -shift_b, row.col(3) = Vector2(shift_b.y(), -shift_b.x());
+    normal += row.transpose() * row;
+    right -= row.transpose() * (across * m.a.translation);
+  }
+  const Eigen::Vector4d found = normal.ldlt().solve(right);
+  const double angle = std::atan2(found[3], found[2]);
+  Rigid x{Eigen::AngleAxisd(angle, axis).matrix() * to_axis, Vector3::Zero()};
+  Eigen::Matrix2d of_place = 1e-12 * Eigen::Matrix2d::Identity();
+  Vector2 place = Vector2::Zero();
+  for (const Motion& m : motions) {
+    const Eigen::Matrix2d turned = across * (m.a.rotation - Matrix3::Identity()) * across.transpose();
+    of_place += turned.transpose() * turned;
+    place += turned.transpose() * (across * (x.rotation * m.b.translation - m.a.translation));
+  }
+  x.translation = across.transpose() * of_place.ldlt().solve(place);
+  return x;
+}
+
+/// Do all turns go about one axis?
+bool have_one_axis(const std::vector<Motion>& motions) {
+  Matrix3 spread = Matrix3::Zero();
+  for (const Motion& m : motions) spread += m.turn_a * m.turn_a.transpose();
+  const Vector3 along = Eigen::SelfAdjointEigenSolver<Matrix3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return along[1] < least_spread * least_spread * along[2];
+}
+
+Rigid solve(const std::vector<Motion>& motions) {
+  return have_one_axis(motions) ? solve_by_shifts(motions) : solve_by_axes(motions);
 }
 
 /// The middle of these rows' A_i X B_i.
@@ -117,8 +172,6 @@ void try_triple(const std::vector<Rigid>& a, const std::vector<Rigid>& b, const 
                 Best& best) {
   const std::vector<Motion> two{motion_between(a, b, rows[0], rows[1]), motion_between(a, b, rows[0], rows[2])};
   if (!may_be_one_motion(two[0]) || !may_be_one_motion(two[1])) return;
-  const double sine = two[0].turn_a.normalized().cross(two[1].turn_a.normalized()).norm();
-  if (sine < least_spread) return;
   const Rigid x = solve(two);
   const double half = half_of(left_of(a, b, x, {rows.begin(), rows.end()}));
   if (half < best.half) best = {x, half, {rows.begin(), rows.end()}};

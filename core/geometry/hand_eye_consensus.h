@@ -20,7 +20,8 @@ struct HandEyeConsensus {
 /// The X for which A_i X B_i is the same in the most rows: of many drawn triples of rows (seed fixed) the one by which
 /// the better half of all rows leaves least, then by all rows that agree with it. Rousseeuw and Leroy 1987, Robust
 /// Regression and Outlier Detection. With an eye in hand A is base_from_flange, else flange_from_base; B is
-/// sensor_from_target. Nothing with fewer than 8 rows, or where the motions have one axis alone.
+/// sensor_from_target. Where all motions turn about one axis, X's place along it is 0, as nothing tells it. Nothing
+/// with fewer than 8 rows, or where nothing turns.
 std::optional<HandEyeConsensus> hand_eye_consensus(const std::vector<Rigid>& a, const std::vector<Rigid>& b);
 
 }  // namespace handsight

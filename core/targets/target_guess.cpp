@@ -258,10 +258,40 @@ TargetGuess guessed_tags(const std::vector<Image>& images, const Surveyed& all, 
           message("{}; what they show ({}) fits {}.", none_of(images, described), numbers, in_code(change, wording))};
 }
 
+constexpr std::size_t least_tags = 4;  // in an image: one or two are read into rubbish now and then
+
+/// Those that half of the images show, two at least.
+std::optional<Target> single_tags(const Surveyed& all, std::size_t images) {
+  std::map<int, std::size_t> seen;
+  for (const TagSurvey& one : all.surveys)
+    for (const SurveyedTag& tag : one.tags) ++seen[tag.id];
+  Target tags;
+  tags.kind = TargetKind::tags;
+  for (const auto& [id, count] : seen)
+    if (count >= 2 && 2 * count >= images) tags.ids.push_back(id);
+  if (tags.ids.empty()) return std::nullopt;
+  tags.dictionary = smallest_dictionary(all.way.dictionary, tags.ids.back());
+  tags.border = all.way.border;
+  tags.tag = 1;
+  return tags;
+}
+
 }  // namespace
 
+std::optional<Target> shown_target(const std::vector<Image>& images) {
+  if (images.empty()) return std::nullopt;
+  Target unknown;
+  unknown.square = 1;
+  const Surveyed all = survey(images);
+  const bool are_tags = all.most > 0 && !all.way.is_inverted && !all.way.is_mirrored;
+  if (are_tags && all.most >= least_tags)
+    if (auto board = board_of(images, all, unknown)) return board;
+  if (auto chessboard = other_chessboard(images, unknown); chessboard && is_found(images, *chessboard))
+    return chessboard;
+  return are_tags ? single_tags(all, images.size()) : std::nullopt;
+}
+
 TargetGuess guess_target(const std::vector<Image>& images, const Target& described, TargetWording wording) {
-  constexpr std::size_t least_tags = 4;  // in an image: one or two are read into rubbish now and then
   if (images.empty()) return {};
   const auto drawn_over = std::count_if(images.begin(), images.end(), is_drawn_over);
   if (2 * drawn_over > static_cast<std::ptrdiff_t>(images.size()))

@@ -24,4 +24,9 @@ struct TargetGuess {
 enum class TargetWording { options, attributes };
 TargetGuess guess_target(const std::vector<Image>& images, const Target& described, TargetWording wording);
 
+/// What the images show where nobody has described it: a chessboard, a ChArUco board or a grid of tags, else single
+/// tags that most of the images show. Its lengths are to each other as they are; how long they are no image tells.
+/// Nothing where no such thing is found in most of the images.
+std::optional<Target> shown_target(const std::vector<Image>& images);
+
 }  // namespace handsight

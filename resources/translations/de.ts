@@ -25,6 +25,26 @@
         <translation>ein Gelenk, das andersherum zählt, Messungen um eins versetzt, eine andere Einheit</translation>
     </message>
     <message>
+        <source>mm in the mean</source>
+        <translation>mm im Mittel</translation>
+    </message>
+    <message>
+        <source>What %1 of the images show fits --target &quot;%2&quot;: put the measured lengths in place of ?%3.</source>
+        <translation>Was %1 der Bilder zeigen, passt zu --target &quot;%2&quot;: für ? die gemessenen Längen einsetzen%3.</translation>
+    </message>
+    <message>
+        <source>; a marker is %1 of a square</source>
+        <translation>; ein Marker ist das %1-fache eines Felds</translation>
+    </message>
+    <message>
+        <source>No --target is named. %1</source>
+        <translation>Kein --target ist genannt. %1</translation>
+    </message>
+    <message>
+        <source>No --target is named: the session is one of markers without names. %1</source>
+        <translation>Kein --target ist genannt: Die Sitzung ist eine von Markern ohne Namen. %1</translation>
+    </message>
+    <message>
         <source>Write the session put right</source>
         <translation>Berichtigte Sitzung schreiben</translation>
     </message>
@@ -9471,6 +9491,14 @@
         <translation>; nachsehen, ob es px dieser Kameras sind, und sie neu markieren oder ausschließen.</translation>
     </message>
     <message>
+        <source>%1: the distance of %2 from %3 tells nothing, as nothing touches %4 and where it stands is a guess; touch it, say how well its place is known (place_sigma), or leave the &lt;apart&gt; out.</source>
+        <translation>%1: Der Abstand von %2 und %3 sagt nichts, denn nichts berührt %4, und wo es steht, ist geraten; es berühren, sagen, wie genau der Ort bekannt ist (place_sigma), oder das &lt;apart&gt; weglassen.</translation>
+    </message>
+    <message>
+        <source>%1: nothing says where the fixture %2 is, and nothing touches it; touch it, say where it is, or leave it out.</source>
+        <translation>%1: Nichts sagt, wo die Vorrichtung %2 ist, und nichts berührt sie; sie berühren, sagen, wo sie ist, oder sie weglassen.</translation>
+    </message>
+    <message>
         <source>%1: nothing says where the fixture %2 is, and %3 touch%4 of it do not tell; touch it more often, or say where it is about.</source>
         <translation>%1: nichts sagt, wo die Vorrichtung %2 ist, und %3 Berührung%4 sagt es nicht; sie öfter berühren oder sagen, wo sie ungefähr ist.</translation>
     </message>
@@ -11223,8 +11251,8 @@
         <translation>Servos von LeRobot</translation>
     </message>
     <message>
-        <source>motion capture of Motive or Vicon</source>
-        <translation>Motion-Capture von Motive oder Vicon</translation>
+        <source>motion capture of Motive, Vicon or Qualisys</source>
+        <translation>Motion-Capture von Motive, Vicon oder Qualisys</translation>
     </message>
     <message>
         <source>a calibration of ROS's camera_calibration</source>
@@ -12037,6 +12065,38 @@
     <message>
         <source>%1: %2 columns are no joints of the session and are ignored.</source>
         <translation>%1: %2 Spalten sind keine Gelenke der Sitzung und werden übergangen.</translation>
+    </message>
+    <message>
+        <source>holds a cell that is no number.</source>
+        <translation>enthält eine Zelle, die keine Zahl ist.</translation>
+    </message>
+    <message>
+        <source>holds messages of a bag as `mcap cat --json` prints them; name the bag itself (.mcap), which is read as it is</source>
+        <translation>enthält Nachrichten eines Bags, wie `mcap cat --json` sie ausgibt; nenne das Bag selbst (.mcap), das gelesen wird, wie es ist</translation>
+    </message>
+    <message>
+        <source>%1: holds a folder for each sample (%2); what is read is a folder of images for each camera and one table with a line for each sample: `%3`</source>
+        <translation>%1: enthält einen Ordner für jede Probe (%2); gelesen werden ein Ordner von Bildern für jede Kamera und eine Tabelle mit einer Zeile für jede Probe: `%3`</translation>
+    </message>
+    <message>
+        <source>%1: its messages hold several poses each (PoseArray), and which is meant nothing tells; `ros2 topic echo --field poses[0] TOPIC` prints one of them.</source>
+        <translation>%1: Seine Nachrichten enthalten je mehrere Posen (PoseArray), und welche gemeint ist, sagt nichts; `ros2 topic echo --field poses[0] TOPIC` gibt eine davon aus.</translation>
+    </message>
+    <message>
+        <source>has not 16 columns for each of BODY_NAMES (X to Rot[8]); export the 6DOF data whole.</source>
+        <translation>hat nicht 16 Spalten für jeden aus BODY_NAMES (X bis Rot[8]); exportiere die 6DOF-Daten ganz.</translation>
+    </message>
+    <message>
+        <source>has not three columns for each of MARKER_NAMES; export the 3D data whole.</source>
+        <translation>hat nicht drei Spalten für jeden aus MARKER_NAMES; exportiere die 3D-Daten ganz.</translation>
+    </message>
+    <message>
+        <source>%1: names no bodies or markers, or has no frames; export the 6D or 3D data from QTM with its header.</source>
+        <translation>%1: nennt keine Körper oder Marker oder hat keine Bilder; exportiere die 6D- oder 3D-Daten aus QTM mit ihrem Kopf.</translation>
+    </message>
+    <message>
+        <source>%1: has neither times nor a FREQUENCY; export it again with its times.</source>
+        <translation>%1: hat weder Zeiten noch eine FREQUENCY; exportiere es noch einmal mit Zeiten.</translation>
     </message>
     <message>
         <source>%1: begins as Motive's CSV does and has no rigid bodies or markers in its header; export it again with them.</source>

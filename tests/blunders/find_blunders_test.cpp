@@ -319,25 +319,43 @@ TEST(FindBlunders, InvertedPosesOfATargetOfAnotherSize) {
                                                                 testing::StartsWith("target_scaled:target=0.32")));
 }
 
-/// A hand that only turns about its own axis tells a target's size, but hardly how the turns are to be read.
+/// A hand that only turns about its own axis before a target that is told larger by a factor, with noise of 10 mm and
+/// 20 mrad times `noise`.
+Session turned_about_one_axis(std::uint64_t seed, double factor, double noise) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const Rigid flange_from_camera{rotation_from_rpy({0.03, -0.05, 1.54}), {0.06, -0.03, 0.05}};
+  const Rigid base_from_board{rotation_from_rpy({0.02, 0.03, 0.5}), {0.55, 0.08, 0.01}};
+  Session s = fixture::pose_session(seed);
+  for (Observation& o : s.observations) {
+    const Rigid base_from_flange{rotation_from_rpy({3.13, 0.01, 0.5 * normal(random)}),
+                                 {0.5 + 0.1 * normal(random), 0.1 * normal(random), 0.5}};
+    o.position = make_position(base_from_flange);
+    o.target_pose = inverse(base_from_flange * flange_from_camera) * base_from_board;
+    o.target_pose->translation =
+        o.target_pose->translation * factor + 0.01 * noise * Vector3(fixture::drawn_3([&] { return normal(random); }));
+    o.target_pose->rotation *=
+        rotation_from_vector<double>(0.02 * noise * Vector3(fixture::drawn_3([&] { return normal(random); })));
+  }
+  show_poses(s, usual_lever);
+  return s;
+}
+
+TEST(FindBlunders, AWrongRowWhereTheHandTurnsAboutOneAxis) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    Session s = turned_about_one_axis(seed, 1, 0.1);
+    Observation& wrong = s.observations[5 + seed];
+    wrong.target_pose->translation += Vector3(0.2, -0.1, 0.05);
+    wrong.target_pose->rotation *= rotation_from_rpy({0.0, 0.0, 0.3});
+    show_poses(s, usual_lever);
+    EXPECT_THAT(blunders_in(s), ElementsAre("stray_poses:" + std::to_string(wrong.id))) << seed;
+  }
+}
+
+/// What tells a target's size hardly tells how the turns are to be read.
 TEST(FindBlunders, ASizeThatExplainsAsMuchNeedsNoOtherMistake) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    const Rigid flange_from_camera{rotation_from_rpy({0.03, -0.05, 1.54}), {0.06, -0.03, 0.05}};
-    const Rigid base_from_board{rotation_from_rpy({0.02, 0.03, 0.5}), {0.55, 0.08, 0.01}};
-    Session s = fixture::pose_session(seed);
-    for (Observation& o : s.observations) {
-      const Rigid base_from_flange{rotation_from_rpy({3.13, 0.01, 0.5 * normal(random)}),
-                                   {0.5 + 0.1 * normal(random), 0.1 * normal(random), 0.5}};
-      o.position = make_position(base_from_flange);
-      o.target_pose = inverse(base_from_flange * flange_from_camera) * base_from_board;
-      o.target_pose->translation =
-          o.target_pose->translation / 0.6 + 0.01 * Vector3(fixture::drawn_3([&] { return normal(random); }));
-      o.target_pose->rotation *=
-          rotation_from_vector<double>(0.02 * Vector3(fixture::drawn_3([&] { return normal(random); })));
-    }
-    show_poses(s, usual_lever);
+    const Session s = turned_about_one_axis(seed, 1 / 0.6, 1);
     EXPECT_THAT(blunders_in(s), testing::Not(testing::Contains(testing::StartsWith("euler_convention")))) << seed;
   }
 }

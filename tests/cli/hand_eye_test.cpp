@@ -106,6 +106,18 @@ TEST_F(HandEyeCommands, PredictTellsWhereTheSensorIsForAPoseOfTheFlange) {
   EXPECT_THAT(predicted.errors, HasSubstr("taken as the robot tells it"));
 }
 
+TEST_F(HandEyeCommands, PredictRefusesBeforeItPrints) {
+  for (const std::vector<std::string>& poses : {std::vector<std::string>{}, {"--position", "0.4 -0.1"}}) {
+    std::vector<std::string> words{"predict", at("s")};
+    words.insert(words.end(), poses.begin(), poses.end());
+    const auto refused = run_cli(folder.path, words);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_EQ(refused.output, "");
+    EXPECT_THAT(refused.errors, AllOf(HasSubstr("--position"), Not(HasSubstr("taken as the robot tells it"))));
+  }
+  EXPECT_THAT(run_cli(folder.path, {"predict", at("s")}).errors, HasSubstr("x y z roll pitch yaw"));
+}
+
 /// Where the sensor sits stands nowhere in the session: what is simulated like it has it where the fit has it.
 TEST_F(HandEyeCommands, WhatIsSimulatedHasTheSensorWhereTheFitHasIt) {
   const auto simulated = run_cli(folder.path, {"simulate", "--like", at("s"), "--out", at("like"), "--noise", "1e-5"});
@@ -121,6 +133,36 @@ TEST_F(HandEyeCommands, WhatIsSimulatedHasTheSensorWhereTheFitHasIt) {
   for (std::size_t r = 0; r < 3; ++r)
     EXPECT_NEAR(of_it.json()[0]["root_from_body_est"][r][3].get<double>(),
                 of_this.json()[0]["root_from_body_est"][r][3].get<double>(), 2e-4);
+}
+
+/// What a mistake leaves is the figure that `fit` begins with, before and once it is put right.
+TEST_F(HandEyeCommands, AMistakeIsMeasuredAsFitMeasures) {
+  ASSERT_EQ(run_cli(folder.path, {"convert", at("flange.csv"), at("target.csv"), "--eye-on-base", "--out", at("w")})
+                .exit_code,
+            0);
+  const auto wrong = run_cli(folder.path, {"fit", at("w"), "--json", "-"}).json();
+  ASSERT_EQ(wrong["blunders"].size(), 1u);
+  EXPECT_NEAR(wrong["blunders"][0]["mean_before_m"].get<double>(), wrong["mean_m"].get<double>(), 1e-6);
+  const std::string fix = "pose_inverted:" + wrong["blunders"][0]["where"].get<std::string>();
+  ASSERT_EQ(run_cli(folder.path, {"convert", at("w"), "--fix", fix, "--out", at("r")}).exit_code, 0);
+  const auto right = run_cli(folder.path, {"fit", at("r"), "--json", "-"}).json();
+  EXPECT_NEAR(wrong["blunders"][0]["mean_after_m"].get<double>(), right["mean_m"].get<double>(), 1e-6);
+  EXPECT_THAT(run_cli(folder.path, {"fit", at("w")}).output, HasSubstr("without it a mean of"));
+}
+
+/// Rows in another order: no mistake of a kind explains it, and nothing works.
+TEST_F(HandEyeCommands, CheckDoesNotSayThatEverythingWorksWhereNothingFits) {
+  EXPECT_THAT(run_cli(folder.path, {"check", at("s")}).output, HasSubstr("Everything in the session works."));
+  std::istringstream table(test::read_text(folder.path / "target.csv"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(line + "\n");
+  std::string mixed = lines.front();
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) mixed += lines[1 + 5 * i % (lines.size() - 1)];
+  test::write_text(folder.path / "mixed.csv", mixed);
+  ASSERT_EQ(run_cli(folder.path, {"convert", at("flange.csv"), at("mixed.csv"), "--out", at("m")}).exit_code, 0);
+  const auto checked = run_cli(folder.path, {"check", at("m")});
+  EXPECT_THAT(checked.output, Not(HasSubstr("Everything in the session works.")));
+  EXPECT_THAT(checked.output, HasSubstr("A first fit leaves a mean of"));
 }
 
 TEST_F(HandEyeCommands, EffectsMayBeNamedWithCommas) {

@@ -74,5 +74,17 @@ TEST_F(WrongTarget, ABoardFoundNowhereIsAProblem) {
   EXPECT_EQ(found.exit_code, 0) << found.output << found.errors;
 }
 
+/// What is to be typed is what the images show, its lengths left to be measured.
+TEST_F(WrongTarget, WhereNoneIsNamedConvertSaysWhatTheImagesShow) {
+  const fs::path hand_eye = fs::path(HANDSIGHT_SHARED_DIR) / "field/cameras/hand_eye";
+  const CliResult refused =
+      test::run_cli(folder_, {"convert", (hand_eye / "images").string(), (hand_eye / "flange_quaternion.csv").string(),
+                              (hand_eye / "camera.yaml").string(), "--out", (folder_ / "made").string()});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(refused.errors.find("--target \"chessboard columns=9 rows=6 square=?mm\"") != std::string::npos ||
+              refused.errors.find("--target \"chessboard columns=6 rows=9 square=?mm\"") != std::string::npos)
+      << refused.errors;
+}
+
 }  // namespace
 }  // namespace handsight

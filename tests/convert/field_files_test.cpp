@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files as they came from the field: cameras, targets and bags.
+#include "base/files.h"
 #include "convert/brought.h"
 #include "convert/convert_fixture.h"
 #include "readers/kalibr_target.h"
@@ -105,6 +106,31 @@ TEST_F(Convert, RigidBodiesOfMotiveBesideJointReadings) {
   EXPECT_LT(small_motion_between(tcp_from_target, f.tcp_from_body).norm(), 1e-5);
 }
 
+/// The commands that the sentence holds make what convert reads.
+TEST_F(Convert, AFolderForEachSampleIsSortedByTheCommandsThatAreNamed) {
+  for (int i = 0; i < 11; ++i) {
+    const std::string sample = "samples/sample_" + std::to_string(i) + "/";
+    write(sample + "left.png", "\x89PNG\r\n\x1A\n");
+    write(sample + "right.png", "\x89PNG\r\n\x1A\n");
+    write(sample + "joints.csv", "a1,a2\n0." + std::to_string(i) + ",0\n");
+  }
+  std::string said;
+  try {
+    convert({folder.path / "samples"}, options_);
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  const std::size_t begin = said.find('`') + 1;
+  const std::string commands = said.substr(begin, said.rfind('`') - begin);
+  ASSERT_THAT(said, HasSubstr("a folder for each sample (sample_0)"));
+  ASSERT_EQ(std::system(("cd '" + folder.path.string() + "' && " + commands).c_str()), 0) << commands;
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "left/sample_10.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "right/sample_0.png"));
+  const std::string table = read_file(folder.path / "joints.csv");
+  EXPECT_TRUE(table.starts_with("a1,a2\n0.0,0\n0.1,0\n")) << table;
+  EXPECT_TRUE(table.ends_with("0.9,0\n0.10,0\n")) << table;
+}
+
 TEST_F(Convert, WhatIsNotReadIsNamedWithTheWayToReadIt) {
   using namespace std::string_literals;
   const std::vector<std::tuple<std::string, std::string, std::string>> files = {
@@ -128,6 +154,9 @@ TEST_F(Convert, WhatIsNotReadIsNamedWithTheWayToReadIt) {
       {"one.png", "\x89PNG\r\n\x1A\n", "name the folder"},
       {"robot.sdf", "<sdf version=\"1.7\"/>", "SDF of Gazebo"},
       {"old.bag", "#ROSBAG V1.2\n", "rosbag fix"},
+      {"tf.jsonl",
+       "{\"topic\":\"/tf\",\"sequence\":1,\"log_time\":1.5,\"publish_time\":1.5,\"data\":{\"transforms\":[]}}\n",
+       "name the bag itself"},
       {"arm.xacro", "<robot name=\"a\" xmlns:xacro=\"x\"><link name=\"${n}\"/></robot>", "xacro"}};
   for (const auto& [name, content, way] : files) {
     std::filesystem::remove(folder.path / "robot.urdf");

@@ -51,6 +51,29 @@ TEST_F(PoseLists, MoveItsSamplesInYamlAndJson) {
   expect_right(converted({write("pairs.json", json + "]")}).session, "JSON");
 }
 
+/// Each message of the detector holds the one target; of two nobody could say which is meant.
+TEST_F(PoseLists, ArraysOfOnePoseEach) {
+  const auto echoed = [](const std::vector<Rigid>& poses, int of_each) {
+    std::string text;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const Eigen::Quaterniond q(poses[i].rotation);
+      const Vector3& t = poses[i].translation;
+      text += fmt::format("header:\n  stamp:\n    sec: {}\n    nanosec: 0\n  frame_id: camera\nposes:\n", i);
+      for (int k = 0; k < of_each; ++k)
+        text += fmt::format(
+            "- position:\n    x: {}\n    y: {}\n    z: {}\n  orientation:\n    x: {}\n    y: {}\n    z: {}\n    w: "
+            "{}\n",
+            t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
+      text += "---\n";
+    }
+    return text;
+  };
+  const auto hand = write("flange.yaml", echoed(flange, 1));
+  options.target_frame = "seen.yaml";
+  expect_right(converted({hand, write("seen.yaml", echoed(target, 1))}).session, "PoseArray");
+  EXPECT_THAT(refusal({hand, write("seen.yaml", echoed(target, 2))}), HasSubstr("--field poses[0]"));
+}
+
 TEST_F(PoseLists, BothPosesInOneTable) {
   std::string named =
                   "time,tool_x,tool_y,tool_z,tool_qx,tool_qy,tool_qz,tool_qw,tag_x,tag_y,tag_z,tag_qx,tag_qy,tag_qz,"

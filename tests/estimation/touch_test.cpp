@@ -4,12 +4,14 @@
 
 #include <random>
 
+#include "base/error.h"
 #include "diagnosis/selection/improvement.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "estimation/fit/touch_counts.h"
 #include "estimation/fit/touch_unknown.h"
 #include "estimation/report/fit_report.h"
+#include "estimation/report/session_check.h"
 #include "fixtures/two_arms.h"
 #include "session/fixtures/list.h"
 #include "session/touch_xml.h"
@@ -256,6 +258,30 @@ TEST(Touch, WhatNothingTellsHasAnUnknownSigma) {
   EXPECT_TRUE(untold[0] || untold[1] || untold[2]);
   EXPECT_GT((found.parameter_covariance.topLeftCorner<3, 3>().trace()), 1);
   EXPECT_EQ(touches_lacking(b.session), (std::vector<int>{1}));
+}
+
+/// Its place would have to follow from a distance alone: three numbers from one.
+TEST(Touch, WhatNothingTouchesIsRefusedByName) {
+  Bench b = workbench();
+  add(b, &fixtures::point, "socket", at({0.45, 0.15, 0.3}), std::nullopt);
+  add(b, &fixtures::point, "far", at({0.45, 0.4, 0.3}), at({0.45, 0.4, 0.3}));
+  touch(b, 0, 20, 5);
+  EXPECT_FALSE(untouched_text(b.session)) << "its place is a guess that nobody asks for";
+  b.session.distances = {{0, 1, 0.25, 1e-5}};
+  const auto refused = [&](const char* what) {
+    try {
+      fit(b.session, {});
+      ADD_FAILURE() << what;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+    ASSERT_EQ(check_session(b.session).problems.size(), 1u);
+    EXPECT_NE(check_session(b.session).problems.front().english().find(what), std::string::npos);
+  };
+  refused("as nothing touches far");
+  b.session.distances.clear();
+  b.session.other_mounts.front().known = false;
+  refused("nothing says where the fixture far is");
 }
 
 TEST(Touch, WhatIsHiddenIsNamed) {

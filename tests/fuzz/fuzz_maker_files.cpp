@@ -5,7 +5,7 @@
 #include "fuzz.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
-#include "readers/mocap_csv.h"
+#include "readers/mocap/mocap_csv.h"
 #include "readers/pose_files.h"
 #include "readers/robots/lerobot.h"
 
@@ -30,6 +30,7 @@ void read_any(const std::string& text) {
   std::vector<Message> notes;
   if (is_motive_csv(text)) return read_mocap(read_motive_csv(text, "take.csv"));
   if (is_vicon_csv(text)) return read_mocap(read_vicon_csv(text, "take.csv"));
+  if (is_qualisys_tsv(text)) return read_mocap(read_qualisys_tsv(text, "take.tsv"));
   if (is_ost(text)) {
     for (const RosCamera& c : read_ost(text, "ost.ini")) demand_camera(c);
   } else if (is_camodocal(text)) {

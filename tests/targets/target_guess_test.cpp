@@ -216,5 +216,25 @@ TEST(TargetGuess, OfATagThatIsThereThreeTimes) {
   EXPECT_GE(said, 1);
 }
 
+/// Nobody has described anything: what is there, its lengths to each other.
+TEST(TargetGuess, SaysWhatIsShownWhereNothingIsDescribed) {
+  const auto of_board = shown_target(list_images(charuco));
+  ASSERT_TRUE(of_board);
+  EXPECT_EQ(of_board->kind, TargetKind::charuco);
+  EXPECT_EQ(std::pair(of_board->columns, of_board->rows), std::pair(charuco.columns, charuco.rows));
+  EXPECT_NEAR(of_board->tag / of_board->square, charuco.tag / charuco.square, 0.03);
+  const auto of_squares = shown_target(list_images(chessboard));
+  ASSERT_TRUE(of_squares);
+  EXPECT_EQ(of_squares->kind, TargetKind::chessboard);
+  EXPECT_EQ(of_squares->columns * of_squares->rows, chessboard.columns * chessboard.rows);
+  const auto of_grid = shown_target(list_images(grid));
+  ASSERT_TRUE(of_grid);
+  EXPECT_EQ(of_grid->kind, TargetKind::aprilgrid);
+  EXPECT_EQ(std::pair(of_grid->columns, of_grid->rows), std::pair(grid.columns, grid.rows));
+  EXPECT_NEAR(of_grid->spacing, grid.spacing, 0.03);
+  EXPECT_EQ(of_grid->border, grid.border);
+  EXPECT_FALSE(shown_target(std::vector<Image>(3, Image(640, 480, 128))));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -149,7 +149,7 @@ void DrawingKit::ground(const QPointF& left, double width) const {
   painter_.setPen(pen(Ink::model, stroke_width));
   painter_.drawLine(left, left + QPointF(width, 0));
   painter_.setPen(thin(Ink::help));
-  for (double x = 3; x <= width; x += 6) painter_.drawLine(left + QPointF(x, 1), left + QPointF(x - 4, 6));
+  for (int x = 3; x <= width; x += 6) painter_.drawLine(left + QPointF(x, 1), left + QPointF(x - 4, 6));
 }
 
 void DrawingKit::gravity(const QPointF& from, double length) const {

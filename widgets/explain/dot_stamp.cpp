@@ -23,8 +23,9 @@ DotStamp::DotStamp(const QColor& color, double diameter) : side_(static_cast<int
   for (int part = 0; part < part_count * part_count; ++part) {
     std::vector<std::uint32_t>& mask = masks_[static_cast<std::size_t>(part)];
     mask.resize(static_cast<std::size_t>(side_ * side_));
-    const double middle_x = side_ / 2.0 + (part % part_count + 0.5) / part_count - 0.5;
-    const double middle_y = side_ / 2.0 + (part / part_count + 0.5) / part_count - 0.5;
+    const int column = part % part_count, row = part / part_count;
+    const double middle_x = side_ / 2.0 + (column + 0.5) / part_count - 0.5;
+    const double middle_y = side_ / 2.0 + (row + 0.5) / part_count - 0.5;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
         const double away = std::hypot(x + 0.5 - middle_x, y + 0.5 - middle_y);

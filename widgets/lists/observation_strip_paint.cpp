@@ -104,7 +104,8 @@ void ObservationStrip::paint_cells() {
       paint_cell(painter, cells_[static_cast<std::size_t>(i)], QRectF(find_left(i), area.top(), width, area.height()));
   } else {
     const double column = 1 / ratio;
-    for (double x = area.left(); x < area.right(); x += column) {
+    for (int k = 0; k < std::ceil(area.width() * ratio); ++k) {
+      const double x = area.left() + k * column;
       const int from = static_cast<int>(first_ + (x - area.left()) / width);
       const int to = std::min(count, static_cast<int>(first_ + (x + column - area.left()) / width));
       if (from >= to) continue;

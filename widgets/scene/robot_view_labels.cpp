@@ -39,9 +39,10 @@ double covered_share(const QImage& picture, double ratio, const QRectF& plate) {
   constexpr int step = 3, faint = 40;  // px; the floor's lines may be crossed
   const QColor ground = colors().panel;
   int covered = 0, all = 0;
-  for (double y = plate.top(); y <= plate.bottom(); y += step)
-    for (double x = plate.left(); x <= plate.right(); x += step) {
-      const QPoint at(static_cast<int>(x * ratio), static_cast<int>(y * ratio));
+  for (int row = 0; row <= static_cast<int>(plate.height()) / step; ++row)
+    for (int column = 0; column <= static_cast<int>(plate.width()) / step; ++column) {
+      const QPoint at(static_cast<int>((plate.left() + step * column) * ratio),
+                      static_cast<int>((plate.top() + step * row) * ratio));
       if (!picture.valid(at)) continue;
       const QColor c = picture.pixelColor(at);
       ++all;
@@ -59,7 +60,7 @@ QPointF place_on_ground(const QPointF& at, const QSizeF& size, const std::vector
   constexpr double little = 0.05;
   QPointF best = at;
   double least = 1e300;
-  for (double radius = 12; radius <= 132; radius += 12)
+  for (int radius = 12; radius <= 132; radius += 12)
     for (int step = 0; step < 16; ++step) {
       const double angle = M_PI / 8 * step;
       const QPointF middle = at + radius * QPointF(std::cos(angle), std::sin(angle));

@@ -5,7 +5,7 @@
 
 #include "command.h"
 #include "detection/target_finding.h"
-#include "printing/blunder_output.h"
+#include "printing/first_look.h"
 #include "printing/reported_json.h"
 #include "session/collection.h"
 
@@ -29,6 +29,15 @@ void add_lost_target(const Session& session, const TargetSearch& search, Session
     text = message("{} Put that into <target> of {}, or convert again with it.", search.in_its_place,
                    session.file.filename().string());
   (is_seen_elsewhere ? check.warnings : check.problems).push_back(text);
+}
+
+std::string verdict(const SessionCheck& check, const FirstLook& look) {
+  if (!check.problems.empty())
+    return fmt::format("{} problem{}: these would not work.", check.problems.size(),
+                       check.problems.size() == 1 ? "" : "s");
+  if (!look.blunders.empty()) return "Everything in the session can be read; it does not go together:";
+  return check.warnings.empty() ? "Everything in the session works."
+                                : "Everything in the session can be used; look at what is odd.";
 }
 
 int run(const CheckArguments& o);
@@ -65,23 +74,12 @@ int run(const CheckArguments& o) {
   SessionCheck check = check_session(session);
   add_lost_target(session, search, check);
   for (const Message& line : check.contents) o.output.line(line);
-  const auto size = check.problems.empty() ? find_target_size(session) : std::nullopt;
-  if (size) check.warnings.push_back(size->text + " " + size->fix);
-  const auto distance = check.problems.empty() ? find_doubtful_distance(session) : std::nullopt;
-  if (distance) check.warnings.push_back(distance->text);
+  const FirstLook look = first_look(session, check);
   for (const Message& line : check.warnings) o.output.line("warning: " + line);
   for (const Message& line : check.problems) o.output.line("PROBLEM: " + line);
-  o.output.line(check.problems.empty() && check.warnings.empty() ? "Everything in the session works."
-                : check.problems.empty() ? "Everything in the session can be used; look at what is odd."
-                                         : fmt::format("{} problem{}: these would not work.", check.problems.size(),
-                                                       check.problems.size() == 1 ? "" : "s"));
-  const std::vector<Blunder> blunders =
-      check.problems.empty() && !settles_it(size) && !distance ? list_blunders(session) : std::vector<Blunder>();
-  print_blunders(o.output, o.session, blunders);
-  Json json = check_json(session, check);
-  json["target_size"] = target_size_json(size);
-  json["doubtful_distance"] = doubtful_distance_json(distance, session);
-  json["blunders"] = blunders_json(blunders);
+  o.output.line(verdict(check, look));
+  print_blunders(o.output, o.session, look.blunders);
+  const Json json = first_look_json(session, check, look);
   o.output.json(json);
   if (o.result) *o.result = json;
   for (const Message& line : check.problems) Output::note(line);

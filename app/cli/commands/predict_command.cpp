@@ -32,6 +32,10 @@ Vector6 carried_sigma(const TcpPrediction& p, const PredictionModel& model) {
 
 /// `--position` is "x y z roll pitch yaw" of the flange; the joints that stand for it are x y z yaw pitch roll.
 std::vector<ObservationState> flange_poses(const PoseOptions& o, const CalibratedRobot& source) {
+  if (o.positions.empty() && o.file.empty())
+    throw InputError(
+        "No pose of the flange is given; give --position \"x y z roll pitch yaw\" (m and rad) or --positions "
+        "FILE.csv.");
   std::vector<ObservationState> poses = driven_poses(o, source);
   for (std::size_t i = 0; i < o.positions.size(); ++i)
     std::swap(poses[i].sensor[source.chain.joints[3]], poses[i].sensor[source.chain.joints[5]]);
@@ -40,13 +44,14 @@ std::vector<ObservationState> flange_poses(const PoseOptions& o, const Calibrate
 
 int run_of_flange(const PredictArguments& o, const CalibratedRobot& source) {
   const bool carries_sensor = source.calibration.mount == source.tcp;
+  const std::vector<ObservationState> poses = flange_poses(o.poses, source);
   Output::note(fmt::format(
       "There are no joints: the flange is taken as the robot tells it, and what is told is where {} on it is then.",
       carries_sensor ? "the sensor" : "the target"));
   o.output.line(
       "      x        y        z m     roll    pitch      yaw deg   sigma x  y  z mm       sigma rx  ry  rz deg");
   Json list = Json::array();
-  for (const ObservationState& pose : flange_poses(o.poses, source)) {
+  for (const ObservationState& pose : poses) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_body_est.translation,
                   rpy = degrees * rpy_from_rotation(p.root_from_body_est.rotation);
@@ -69,13 +74,14 @@ int run(const PredictArguments& o) {
   const CalibratedRobot source = with_moved_hand(predict_source(o.source));
   o.output.require_places();
   if (source.chain.robot.is_of_poses) return run_of_flange(o, source);
+  const std::vector<ObservationState> poses = driven_poses(o.poses, source);
   Json list = Json::array();
   for (const Message& note : source.notes) Output::note(note);
   if (!source.model.rotation_is_observed)
     Output::note(
         "The markers do not show how the body is turned; sigma is that of the position, and rotations have none.");
   o.output.line("      x        y        z m     moved by mm   sigma x  y  z mm       sigma rx  ry  rz deg");
-  for (const ObservationState& pose : driven_poses(o.poses, source)) {
+  for (const ObservationState& pose : poses) {
     const TcpPrediction p = predict_tcp(pose, source.model);
     const Vector3 t = p.root_from_tcp_est.translation;
     const Vector6 s = p.sigma();

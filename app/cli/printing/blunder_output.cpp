@@ -10,17 +10,19 @@
 #include "session/sample.h"
 
 namespace handsight::cli {
-namespace {
 
-constexpr int most_observations = 100;  // of a fit that only decides whether to look for blunders
-
-std::string size_text(bool in_pixels, double rms) {
-  return in_pixels ? fmt::format("{:.3g} px", rms) : fmt::format("{:.3g} mm", 1e3 * rms);
+std::string error_text(bool in_pixels, double error) {
+  return in_pixels ? fmt::format("{:.3g} px", error) : fmt::format("a mean of {:.3g} mm", 1e3 * error);
 }
 
-}  // namespace
-
 namespace {
+
+/// "a mean of 5.1 mm is left in place of 150 mm".
+std::string left_text(bool in_pixels, double before, double after) {
+  const std::string first = error_text(in_pixels, before);
+  return fmt::format("{} is left in place of {}", error_text(in_pixels, after),
+                     in_pixels ? first : first.substr(first.find_first_of("0123456789")));
+}
 
 /// Of several sessions: each is looked at by itself, as fitted together one that is wrong spoils the others.
 std::vector<Blunder> blunders_of_parts(const Session& joined) {
@@ -28,7 +30,9 @@ std::vector<Blunder> blunders_of_parts(const Session& joined) {
   for (std::size_t p = 0; p < joined.parts.size(); ++p) {
     if (joined.parts[p].fixture >= 0) continue;
     const Session part = part_session(joined, static_cast<int>(p));
-    for (Blunder& b : list_blunders(part)) {
+    const std::optional<Fit> fit = first_fit(part);
+    std::vector<Blunder> of_part = fit ? list_blunders(part, *fit) : blunders_in_files(part);
+    for (Blunder& b : of_part) {
       b.session = joined.parts[p].title;
       b.folder = part.file.parent_path().string();
       all.push_back(std::move(b));
@@ -38,6 +42,15 @@ std::vector<Blunder> blunders_of_parts(const Session& joined) {
 }
 
 }  // namespace
+
+std::optional<Fit> first_fit(const Session& session) {
+  try {
+    const auto sample = take_sample(session, most_in_first_fit, most_in_first_fit);
+    return fit(sample ? sample->session : session, {.smallest_step = 1e-6});
+  } catch (const InputError&) {  // nothing to fit, which the command says itself
+    return std::nullopt;
+  }
+}
 
 std::vector<Blunder> list_blunders(const Session& session, const Fit& fit) {
   if (!session.parts.empty()) return session.is_touch() ? std::vector<Blunder>() : blunders_of_parts(session);
@@ -56,28 +69,6 @@ std::vector<Blunder> list_blunders(const Session& session, const Fit& fit) {
   }
 }
 
-std::optional<TargetSize> find_target_size(const Session& session) {
-  if (!session.target && !session.pose_sensor) return std::nullopt;
-  try {
-    const auto sample = take_sample(session, most_observations, most_observations);
-    const Session& judged = sample ? sample->session : session;
-    return other_target_size(judged, fit(judged, {.smallest_step = 1e-6}), {.smallest_step = 1e-6});
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
-std::vector<Blunder> list_blunders(const Session& session) {
-  if (std::vector<Blunder> reported = blunders_in_files(session); !reported.empty()) return reported;
-  try {
-    const auto sample = take_sample(session, most_observations, most_observations);
-    const Fit quick = fit(sample ? sample->session : session, {.smallest_step = 1e-6});
-    return list_blunders(session, quick);
-  } catch (const InputError&) {  // nothing to fit, which the command says itself
-    return {};
-  }
-}
-
 bool settles_it(const std::optional<TargetSize>& size) {
   constexpr double little = 0.25;
   return size && size->rms_after < little * size->rms_before;
@@ -86,9 +77,8 @@ bool settles_it(const std::optional<TargetSize>& size) {
 void print_target_size(const Output& out, const std::optional<TargetSize>& size) {
   if (!size) return;
   out.line();
-  out.line(fmt::format("! {} With that {} is left in place of {}. {}", size->text,
-                       size_text(size->in_pixels, size->rms_after), size_text(size->in_pixels, size->rms_before),
-                       size->fix));
+  out.line(fmt::format("! {} With that {}. {}", size->text,
+                       left_text(size->in_pixels, size->error_before, size->error_after), size->fix));
 }
 
 Json target_size_json(const std::optional<TargetSize>& size) {
@@ -98,6 +88,8 @@ Json target_size_json(const std::optional<TargetSize>& size) {
           {"sigma", number(size->sigma)},
           {"rms_before_" + unit, number(size->rms_before)},
           {"rms_after_" + unit, number(size->rms_after)},
+          {"mean_before_m", size->in_pixels ? Json(nullptr) : number(size->error_before)},
+          {"mean_after_m", size->in_pixels ? Json(nullptr) : number(size->error_after)},
           {"text", size->text},
           {"fix", size->fix}};
 }
@@ -112,9 +104,10 @@ void print_blunders_of_one(const Output& out, const std::string& session_path, s
   if (!first.is_by_fit)
     out.line(of.empty() ? "A mistake stands in the session:" : of + "A mistake stands in it:");
   else
-    out.line(fmt::format("{}{}, and with it {} is left in place of {}:", of,
+    out.line(fmt::format("{}{}, and without {} {}:", of,
                          blunders.size() == 1 ? "A mistake explains it" : "Two mistakes together explain it",
-                         size_text(first.in_pixels, first.rms_after), size_text(first.in_pixels, first.rms_before)));
+                         blunders.size() == 1 ? "it" : "them",
+                         left_text(first.in_pixels, first.error_before, first.error_after)));
   std::string fixes;
   for (const Blunder& b : blunders) {
     out.line("  " + b.text);
@@ -145,19 +138,13 @@ Json blunders_json(const std::vector<Blunder>& blunders) {
                     {"fix", b.fix},
                     {"rms_before_" + unit, b.is_by_fit ? number(b.rms_before) : Json(nullptr)},
                     {"rms_after_" + unit, b.is_by_fit ? number(b.rms_after) : Json(nullptr)},
+                    {"mean_before_m", b.is_by_fit && !b.in_pixels ? number(b.error_before) : Json(nullptr)},
+                    {"mean_after_m", b.is_by_fit && !b.in_pixels ? number(b.error_after) : Json(nullptr)},
                     {"ln_bayes_factor", b.is_by_fit ? number(b.ln_bayes_factor) : Json(nullptr)},
                     {"together_with", b.together_with}});
     if (!b.session.empty()) list.back()["session"] = b.session;
   }
   return list;
-}
-
-std::optional<DistanceDoubt> find_doubtful_distance(const Session& session) {
-  try {
-    return session.is_touch() ? doubtful_distance(session, fit(session, {}), {}) : std::nullopt;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
 }
 
 Json doubtful_distance_json(const std::optional<DistanceDoubt>& doubt, const Session& session) {

@@ -14,30 +14,29 @@ namespace handsight::cli {
 /// to look for.
 std::vector<Blunder> list_blunders(const Session& session, const Fit& fit);
 
-/// The same where there is no fit yet: a plain one is made of at most 100 observations. None where nothing can be
-/// fitted.
-std::vector<Blunder> list_blunders(const Session& session);
-
-/// other_target_size by such a plain fit; nothing where nothing can be fitted.
-std::optional<TargetSize> find_target_size(const Session& session);
-
-/// doubtful_distance by a plain fit; nothing where nothing can be fitted.
-std::optional<DistanceDoubt> find_doubtful_distance(const Session& session);
+/// A plain fit of at most so many observations, for who looks for mistakes before a fit was asked for; nothing where
+/// nothing can be fitted.
+constexpr int most_in_first_fit = 100;
+std::optional<Fit> first_fit(const Session& session);
 
 /// {of, from, by, measured, text}; null where no distance is doubtful.
 Json doubtful_distance_json(const std::optional<DistanceDoubt>& doubt, const Session& session);
+
+/// "2.1 px", "a mean of 5.1 mm": as the line "Error" of `fit` has it.
+std::string error_text(bool in_pixels, double error);
 
 /// A target of another size than described (target_size.h), which is reported in place of blunders where it leaves
 /// little.
 bool settles_it(const std::optional<TargetSize>& size);
 void print_target_size(const Output& output, const std::optional<TargetSize>& size);
-/// scale, sigma, text, fix, rms_before_pixel and rms_after_pixel (or ..._m); null where there is none.
+/// scale, sigma, text, fix, rms_before_pixel and rms_after_pixel (or ..._m), mean_before_m and mean_after_m; null where
+/// there is none.
 Json target_size_json(const std::optional<TargetSize>& size);
 
 void print_blunders(const Output& output, const std::string& session_path, const std::vector<Blunder>& blunders);
 
-/// A list with id, where, text, fix, rms_before_pixel and rms_after_pixel (with a tracker or poses ..._m),
-/// ln_bayes_factor, together_with; numbers are null of those that show without a fit.
+/// A list with id, where, text, fix, rms_before_pixel and rms_after_pixel (with a tracker or poses ..._m, and
+/// mean_before_m and mean_after_m), ln_bayes_factor, together_with; numbers are null of those that show without a fit.
 Json blunders_json(const std::vector<Blunder>& blunders);
 
 }  // namespace handsight::cli

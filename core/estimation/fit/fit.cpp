@@ -234,6 +234,7 @@ std::optional<Unknowns> start_for(const Session& session, const FitOptions& opti
   FitOptions alone;
   alone.on_iteration = options.on_iteration;
   if (session.is_touch()) {
+    if (const auto untouched = untouched_text(session)) throw InputError(*untouched);
     if (options.estimated.empty()) return touch_start(session, images);
     // From rough places a joint's zero and all fixtures turn far together, and come back slowly.
     alone.effects = options.effects;

@@ -111,4 +111,28 @@ std::optional<Message> touches_lacking_text(const Session& session) {
       joined(verbatim(wanted), ", ", " and "));
 }
 
+std::optional<Message> untouched_text(const Session& session) {
+  const std::vector<int> touches = count_by_fixture(session, list_touches(session, used_observations(session)));
+  if (std::all_of(touches.begin(), touches.end(), [](int count) { return count == 0; })) return std::nullopt;
+  const auto is_open = [&](int f) {
+    return touches[static_cast<std::size_t>(f)] == 0 && asked_of(session, static_cast<std::size_t>(f)) > 0;
+  };
+  for (const KnownDistance& d : session.distances)
+    for (const int end : {d.of, d.from})
+      if (is_open(end)) {
+        const auto id = [&](int f) { return session.fixtures[static_cast<std::size_t>(f)].id; };
+        return message(
+            "{}: the distance of {} from {} tells nothing, as nothing touches {} and where it stands is a guess; touch "
+            "it, say how well its place is known (place_sigma), or leave the <apart> out.",
+            session.file.filename().string(), id(d.of), id(d.from), id(end));
+      }
+  for (std::size_t f = 0; f < touches.size(); ++f)
+    if (is_open(static_cast<int>(f)) && !find_mount(session, static_cast<int>(f)).known)
+      return message(
+          "{}: nothing says where the fixture {} is, and nothing touches it; touch it, say where it is, or "
+          "leave it out.",
+          session.file.filename().string(), session.fixtures[f].id);
+  return std::nullopt;
+}
+
 }  // namespace handsight

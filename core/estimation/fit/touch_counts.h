@@ -31,4 +31,8 @@ std::vector<int> touches_lacking(const Session& session);
 /// What to touch next, in words: nothing where the numbers suffice.
 std::optional<Message> touches_lacking_text(const Session& session);
 
+/// A fixture that nothing touches although where it stands would have to follow from touches: of a known distance,
+/// whose other end it is, or because nothing says where it is. Nothing where there is none, or no touch at all.
+std::optional<Message> untouched_text(const Session& session);
+
 }  // namespace handsight

@@ -74,6 +74,7 @@ void list_fixtures(const Session& session, SessionCheck& check) {
 /// Are there enough touches for what is asked?
 void check_touches(const Session& session, SessionCheck& check) {
   if (!session.is_touch()) return;
+  if (const auto untouched = untouched_text(session)) check.problems.push_back(*untouched);
   if (const auto lacking = touches_lacking_text(session)) check.warnings.push_back(*lacking);
 }
 

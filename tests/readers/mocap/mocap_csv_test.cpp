@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion capture as Motive and Vicon's programs export it.
-#include "readers/mocap_csv.h"
+// Motion capture as Motive, Vicon's programs and QTM export it.
+#include "readers/mocap/mocap_csv.h"
 
 #include <gmock/gmock.h>
 
@@ -105,6 +105,55 @@ TEST(MocapCsv, ViconsTrajectoriesBesideOtherSections) {
   ASSERT_EQ(points.points.size(), 2u);
   EXPECT_LT((*points.points[0][1] - Vector3(4e-3, 5e-3, 6e-3)).norm(), 1e-12);
   EXPECT_FALSE(points.points[1][1].has_value());
+}
+
+/// Two bodies of QTM, of which the second is lost in the second frame; a turn of 30 degrees about z, then of 90 about
+/// x.
+std::string qualisys(const std::string& after_names = "") {
+  const std::string lost = "\t0.000\t0.000\t0.000\t0\t0\t0\t-1\t0\t0\t0\t0\t0\t0\t0\t0\t0";
+  const std::string about_z = "\t100.5\t200\t300\t0\t0\t30\t0.2\t0.8660254\t0.5\t0\t-0.5\t0.8660254\t0\t0\t0\t1";
+  const std::string about_x = "\t1\t2\t3\t90\t0\t0\t0.2\t1\t0\t0\t0\t0\t1\t0\t-1\t0";
+  return "NO_OF_FRAMES\t2\r\nNO_OF_CAMERAS\t8\r\nNO_OF_BODIES\t2\r\nFREQUENCY\t100\r\nTIME_STAMP\t2024-03-01, "
+         "10:00:00\t12.5\r\nDATA_INCLUDED\t6D\r\nBODY_NAMES\thand\tbase\t\r\n" +
+         after_names + "1\t0.00000" + about_z + about_x + "\t\r\n2\t0.01000" + about_x + lost + "\t\r\n";
+}
+
+TEST(MocapCsv, QualisysBodies) {
+  const std::string header = "Frame\tTime\thand X\tY\tZ\tRoll\tPitch\tYaw\tResidual\tRot[0]\tRot[1]\r\n";
+  for (const std::string& text : {qualisys(), qualisys(header)}) {
+    ASSERT_TRUE(is_qualisys_tsv(text));
+    std::vector<Message> notes;
+    const auto all = read_mocap(text, "take_6D.tsv");
+    ASSERT_EQ(all->bodies.size(), 2u);
+    EXPECT_EQ(all->bodies[0].name, "hand");
+    const auto hand = read_pose_table(all->bodies[0].table, true, {}, notes),
+               base = read_pose_table(all->bodies[1].table, true, {}, notes);
+    ASSERT_EQ(hand.at(0).series.poses.size(), 2u);
+    EXPECT_LT((hand[0].series.poses[0].translation - Vector3(0.1005, 0.2, 0.3)).norm(), 1e-12);
+    EXPECT_LT((vector_from_rotation(hand[0].series.poses[0].rotation) - Vector3(0, 0, M_PI / 6)).norm(), 1e-6);
+    EXPECT_LT((vector_from_rotation(hand[0].series.poses[1].rotation) - Vector3(M_PI / 2, 0, 0)).norm(), 1e-6);
+    EXPECT_NEAR(hand[0].series.times[1] - hand[0].series.times[0], 0.01, 1e-9);
+    EXPECT_EQ(base.at(0).series.poses.size(), 1u) << "where it was not seen it has no pose";
+  }
+  std::string cut = qualisys();
+  cut.replace(cut.find("\t0.2\t0.866"), 4, "");
+  EXPECT_THAT(find_refusal([&] { read_mocap(cut, "take_6D.tsv"); }), HasSubstr("16 columns"));
+}
+
+/// Without frames' numbers and times: the rate tells.
+TEST(MocapCsv, QualisysMarkers) {
+  const std::string text =
+      "FILE_VERSION\t2.0.0\nNO_OF_FRAMES\t2\nNO_OF_MARKERS\t2\nFREQUENCY\t50\nDATA_INCLUDED\t3D\nEVENT\tstart\t1\t0.0\n"
+      "MARKER_NAMES\tm1\tm2\nTRAJECTORY_TYPES\tMeasured\tMeasured\n1\t2\t3\t40\t50\t60\n1.5\t2\t3\t0.000\t0.000\t0."
+      "000\n";
+  ASSERT_TRUE(is_mocap(text));
+  std::vector<Message> notes;
+  const PointSeries points = read_point_table(read_mocap(text, "take.tsv")->markers, notes);
+  ASSERT_EQ(points.points.size(), 2u);
+  ASSERT_EQ(points.points[0].size(), 2u);
+  EXPECT_LT((*points.points[0][1] - Vector3(0.04, 0.05, 0.06)).norm(), 1e-12);
+  EXPECT_FALSE(points.points[1][1]) << "zeros are what was not seen";
+  EXPECT_NEAR(points.times[1], 0.02, 1e-12);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "readers/mocap_cells.h"
+#include "readers/mocap/mocap_cells.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +20,7 @@ std::string bare(std::string_view cell) {
 
 }  // namespace
 
-std::vector<Cells> split_cells(std::string_view text) {
+std::vector<Cells> split_cells(std::string_view text, char separator) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<Cells> lines;
   while (!text.empty()) {
@@ -29,7 +29,7 @@ std::vector<Cells> split_cells(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
     Cells& cells = lines.emplace_back();
     for (std::size_t comma = 0; comma != std::string_view::npos;) {
-      comma = line.find(',');
+      comma = line.find(separator);
       cells.push_back(bare(line.substr(0, comma)));
       if (comma != std::string_view::npos) line.remove_prefix(comma + 1);
     }
@@ -62,3 +62,15 @@ Table read_table_lines(const std::vector<Cells>& lines, std::size_t first, std::
 }
 
 }  // namespace handsight::mocap
+
+namespace handsight {
+
+bool is_mocap(const std::string& text) { return is_motive_csv(text) || is_vicon_csv(text) || is_qualisys_tsv(text); }
+
+std::optional<MocapTables> read_mocap(const std::string& text, const std::string& file) {
+  if (is_motive_csv(text)) return read_motive_csv(text, file);
+  if (is_vicon_csv(text)) return read_vicon_csv(text, file);
+  return is_qualisys_tsv(text) ? std::optional(read_qualisys_tsv(text, file)) : std::nullopt;
+}
+
+}  // namespace handsight

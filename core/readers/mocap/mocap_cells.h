@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of a CSV of motion capture. Internal to the readers of Motive's and Vicon's.
+// Lines of a table of motion capture. Internal to the readers of Motive's, Vicon's and Qualisys's.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "readers/mocap_csv.h"
+#include "readers/mocap/mocap_csv.h"
 
 namespace handsight::mocap {
 
 using Cells = std::vector<std::string>;
 
-/// The lines' cells between commas, without spaces and quotes around them; empty lines have one empty cell.
-std::vector<Cells> split_cells(std::string_view text);
+/// The lines' cells between commas (tabs), without spaces and quotes around them; empty lines have one empty cell.
+std::vector<Cells> split_cells(std::string_view text, char separator = ',');
 
 /// A column of a file and what it becomes of the table of one body or of the markers.
 struct Column {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "readers/mocap_cells.h"
+#include "readers/mocap/mocap_cells.h"
 
 namespace handsight {
 namespace {
