@@ -29,7 +29,7 @@ OneMarkerPage::OneMarkerPage(Workbench& workbench, QWidget* parent) : QWidget(pa
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
   auto* row = new QHBoxLayout;
