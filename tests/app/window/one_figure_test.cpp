@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "app/window/pages.h"
+#include "base/files.h"
 #include "findings/inspection_rows.h"
 #include "temporary_folder.h"
 #include "widgets/base/number_text.h"
@@ -68,14 +69,17 @@ TEST_F(OneFigure, ThereIsNothingToLookAtWithoutImages) {
 }
 
 TEST_F(OneFigure, WhereThereAreImagesOneLooksAtTheWorstMarker) {
-  open("hundred_poses");
-  desk.key(Qt::Key_2, Qt::ControlModifier);
-  CalibratePage calibrate{desk};
-  desk.key(Qt::Key_Period);  // the first is played: its markers are found
-  ASSERT_TRUE(desk.wait([&] { return calibrate.decisions() == 1; }));
+  // The observations of the sample that have labels come without images: one of them gets some.
+  const std::filesystem::path session = copy_of_sample(folder.path, "hundred_poses");
+  std::string xml = read_file(session / "session.xml");
+  const std::string end = "</velocity>";
+  const std::size_t at = xml.find(end, xml.find("<observation id=\"1\"")) + end.size();
+  replace_file(session / "session.xml",
+               xml.insert(at, R"(<images left="images/000_left.png" right="images/000_right.png"/>)"));
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
   ASSERT_TRUE(desk.settle());
   desk.key(Qt::Key_3, Qt::ControlModifier);
-  choose(0);
+  choose(1);
   EXPECT_TRUE(desk.find<QPushButton>("look")->isEnabled());
 }
 
