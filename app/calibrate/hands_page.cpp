@@ -58,6 +58,7 @@ HandsPage::HandsPage(Workbench& workbench, QWidget* parent) : QWidget(parent), w
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->verticalHeader()->setMinimumSectionSize(18);
   table_->verticalHeader()->setDefaultSectionSize(20);
+  table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);

@@ -13,10 +13,12 @@
 #include "base/degrees.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/lists/whole_rows.h"
 
 namespace handsight::app {
 namespace {
 
+constexpr int row_height = 22;  // px
 constexpr Objective objectives[] = {Objective::image, Objective::camera, Objective::angle_axis};
 
 QString objective_name(Objective o) {
@@ -51,8 +53,11 @@ ObjectivePage::ObjectivePage(Workbench& workbench, QWidget* parent) : QWidget(pa
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setFocusPolicy(Qt::NoFocus);
-  table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->verticalHeader()->setDefaultSectionSize(row_height);
+  table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  for (QHeaderView* header : {table_->verticalHeader(), table_->horizontalHeader()})
+    header->setFont(widgets::text_font(widgets::TextRole::small));
   QStringList names;
   for (const Objective o : objectives) names << objective_name(o);
   table_->setHorizontalHeaderLabels(names);
@@ -64,7 +69,7 @@ ObjectivePage::ObjectivePage(Workbench& workbench, QWidget* parent) : QWidget(pa
   layout->setContentsMargins(8, 8, 8, 0);
   layout->addLayout(row);
   layout->addWidget(fix_);
-  layout->addWidget(table_, 1);
+  layout->addWidget(new widgets::WholeRows(table_, row_height, this), 1);
   layout->addWidget(sentence_);
   connect(choices_, &QButtonGroup::idClicked, this, [this](int id) {
     ModelSettings settings = workbench_.document.settings();

@@ -10,11 +10,13 @@
 
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
+#include "widgets/lists/whole_rows.h"
 #include "words/counted.h"
 
 namespace handsight::app {
 
 OneMarkerPage::OneMarkerPage(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
+  constexpr int row_px = 22;
   marker_ = new QComboBox(this);
   marker_->setObjectName("one_marker");
   marker_->setFocusPolicy(Qt::StrongFocus);
@@ -28,8 +30,8 @@ OneMarkerPage::OneMarkerPage(Workbench& workbench, QWidget* parent) : QWidget(pa
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(22);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->verticalHeader()->setDefaultSectionSize(row_px);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   sentence_ = new QLabel(this);
   sentence_->setWordWrap(true);
   auto* row = new QHBoxLayout;
@@ -39,7 +41,7 @@ OneMarkerPage::OneMarkerPage(Workbench& workbench, QWidget* parent) : QWidget(pa
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 0);
   layout->addLayout(row);
-  layout->addWidget(table_, 1);
+  layout->addWidget(new widgets::WholeRows(table_, row_px, this), 1);
   layout->addWidget(sentence_);
   connect(marker_, &QComboBox::activated, this, &OneMarkerPage::compute);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int r) {

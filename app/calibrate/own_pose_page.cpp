@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "calibrate/own_pose_page.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +13,7 @@
 #include "base/numbers.h"
 #include "chain/chain.h"
 #include "correct/correction.h"
+#include "widgets/base/number_box.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/theme.h"
 #include "workbench/observation_views.h"
@@ -76,7 +76,7 @@ void OwnPosePage::set_session() {
     auto* name = new QLabel(QString::fromStdString(s.joints[i]), joints_);
     auto* slider = new QSlider(Qt::Horizontal, joints_);
     slider->setRange(static_cast<int>(lower * 1000), static_cast<int>(upper * 1000));
-    auto* box = new QDoubleSpinBox(joints_);
+    auto* box = new widgets::NumberBox(joints_);
     box->setObjectName("own_pose_joint_" + QString::number(i));
     box->setDecimals(2);
     box->setSuffix(prismatic ? tr(" mm") : tr(" deg"));

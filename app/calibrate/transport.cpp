@@ -100,7 +100,7 @@ void Transport::make_layout() {
   connect(speed_, &QComboBox::currentIndexChanged, this,
           [this] { player_.set_speed(speed_->currentData().toDouble()); });
   const auto magnify = [this] {
-    ghost_text_->setText(tr("deviations × %1").arg(magnification()));
+    ghost_text_->setText(tr("deviations %1 ×").arg(magnification()));
     emit magnification_changed(magnification());
   };
   connect(ghost_, &QSlider::valueChanged, this, magnify);

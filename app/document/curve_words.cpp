@@ -135,6 +135,24 @@ QString display_name(const std::vector<EffectTerm>& terms, const Session& sessio
   return of_places(title, list_places(terms, session));
 }
 
+namespace {
+
+bool are_told_as_sentence(const std::vector<EffectTerm>& terms, const Robot& robot) {
+  return !terms.empty() && term_effect(terms.front()).is_unnamed() && !wave_of(terms.front(), robot);
+}
+
+}  // namespace
+
+QString addition_text(const std::vector<EffectTerm>& terms, const Session& session) {
+  return (are_told_as_sentence(terms, session.robot) ? QObject::tr("added: %1") : QObject::tr("added %1"))
+      .arg(display_name(terms, session));
+}
+
+QString removal_text(const std::vector<EffectTerm>& terms, const Session& session) {
+  return (are_told_as_sentence(terms, session.robot) ? QObject::tr("took out: %1") : QObject::tr("took out %1"))
+      .arg(display_name(terms, session));
+}
+
 QString display_name(const DiagnosisCandidate& c, const Session& session) {
   return c.terms.empty() ? effect_text(c.id, c.where) : display_name(c.terms, session);
 }

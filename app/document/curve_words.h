@@ -25,4 +25,9 @@ QString make_title(const EffectTerm& term, const Robot& robot);
 QString display_name(const std::vector<EffectTerm>& terms, const Session& session);
 QString display_name(const DiagnosisCandidate& candidate, const Session& session);
 
+/// "added joint elasticity of arm_2", "took out: the hand shifts along y with ...": what is told as a sentence stays
+/// one.
+QString addition_text(const std::vector<EffectTerm>& terms, const Session& session);
+QString removal_text(const std::vector<EffectTerm>& terms, const Session& session);
+
 }  // namespace handsight::app

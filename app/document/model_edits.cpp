@@ -45,7 +45,7 @@ Edit with_effect(const Document& document, const std::vector<EffectTerm>& terms)
   if (terms.empty()) return {};
   ModelSettings after = settings_with_values(document);
   insert_by_hand(after, terms);
-  return edit_to(document, after, QObject::tr("added %1").arg(display_name(terms, document.session())));
+  return edit_to(document, after, addition_text(terms, document.session()));
 }
 
 ModelSettings with_estimated(ModelSettings after, const std::vector<EffectTerm>& estimated) {
@@ -62,7 +62,7 @@ Edit without_effect(const Document& document, const std::string& id) {
   for (const EffectTerm& term : terms_of_effect(after.estimated, id)) gone.push_back(term);
   erase_estimated(after, id);
   std::erase_if(after.held, [&](const EffectTerm& t) { return t.id == id; });
-  return edit_to(document, after, QObject::tr("took out %1").arg(display_name(gone, document.session())));
+  return edit_to(document, after, removal_text(gone, document.session()));
 }
 
 Edit with_effect_held(const Document& document, const std::string& id, bool held) {

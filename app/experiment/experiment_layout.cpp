@@ -146,7 +146,7 @@ void ExperimentPage::make_layout() {
   poses_ = new QTableWidget(0, 3, this);
   poses_->setObjectName("experiment_poses");
   poses_->setAccessibleName(tr("Poses that were taken and that come next"));
-  poses_->setHorizontalHeaderLabels({tr("Pose"), tr("What for"), tr("What became of it")});
+  poses_->setHorizontalHeaderLabels({tr("Pose"), tr("What for"), tr("Result")});
   poses_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   poses_->setSelectionBehavior(QAbstractItemView::SelectRows);
   poses_->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -57,7 +57,7 @@ QString reason_in_words(PoseReason reason) {
     case PoseReason::spread:
       return QObject::tr("to settle the estimate");
     case PoseReason::precision:
-      return QObject::tr("for the precision of the hand");
+      return QObject::tr("precision of the hand");
     case PoseReason::cause:
       return QObject::tr("to find what is missing");
     case PoseReason::between:
@@ -65,7 +65,7 @@ QString reason_in_words(PoseReason reason) {
     case PoseReason::region:
       return QObject::tr("where it has not been measured yet");
     case PoseReason::repeat:
-      return QObject::tr("a repeat, for the scatter");
+      return QObject::tr("a repeat, for scatter");
   }
   return {};
 }

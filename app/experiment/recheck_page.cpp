@@ -280,7 +280,6 @@ void RecheckPage::show_number() {
                         .stands_out = e.changed && e.what == n.what && e.where == n.where,
                         .observation = e.id});
     }
-  history_->set_title(number_->currentText());
   history_->set_quantity(tr("change"), shown_unit(unit).unit, false);
   history_->set_points(std::move(points));
 }

@@ -40,7 +40,9 @@ QString sentence_of(const ModelChange& change, const Session& session) {
     else if (s.likely)
       parts << QObject::tr("added %1, which is likely beside the rest").arg(step_text(s.added, s, session));
     else if (s.removed.empty())
-      parts << QObject::tr("added %1").arg(step_text(s.added, s, session));
+      parts << (s.terms.empty() || s.terms.front().id != s.added
+                    ? QObject::tr("added %1").arg(step_text(s.added, s, session))
+                    : addition_text(s.terms, session));
     else
       parts << QObject::tr("exchanged %1 for %2").arg(list_effects(s.removed), step_text(s.added, s, session));
   }

@@ -178,6 +178,10 @@ void ExplainWorkspace::connect_workbench() {
     refresh_verdict();
     if (!workbench_.diagnosing.diagnosis()) missing_->refresh();
   });
+  connect(&workbench_, &Workbench::blunders_changed, this, [this] {
+    emit status_changed();
+    if (is_active() && workbench_.document.is_open()) activate();
+  });
   connect(&workbench_.explaining, &Jobs::changed, this, [this] {
     if (is_active() && !workbench_.diagnosing.diagnosis() && !adding_.is_running()) missing_->refresh();
   });
@@ -186,6 +190,7 @@ void ExplainWorkspace::connect_workbench() {
 WorkStatus ExplainWorkspace::status() const {
   const ModelVersionPointer model = workbench_.document.shown_model();
   if (!model || !model->fit) return {WorkState::waiting, tr("waits for a fit")};
+  if (!workbench_.blunders().empty()) return {WorkState::care, tr("a mistake in the session")};
   const Story& story = workbench_.story();
   switch (story.state) {
     case StoryState::at_the_noise:
@@ -218,7 +223,7 @@ WorkStatus ExplainWorkspace::status() const {
 }
 
 void ExplainWorkspace::activate() {
-  workbench_.diagnosing.set_wanted(true);
+  workbench_.diagnosing.set_wanted(workbench_.blunders().empty());  // causes are nothing to look for in a wrong session
   refresh_all();
 }
 
@@ -275,7 +280,7 @@ void ExplainWorkspace::refresh_plots() {
 /// The proof of the cause that the story goes by. While what was added is looked at in a pause, nothing comes after it.
 void ExplainWorkspace::refresh_lead() {
   if (adding_.is_running()) return;
-  const StoryCause* lead = workbench_.story().lead();
+  const StoryCause* lead = workbench_.blunders().empty() ? workbench_.story().lead() : nullptr;
   const auto view = lead && !missing_->is_paused() ? workbench_.diagnosing.find_view(lead->id) : nullptr;
   failing_->show_lead(view ? Proof{title_of_candidate(lead->id), lead->believable, view->proof} : Proof{});
 }
@@ -300,8 +305,6 @@ void ExplainWorkspace::refresh_verdict() {
                                                  : tr("Waits for a fit: label three markers, then play.");
   } else {
     v = session_verdict(workbench_, model);
-    if (v.state == widgets::SessionState::looking)
-      v.progress = tr("%1 %").arg(std::lround(100 * workbench_.diagnosing.share()));
     if (const auto error = workbench_.predicted_error()) {
       const auto tried = workbench_.units.shown(
           as_read(size_of_error(*error, !workbench_.document.session().is_tracker(), model->fit->noise), *model));

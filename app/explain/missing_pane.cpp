@@ -206,7 +206,7 @@ void MissingPane::refresh() {
 
 /// Where nothing is left to add it would do nothing. What no robot is built like stands behind what is said of it.
 void MissingPane::allow_until_it_stops() {
-  bool can_begin = adding_on_->can_seek();
+  bool can_begin = adding_on_->can_seek() && workbench_.blunders().empty();
   for (int i = 0; i < cards_->count(); ++i) {
     const widgets::CardState& card = cards_->card(i)->state();
     can_begin = can_begin || (card.kind == widgets::CardKind::candidate && card.can_add);
@@ -227,10 +227,10 @@ void MissingPane::refresh_cards() {
     if (!workbench_.refit.is_pending()) cards_->set_cards({}, widgets::CardOrder::fresh);
     return;
   }
+  if (!workbench_.blunders().empty()) return cards_->set_cards({mistake_card()}, widgets::CardOrder::fresh);
   if (!diagnosis) {
     const bool runs = workbench_.diagnosing.is_running();
     cards_->set_empty_text(runs ? tr("Trying every effect of the catalogue ...") : QString());
-    cards_->set_progress(runs ? tr("%1 %").arg(std::lround(100 * workbench_.diagnosing.share())) : QString());
     std::vector<widgets::CardState> stopped;
     if (!runs)
       stopped.push_back({.id = "honest",
@@ -246,7 +246,6 @@ void MissingPane::refresh_cards() {
     shown_for_.reset();
     return;
   }
-  cards_->set_progress({});
   const bool news = shown_for_ && same_fit(*shown_for_, *model);
   shown_for_ = model;
   cards_->set_empty_text(tr("Nothing to add."));

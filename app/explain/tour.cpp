@@ -14,6 +14,14 @@ namespace {
 
 constexpr int wide = 320, gap = 12;
 
+/// What can be seen of a widget that may be scrolled, in the window's coordinates.
+QRect part_in_sight(const QWidget& widget, const QWidget& window) {
+  QRect seen = widget.rect();
+  for (const QWidget* w = &widget; w != &window && w->parentWidget(); w = w->parentWidget())
+    seen = seen.translated(w->pos()).intersected(w->parentWidget()->rect());
+  return seen;
+}
+
 }  // namespace
 
 Tour::Tour(QWidget* window) : QFrame(window), ring_(new QFrame(window)) {
@@ -21,6 +29,7 @@ Tour::Tour(QWidget* window) : QFrame(window), ring_(new QFrame(window)) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
+  ring_->setObjectName("tour_ring");
   ring_->setAttribute(Qt::WA_TransparentForMouseEvents);
   ring_->setFrameShape(QFrame::Box);
   ring_->setLineWidth(3);
@@ -94,7 +103,7 @@ void Tour::place() {
     ring_->hide();
     move((window->width() - width()) / 2, (window->height() - height()) / 2);
   } else {
-    const QRect at(target->mapTo(window, QPoint()), target->size());
+    const QRect at = part_in_sight(*target, *window);
     ring_->setGeometry(at.adjusted(-3, -3, 3, 3).intersected(window->rect()));
     ring_->show();
     ring_->raise();

@@ -93,7 +93,7 @@ void WatchingPane::make_layout() {
   layout->addWidget(cloud_, 332);
   layout->addLayout(right, 380);
   columns_ = layout;
-  setMinimumSize(620, 150);
+  setMinimumSize(620, 124);  // on a laptop also below a row of sessions
 }
 
 void WatchingPane::connect_all() {

@@ -69,7 +69,7 @@ void WatchingPane::set_ghost(const std::vector<Rigid>& bent) {
   if (!adding_.is_running() || magnification_ <= 1) magnification_ = round_magnification(largest, 0.12);
   robot_->set_ghost_magnification(magnification_);
   robot_->set_ghost(bent);
-  robot_title_->setText(tr("Observation %1, bent by the model: %2 mm, drawn × %3")
+  robot_title_->setText(tr("Observation %1, bent by the model: %2 mm, drawn %3 ×")
                             .arg(id)
                             .arg(widgets::short_text(1e3 * largest))
                             .arg(magnification_));

@@ -48,7 +48,7 @@ GainBins gain_bins(const CorrectionGain& gain) {
 /// Both histograms over one logarithmic axis, as commanded behind, corrected in front.
 class GainBars : public QWidget {
  public:
-  explicit GainBars(QWidget* parent) : QWidget(parent) { setMinimumHeight(110); }
+  explicit GainBars(QWidget* parent) : QWidget(parent) { setMinimumHeight(96); }
   void set_bins(GainBins shown) {
     shown_ = std::move(shown);
     update();

@@ -24,13 +24,15 @@
 namespace handsight::app {
 namespace {
 
-/// As low as a few rows where there is no room for more: else the column would scroll, and the table in it.
+constexpr int row_height = 22;  // px: nine numbers and what they buy are in sight on a laptop
+
+/// As low as a few rows until it is known how many there are.
 class LowTable : public QTableWidget {
  public:
   using QTableWidget::QTableWidget;
   QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), find_least_height()}; }
   /// Of six numbers, none of them cut.
-  int find_least_height() const { return horizontalHeader()->sizeHint().height() + 6 * 24; }
+  int find_least_height() const { return horizontalHeader()->sizeHint().height() + 6 * row_height; }
 };
 
 LowTable* plain_table(int columns, QWidget* parent) {
@@ -38,7 +40,7 @@ LowTable* plain_table(int columns, QWidget* parent) {
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(24);
+  table->verticalHeader()->setDefaultSectionSize(row_height);
   table->setShowGrid(false);
   table->setFrameShape(QFrame::NoFrame);
   table->setWordWrap(false);
@@ -73,7 +75,7 @@ QWidget* ExportWorkspace::make_left() {
   auto* left = new QWidget(body_);
   auto* layout = new QVBoxLayout(left);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(8);
+  layout->setSpacing(6);
   auto* titles = new QHBoxLayout;
   titles->addWidget(heading(tr("TCP→Body"), left));
   hand_ = new QComboBox(left);
@@ -106,11 +108,11 @@ QWidget* ExportWorkspace::make_left() {
   motion_->setAccessibleName(tr("TCP→Body"));
   motion_->setWordWrap(true);
   motion_->installEventFilter(this);
-  motion_->verticalHeader()->setMinimumSectionSize(24);
+  motion_->verticalHeader()->setMinimumSectionSize(row_height);
   motion_->setHorizontalHeaderLabels({QString(), tr("value"), tr("±"), tr("unit")});
   for (const int c : {1, 2}) motion_->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   motion_->horizontalHeaderItem(3)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  motion_->setMinimumHeight(motion->find_least_height());  // more where there is room; else it scrolls
+  motion_->setMinimumHeight(motion->find_least_height());
   widgets::end_below_rows(motion_);
   layout->addWidget(motion_, 2);
   correction_ = new CorrectionBox(workbench_, left);

@@ -97,7 +97,7 @@ std::vector<MotionLine> motion_lines(const ModelVersion& model, MotionForm form,
   for (int i = 0; i < 3; ++i) lines.push_back(split(axes[i], 1e3 * m.translation[i], 1e3 * sigma[i], "mm"));
   if (form == MotionForm::xyz_rpy) {
     const Vector3 rpy = degrees * rpy_from_rotation(m.rotation);
-    const char* names[] = {"roll", "pitch", "yaw"};
+    const QString names[] = {QObject::tr("roll"), QObject::tr("pitch"), QObject::tr("yaw")};
     for (int i = 0; i < 3; ++i) lines.push_back(split(names[i], rpy[i], degrees * sigma[i + 3], QObject::tr("deg")));
     return lines;
   }

@@ -4,6 +4,7 @@
 #include "document/curve_words.h"
 #include "findings/bill_entries.h"
 #include "findings/explain_texts.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -42,6 +43,9 @@ QString next_text(const Story& story, const QString& lead) {
 
 ReportStory report_story(const Workbench& workbench, const ModelVersionPointer& model) {
   const Story& story = workbench.find_story(model);
+  if (!workbench.blunders().empty())
+    return {session_verdict(workbench, model).sentence,
+            QObject::tr("Next: %1").arg(translated(workbench.blunders().front().fix)), bill_entries(workbench, model)};
   return {session_verdict(workbench, model).sentence, next_text(story, name_of_lead(workbench, story, model)),
           bill_entries(workbench, model)};
 }

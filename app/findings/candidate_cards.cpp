@@ -126,10 +126,13 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
       if (!story.stands_in.empty())
         return with_export(honest_card(CardKind::repeatability,
                                        QObject::tr("At the noise, but by something that stands in"), sentence));
-      return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"), sentence));
+      return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"),
+                                     QObject::tr("No cause that these poses can show would lower the error on "
+                                                 "observations that the fit has not seen.")));
     case StoryState::unnamed_at_the_noise:
       return with_export(
-          honest_card(CardKind::repeatability, QObject::tr("Down at the noise, but not all has a name"), sentence));
+          honest_card(CardKind::repeatability, QObject::tr("Down at the noise, but not all has a name"),
+                      QObject::tr("A curve stands in the model for it; what causes it on the robot is not known.")));
     case StoryState::repeatability:
       return with_export(
           honest_card(CardKind::repeatability, QObject::tr("The remaining error looks random"), sentence));
@@ -174,6 +177,12 @@ QString odds_text(double ln_odds) {
   const double odds = std::exp(std::max(ln_odds, 0.0));
   const double place = std::pow(10, std::max(std::floor(std::log10(odds)) - 1, 0.0));
   return QObject::tr("about %1 to one").arg(std::lround(std::round(odds / place) * place));
+}
+
+CardState mistake_card() {
+  return honest_card(CardKind::unexplained, QObject::tr("First the mistake"),
+                     QObject::tr("Whatever is missing in the model shows once the session is put right: the bar above "
+                                 "says how, and writes it."));
 }
 
 std::vector<CardState> candidate_cards(const Workbench& workbench, const ModelVersionPointer& model, const Diagnosis& d,

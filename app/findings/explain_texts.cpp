@@ -292,9 +292,24 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
   return v;
 }
 
+QString mistake_sentence(const std::vector<Blunder>& blunders) {
+  QStringList list;
+  for (const Blunder& b : blunders) list << translated(b.text);
+  return list.join(' ');
+}
+
 widgets::SessionVerdict session_verdict(const Workbench& workbench, const ModelVersionPointer& model) {
-  return session_verdict(*model, workbench.find_story(model), workbench.find_diagnosis(model).get(),
-                         workbench.diagnosing.is_running(), workbench.units.unit());
+  widgets::SessionVerdict v =
+      session_verdict(*model, workbench.find_story(model), workbench.find_diagnosis(model).get(),
+                      workbench.diagnosing.is_running(), workbench.units.unit());
+  if (workbench.blunders().empty()) return v;
+  // What a wrong session shows is neither the robot's fault nor anybody's.
+  v.state = widgets::SessionState::mistake;
+  v.sentence = mistake_sentence(workbench.blunders()) + ' ' +
+               QObject::tr("Put that right first: until then no other number tells anything.");
+  v.attribution.reset();
+  v.why_no_attribution = QObject::tr("the session itself is wrong");
+  return v;
 }
 
 }  // namespace handsight::app

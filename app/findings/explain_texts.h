@@ -20,9 +20,15 @@ widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& 
                                         bool is_running, widgets::SizeUnit unit);
 widgets::SessionVerdict session_verdict(const Workbench& workbench, const ModelVersionPointer& model);
 
+/// What is wrong with the session: a sentence a mistake.
+QString mistake_sentence(const std::vector<Blunder>& blunders);
+
 /// The cards, best first; the first is an honest one where there is nothing to add.
 std::vector<widgets::CardState> candidate_cards(const Workbench& workbench, const ModelVersionPointer& model,
                                                 const Diagnosis& diagnosis, const std::vector<Refusal>& refused);
+
+/// The one card of a session with a mistake of a whole kind: nothing can be added before it is put right.
+widgets::CardState mistake_card();
 
 /// Why nobody can say whose fault an error is where there is one marker alone.
 QString cannot_be_split_text();

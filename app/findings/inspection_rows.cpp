@@ -167,9 +167,10 @@ QString attribution_sentence(const Workbench& workbench, const InspectionRow* ro
   if (!row->what_would_mend.empty())
     text += QObject::tr("What would make it right: %1").arg(within_sentence(translated(row->what_would_mend)));
   if (row->smallest_visible && row->attribution.cause != ErrorCause::robot)
-    text += QObject::tr(" An error of one corner under %1 here could not be seen.")
-                .arg(in_pixels ? QObject::tr("%1 px").arg(widgets::fixed_text(*row->smallest_visible, 1))
-                               : QObject::tr("%1 mm").arg(widgets::fixed_text(1e3 * *row->smallest_visible, 1)));
+    text = text.trimmed() + ' ' +
+           QObject::tr("An error of one corner under %1 here could not be seen.")
+               .arg(in_pixels ? QObject::tr("%1 px").arg(widgets::fixed_text(*row->smallest_visible, 1))
+                              : QObject::tr("%1 mm").arg(widgets::fixed_text(1e3 * *row->smallest_visible, 1)));
   if (row->at_second_look) text += QObject::tr(" (Markers from a second look with wider gates; not part of the fit.)");
   return text;
 }

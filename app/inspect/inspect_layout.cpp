@@ -33,13 +33,11 @@ QWidget* InspectWorkspace::make_actions() {
   include_ = button("include", tr("Include"), tr("Takes the chosen observations into the fit (Insert)"));
   look_ = button("look", tr("Look there"), tr("Zooms to the marker that is worst off"));
   relabel_ = button("relabel", tr("Relabel"), tr("Opens the observation in Label"));
-  magnified_ = new QLabel(row);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
   for (QPushButton* b : {exclude_, include_, look_, relabel_}) layout->addWidget(b);
   layout->addStretch(1);
-  layout->addWidget(magnified_);
   return row;
 }
 

@@ -65,7 +65,7 @@ class InspectWorkspace : public Workspace {
   QTabWidget* tabs_;
   QComboBox* map_camera_;  // whose residuals are shown over the image
   QPushButton *exclude_, *include_, *look_, *relabel_, *exclude_beyond_;
-  QLabel *magnified_, *beyond_text_;
+  QLabel* beyond_text_;
   std::vector<std::int64_t> beyond_;
   bool is_stale_ = true, robot_is_set_ = false;
 };

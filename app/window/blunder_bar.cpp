@@ -105,16 +105,14 @@ BlunderBar::BlunderBar(Workbench& workbench, QWidget* parent) : QFrame(parent), 
   grid->addWidget(away, 0, 3, 2, 1, Qt::AlignTop);
   connect(write_, &QPushButton::clicked, this, &BlunderBar::write);
   connect(open_, &QPushButton::clicked, this, [this] { emit open_wanted(written_); });
-  connect(away, &QToolButton::clicked, this, &QWidget::hide);
+  connect(away, &QToolButton::clicked, this, [this] { take({}); });
   connect(&workbench.document, &Document::opened, this, [this] {
     has_looked_ = false;
-    found_.clear();
-    refresh();
+    take({});
   });
   connect(&workbench.document, &Document::closed, this, [this] {
     workbench_.background.cancel("blunders");
-    found_.clear();
-    refresh();
+    take({});
   });
   connect(&workbench.document, &Document::model_changed, this, &BlunderBar::follow);
   refresh();
@@ -137,25 +135,29 @@ void BlunderBar::search(bool is_asked_for) {
       "blunders", tr("Looking for mistakes of a whole kind"),
       [session = workbench_.document.shared_session()](JobControl& control) { return searched(*session, control); },
       [this, is_asked_for](const std::vector<Blunder>& found) {
-        found_ = found;
-        refresh();
+        take(found);
         if (found.empty() && is_asked_for)
           emit workbench_.document.noticed(tr("No mistake of a whole kind makes this session right."));
       });
+}
+
+void BlunderBar::take(const std::vector<Blunder>& found) {
+  workbench_.set_blunders(found);
+  refresh();
 }
 
 void BlunderBar::refresh() {
   written_.clear();
   said_->hide();
   open_->hide();
-  setVisible(!found_.empty());
-  if (found_.empty()) return;
+  setVisible(!found().empty());
+  if (found().empty()) return;
   QStringList lines;
-  for (const Blunder& b : found_) lines << translated(b.text) + ' ' + translated(b.fix);
+  for (const Blunder& b : found()) lines << translated(b.text) + ' ' + translated(b.fix);
   text_->setText(QString::fromUtf8("▲  ") + lines.join('\n'));
-  const Blunder& first = found_.front();
+  const Blunder& first = found().front();
   sizes_->setVisible(first.is_by_fit);
-  sizes_->setText((found_.size() == 1 ? tr("Fitted with it, %1 are left; put right, %2.")
+  sizes_->setText((found().size() == 1 ? tr("Fitted with it, %1 are left; put right, %2.")
                                       : tr("Fitted with them, %1 are left; both put right, %2."))
                       .arg(error_text(first, first.error_before), error_text(first, first.error_after)));
   write_->setEnabled(true);
@@ -166,7 +168,7 @@ void BlunderBar::refresh() {
 
 void BlunderBar::write() {
   std::vector<std::string> ids;
-  for (const Blunder& b : found_) ids.push_back(display_name(b));
+  for (const Blunder& b : found()) ids.push_back(display_name(b));
   const std::filesystem::path made = mended_folder(workbench_.document.session());
   try {
     write_mended(workbench_.document.session(), ids, made);
@@ -188,7 +190,7 @@ void BlunderBar::say(const QString& sentence, bool is_refusal) {
 }
 
 void BlunderBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::ApplicationPaletteChange && !found_.empty()) {
+  if (event->type() == QEvent::ApplicationPaletteChange && !found().empty()) {
     QPalette tinted = palette();
     tinted.setColor(QPalette::Window, widgets::colors().care_tint);
     setPalette(tinted);

@@ -21,7 +21,7 @@ class BlunderBar : public QFrame {
   explicit BlunderBar(Workbench& workbench, QWidget* parent = nullptr);
   /// Looks now, however good the fit is; says so where nothing is found.
   void look();
-  const std::vector<Blunder>& found() const { return found_; }
+  const std::vector<Blunder>& found() const { return workbench_.blunders(); }
 
  signals:
   void open_wanted(const QString& session);
@@ -32,12 +32,12 @@ class BlunderBar : public QFrame {
  private:
   void follow();
   void search(bool is_asked_for);
+  void take(const std::vector<Blunder>& found);
   void refresh();
   void write();
   void say(const QString& sentence, bool is_refusal);
 
   Workbench& workbench_;
-  std::vector<Blunder> found_;
   QString written_;          // the folder of the session that was put right; empty: none yet
   bool has_looked_ = false;  // in this session
   QLabel *text_, *sizes_, *said_;

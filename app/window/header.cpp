@@ -197,10 +197,9 @@ void Header::refresh_job() {
   // Where there is no room the name stays with its tool tip: a word cut in its middle says nothing.
   const int room = std::max(job_->width() - 4, 40);
   const QFontMetrics metrics = job_->fontMetrics();
-  const QString fits = metrics.horizontalAdvance(text) <= room     ? text
-                       : metrics.horizontalAdvance(titled) <= room ? titled
-                                                                   : share;
-  job_->setText(metrics.elidedText(fits.isEmpty() ? text : fits, Qt::ElideMiddle, room));
+  job_->setText(metrics.horizontalAdvance(text) <= room     ? text
+                : metrics.horizontalAdvance(titled) <= room ? titled
+                                                            : share);
   job_->setToolTip(text);
   progress_->setRange(0, state.share > 0 ? 1000 : 0);
   progress_->setValue(static_cast<int>(1000 * state.share));

@@ -57,7 +57,8 @@ void KeyList::paintEvent(QPaintEvent*) {
     if (row.is_heading()) continue;
     p.setPen(c.ink2);
     const QRect room(left + keys_width, y, column - keys_width, row_height);
-    p.drawText(room, Qt::AlignVCenter, p.fontMetrics().elidedText(row.what, Qt::ElideRight, room.width()));
+    const QString what = row.what.left(1).toUpper() + row.what.mid(1);  // actions begin large, what is explained small
+    p.drawText(room, Qt::AlignVCenter, p.fontMetrics().elidedText(what, Qt::ElideRight, room.width()));
   }
 }
 

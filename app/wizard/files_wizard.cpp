@@ -14,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QUrl>
 #include <algorithm>
@@ -357,6 +358,9 @@ QString FilesWizard::in_words_of_window(QString sentence) const {
                                                    {"--apart", tr("Known distances, m; a semicolon between them")},
                                                    {"--sigma", tr("How exactly a touch tells (sigma)")},
                                                    {"--robot", tr("Add files…")}};
+  // The noise of a sensor of poses is not asked for here.
+  static const QRegularExpression not_asked("--sigma \\(m\\), --sigma-angle \\(rad\\), \\w+ ");
+  sentence.remove(not_asked);
   for (const auto& [option, word] : words) sentence.replace(QLatin1String(option), tr("“%1”").arg(word));
   return sentence;
 }

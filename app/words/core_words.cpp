@@ -21,7 +21,9 @@ QString with_signs(QString text) {
   return text.replace("(+- ", QString::fromUtf8("(±\u00a0")).replace("+-", QString::fromUtf8("±"));
 }
 
+/// Also with a true minus: the core writes what every terminal has.
 QString with_mark(QString number) {
+  if (number.startsWith('-')) number[0] = QChar(0x2212);
   const QString mark = QObject::tr("decimal point");  // the mark itself where it is translated
   return mark.size() == 1 ? number.replace('.', mark) : number;
 }

@@ -21,7 +21,7 @@ namespace {
 
 /// x y z in mm, then roll pitch yaw in degrees.
 std::vector<widgets::ModelParameter> six_parameters(const Rigid& motion, const Vector6& sigma) {
-  const char* names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  const QString names[] = {"x", "y", "z", QObject::tr("roll"), QObject::tr("pitch"), QObject::tr("yaw")};
   const Vector3 rpy = rpy_from_rotation(motion.rotation);
   std::vector<widgets::ModelParameter> list;
   for (int i = 0; i < 6; ++i) {

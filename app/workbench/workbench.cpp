@@ -151,6 +151,12 @@ void Workbench::try_out(std::optional<double> error, std::unordered_map<std::int
   emit tried();
 }
 
+void Workbench::set_blunders(std::vector<Blunder> found) {
+  if (blunders_.empty() && found.empty()) return;
+  blunders_ = std::move(found);
+  emit blunders_changed();
+}
+
 void Workbench::exclude(const std::vector<std::int64_t>& ids, const Message& reason) {
   std::vector<std::pair<std::int64_t, EditableState>> after;
   std::vector<std::int64_t> changed;

@@ -6,6 +6,7 @@
 #include <deque>
 #include <unordered_map>
 
+#include "blunders/blunder.h"
 #include "diagnosis/story/story.h"
 #include "document/diagnosing.h"
 #include "document/document.h"
@@ -40,6 +41,11 @@ class Workbench : public QObject {
   Jobs explaining;  // diagnoses, added effects, planned poses. After what its work reports to: it dies first
   ImageSource images;
   std::vector<Refusal> refused;  // of this session, by Explain
+
+  /// The mistakes of a whole kind that were found in this session: as long as there are some, its verdict is about
+  /// them.
+  const std::vector<Blunder>& blunders() const { return blunders_; }
+  void set_blunders(std::vector<Blunder> found);
 
   /// What there is to say of a version of the model, made once for every place that speaks of it (story.h); of a model
   /// without a fit an empty one. The diagnosis is of the present model.
@@ -83,6 +89,7 @@ class Workbench : public QObject {
   /// Asks Label to open an observation there.
   void relabel_requested(qint64 id);
   void tried();
+  void blunders_changed();
   /// A read-out under the pointer; empty: nothing.
   void pointed_at(const QString& text);
 
@@ -97,6 +104,7 @@ class Workbench : public QObject {
     bool operator==(const Told&) const = default;
   };
   mutable std::deque<std::pair<Told, Story>> stories_;  // the latest first; a reference stays good while it is kept
+  std::vector<Blunder> blunders_;
   std::optional<double> predicted_error_;
   std::unordered_map<std::int64_t, double> predicted_ratios_;
 };

@@ -5,6 +5,50 @@
 <context>
     <name>handsight</name>
     <message>
+        <source>An error of one corner under %1 here could not be seen.</source>
+        <translation>Ein Fehler einer Ecke unter %1 wäre hier nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>First the mistake</source>
+        <translation>Zuerst der Fehler</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>Observation %1, bent by the model: %2 mm, drawn %3 ×</source>
+        <translation>Beobachtung %1, vom Modell gebogen: %2 mm, gezeichnet %3 ×</translation>
+    </message>
+    <message>
+        <source>Put that right first: until then no other number tells anything.</source>
+        <translation>Berichtige das zuerst: bis dahin sagt keine andere Zahl etwas.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Whatever is missing in the model shows once the session is put right: the bar above says how, and writes it.</source>
+        <translation>Was im Modell fehlt, zeigt sich, wenn die Sitzung berichtigt ist: die Leiste oben sagt, wie, und schreibt sie.</translation>
+    </message>
+    <message>
+        <source>a mistake in the session</source>
+        <translation>ein Fehler in der Sitzung</translation>
+    </message>
+    <message>
+        <source>a repeat, for scatter</source>
+        <translation>Wiederholung</translation>
+    </message>
+    <message>
+        <source>deviations %1 ×</source>
+        <translation>Abweichungen %1 ×</translation>
+    </message>
+    <message>
+        <source>mistake</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
         <source>noise %1</source>
         <translation>Rauschen %1</translation>
     </message>
@@ -61,14 +105,6 @@
         <translation>Kein grober Fehler, der sich berichtigen ließe, erklärt diese Sitzung.</translation>
     </message>
     <message>
-        <source>Fitted with it, %1 are left; put right, %2.</source>
-        <translation>Damit angepasst bleiben %1; berichtigt %2.</translation>
-    </message>
-    <message>
-        <source>Fitted with them, %1 are left; both put right, %2.</source>
-        <translation>Damit angepasst bleiben %1; beide berichtigt %2.</translation>
-    </message>
-    <message>
         <source>Add it: press the blue button. The fit runs before your eyes.</source>
         <translation>Hinzufügen: der blaue Knopf. Die Schätzung läuft vor Ihren Augen.</translation>
     </message>
@@ -79,6 +115,22 @@
     <message>
         <source>Reveal the &amp;truth</source>
         <translation>Die &amp;Wahrheit zeigen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>precision of the hand</source>
+        <translation>Genauigkeit der Hand</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>the session itself is wrong</source>
+        <translation>die Sitzung selbst ist falsch</translation>
     </message>
     <message>
         <source>what was hidden in this session</source>
@@ -162,7 +214,7 @@
     </message>
     <message>
         <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses.</source>
-        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen.</translation>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Posen.</translation>
     </message>
     <message>
         <source>Nothing that helps is left</source>
@@ -170,7 +222,7 @@
     </message>
     <message>
         <source>What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was measured. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), ist mehr als Rauschen, wechselt von Stellung zu Stellung und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
+        <translation>Was bleibt (%1, Rauschen %2), ist mehr als Rauschen, wechselt von Pose zu Pose und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
         <source>No robot is built so, it stands in for another cause: %1.</source>
@@ -226,7 +278,7 @@
     </message>
     <message>
         <source>The error of one coordinate (root mean square) on observations that the fit has not seen, the noise of the measurement, and how many times larger the error is. Elsewhere: where whole regions of poses are held out. U changes the unit.</source>
-        <translation>Der Fehler einer Koordinate (quadratisches Mittel) in Beobachtungen, die die Schätzung nicht gesehen hat, das Rauschen der Messung, und wievielmal größer der Fehler ist. Anderswo: wo ganze Bereiche von Stellungen ungesehen bleiben. U wechselt die Einheit.</translation>
+        <translation>Der Fehler einer Koordinate (quadratisches Mittel) in Beobachtungen, die die Schätzung nicht gesehen hat, das Rauschen der Messung, und wievielmal größer der Fehler ist. Anderswo: wo ganze Bereiche von Posen ungesehen bleiben. U wechselt die Einheit.</translation>
     </message>
     <message>
         <source>Report as HTML</source>
@@ -254,7 +306,7 @@
     </message>
     <message>
         <source>Over %1 poses like the measured ones the hand is off by %2 mm as commanded (median), and by %3 mm when the corrected angles are commanded, with all that the model is not sure of: by the C++ and Python files that this page saves.</source>
-        <translation>Über %1 Stellungen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden, mit allem, worin das Modell unsicher ist: mit den C++- und Python-Dateien, die diese Seite speichert.</translation>
+        <translation>Über %1 Posen wie die gemessenen liegt die Hand, wie befohlen, um %2 mm daneben (Median), und um %3 mm, wenn die korrigierten Winkel befohlen werden, mit allem, worin das Modell unsicher ist: mit den C++- und Python-Dateien, die diese Seite speichert.</translation>
     </message>
     <message>
         <source>%1 (%2 at the hand)</source>
@@ -262,7 +314,7 @@
     </message>
     <message>
         <source>Where whole regions of poses are held out</source>
-        <translation>Wo ganze Bereiche von Stellungen ungesehen bleiben</translation>
+        <translation>Wo ganze Bereiche von Posen ungesehen bleiben</translation>
     </message>
     <message>
         <source>What noise alone would leave</source>
@@ -302,11 +354,11 @@
     </message>
     <message>
         <source>Being worked out over %1 poses like the measured ones ...</source>
-        <translation>Wird über %1 Stellungen wie die gemessenen berechnet ...</translation>
+        <translation>Wird über %1 Posen wie die gemessenen berechnet ...</translation>
     </message>
     <message>
         <source>%1 of the poses cannot be corrected within the joints' limits.</source>
-        <translation>%1 der Stellungen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
+        <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
     </message>
     <message>
         <source> (%1 at the hand)</source>
@@ -319,10 +371,6 @@
     <message>
         <source> (Markers from a second look with wider gates; not part of the fit.)</source>
         <translation> (Marker vom zweiten Blick mit weiteren Grenzen; nicht in der Anpassung.)</translation>
-    </message>
-    <message>
-        <source> An error of one corner under %1 here could not be seen.</source>
-        <translation> Ein Fehler einer Ecke unter %1 wäre hier nicht zu sehen.</translation>
     </message>
     <message>
         <source> And %1 more.</source>
@@ -482,7 +530,7 @@
     </message>
     <message>
         <source>%1 more poses would %2. Choose one to see it in 3D.</source>
-        <translation>%1 Stellungen mehr würden %2. Wähle eine, um sie in 3D zu sehen.</translation>
+        <translation>%1 Posen mehr würden %2. Wähle eine, um sie in 3D zu sehen.</translation>
     </message>
     <message>
         <source>%1 must end in .png, .svg or .csv.</source>
@@ -534,7 +582,7 @@
     </message>
     <message>
         <source>%1 or %2: on these poses they look the same.</source>
-        <translation>%1 oder %2: in diesen Stellungen sehen sie gleich aus.</translation>
+        <translation>%1 oder %2: in diesen Posen sehen sie gleich aus.</translation>
     </message>
     <message>
         <source>%1 per second</source>
@@ -542,7 +590,7 @@
     </message>
     <message>
         <source>%1 poses of %2 joints.</source>
-        <translation>%1 Stellungen von %2 Gelenken.</translation>
+        <translation>%1 Posen von %2 Gelenken.</translation>
     </message>
     <message>
         <source>%1 px</source>
@@ -614,11 +662,11 @@
     </message>
     <message>
         <source>%1: %2 in every pose, %3 mm at the hand at most.</source>
-        <translation>%1: %2 in jeder Stellung, höchstens %3 mm an der Hand.</translation>
+        <translation>%1: %2 in jeder Pose, höchstens %3 mm an der Hand.</translation>
     </message>
     <message>
         <source>%1: %2 in every pose.</source>
-        <translation>%1: %2 in jeder Stellung.</translation>
+        <translation>%1: %2 in jeder Pose.</translation>
     </message>
     <message>
         <source>%1: held out %2, fitted %3</source>
@@ -884,11 +932,11 @@
     </message>
     <message>
         <source>A guided arm that sags, and three bad poses with three different causes to find.</source>
-        <translation>Ein geführter Arm, der durchhängt, und drei schlechte Stellungen mit drei Ursachen.</translation>
+        <translation>Ein geführter Arm, der durchhängt, und drei schlechte Posen mit drei Ursachen.</translation>
     </message>
     <message>
         <source>A hundred poses</source>
-        <translation>Hundert Stellungen</translation>
+        <translation>Hundert Posen</translation>
     </message>
     <message>
         <source>A marker has no partner in the right image. Choose it, then click its corner there.</source>
@@ -1076,7 +1124,7 @@
     </message>
     <message>
         <source>A sensor that tells poses has no images.</source>
-        <translation>Ein Sensor, der Lagen nennt, hat keine Bilder.</translation>
+        <translation>Ein Sensor, der Posen nennt, hat keine Bilder.</translation>
     </message>
     <message>
         <source>A tracker session has no images; its markers are points already.</source>
@@ -1371,6 +1419,10 @@
         <translation>Beim Rauschen, aber nicht alles hat einen Namen</translation>
     </message>
     <message>
+        <source>A curve stands in the model for it; what causes it on the robot is not known.</source>
+        <translation>Eine Kurve steht dafür im Modell; was sie am Roboter verursacht, ist nicht bekannt.</translation>
+    </message>
+    <message>
         <source>Drag the threshold: what lies beyond it can be excluded.</source>
         <translation>Ziehe die Schwelle: was dahinter liegt, lässt sich ausschließen.</translation>
     </message>
@@ -1548,11 +1600,11 @@
     </message>
     <message>
         <source>No fresh pose can test it: the fit has seen all that can be used.</source>
-        <translation>Keine frische Stellung kann es prüfen: die Schätzung hat alle brauchbaren gesehen.</translation>
+        <translation>Keine frische Pose kann es prüfen: die Schätzung hat alle brauchbaren gesehen.</translation>
     </message>
     <message>
         <source>Fresh poses: of %1 that the fit has not seen, %2 within the 95 % ellipsoid of those it has.</source>
-        <translation>Frische Stellungen: von %1 ungesehenen %2 im 95-%-Ellipsoid der gesehenen.</translation>
+        <translation>Frische Posen: von %1 ungesehenen %2 im 95-%-Ellipsoid der gesehenen.</translation>
     </message>
     <message>
         <source>From the selected</source>
@@ -1636,7 +1688,7 @@
     </message>
     <message>
         <source>How far the hand was from where the model predicts it, and how far 95 of 100 poses like the fitted ones are.</source>
-        <translation>Wie weit die Hand von dort war, wo das Modell sie vorhersagt, und wie weit 95 von 100 Stellungen wie die angepassten es sind.</translation>
+        <translation>Wie weit die Hand von dort war, wo das Modell sie vorhersagt, und wie weit 95 von 100 Posen wie die angepassten es sind.</translation>
     </message>
     <message>
         <source>How much of the error the cameras (C), the marker body (B) and the robot (R) can answer for.</source>
@@ -1744,7 +1796,7 @@
     </message>
     <message>
         <source>Poses of the flange</source>
-        <translation>Lagen des Flansches</translation>
+        <translation>Posen des Flansches</translation>
     </message>
     <message>
         <source>CSV or YAML: x y z qx qy qz qw in the base's frame</source>
@@ -1752,15 +1804,15 @@
     </message>
     <message>
         <source>There are %1 poses of the flange for %2 poses of the target: each instant needs one of each, in the same order.</source>
-        <translation>Es sind %1 Lagen des Flansches für %2 Lagen des Ziels: Jeder Augenblick braucht je eine, in derselben Reihenfolge.</translation>
+        <translation>Es sind %1 Posen des Flansches für %2 Posen des Ziels: Jeder Augenblick braucht je eine, in derselben Reihenfolge.</translation>
     </message>
     <message>
         <source>There are %1 poses of the flange for %2 images: each instant needs one of each, in the same order.</source>
-        <translation>Es sind %1 Lagen des Flansches für %2 Bilder: Jeder Augenblick braucht je eins, in derselben Reihenfolge.</translation>
+        <translation>Es sind %1 Posen des Flansches für %2 Bilder: Jeder Augenblick braucht je eins, in derselben Reihenfolge.</translation>
     </message>
     <message>
         <source>Camera on %1, target on %2: the flange moves, its poses are known.</source>
-        <translation>Kamera auf %1, Ziel auf %2: Der Flansch bewegt sich, seine Lagen sind bekannt.</translation>
+        <translation>Kamera auf %1, Ziel auf %2: Der Flansch bewegt sich, seine Posen sind bekannt.</translation>
     </message>
     <message>
         <source>Tables (*.csv *.txt *.yaml *.yml *.samples)</source>
@@ -1772,11 +1824,11 @@
     </message>
     <message>
         <source>A pose</source>
-        <translation>Eine Lage</translation>
+        <translation>Eine Pose</translation>
     </message>
     <message>
         <source>Waiting for the next pose of the target in poses.csv and %1 in joints.csv; %2 arrived.</source>
-        <translation>Wartet auf die nächste Lage des Ziels in poses.csv und %1 in joints.csv; %2 angekommen.</translation>
+        <translation>Wartet auf die nächste Pose des Ziels in poses.csv und %1 in joints.csv; %2 angekommen.</translation>
     </message>
     <message>
         <source>Waiting for the next points in points.csv and %1 in joints.csv; %2 arrived.</source>
@@ -1868,7 +1920,7 @@
     </message>
     <message>
         <source>Looking for poses that would %1 ...</source>
-        <translation>Suche nach Stellungen, die %1 ...</translation>
+        <translation>Suche nach Posen, die %1 ...</translation>
     </message>
     <message>
         <source>Looking for what is missing</source>
@@ -2024,7 +2076,7 @@
     </message>
     <message>
         <source>No pose that the cameras could see would %1.</source>
-        <translation>Keine Stellung, die die Kameras sehen, würde %1.</translation>
+        <translation>Keine Pose, die die Kameras sehen, würde %1.</translation>
     </message>
     <message>
         <source>No residuals yet.</source>
@@ -2040,7 +2092,7 @@
     </message>
     <message>
         <source>Noise alone on the same poses, draw %1</source>
-        <translation>Rauschen allein in denselben Stellungen, Ziehung %1</translation>
+        <translation>Rauschen allein in denselben Posen, Ziehung %1</translation>
     </message>
     <message>
         <source>Not added: %1 has no place in this session.</source>
@@ -2093,6 +2145,10 @@
     <message>
         <source>Nothing is missing</source>
         <translation>Nichts fehlt</translation>
+    </message>
+    <message>
+        <source>No cause that these poses can show would lower the error on observations that the fit has not seen.</source>
+        <translation>Keine Ursache, die diese Posen zeigen können, würde den Fehler ungesehener Beobachtungen senken.</translation>
     </message>
     <message>
         <source>Nothing lies beyond %1.</source>
@@ -2159,10 +2215,6 @@
         <translation>Beobachtung %1 hat keine Bilder zum Markieren.</translation>
     </message>
     <message>
-        <source>Observation %1, bent by the model: %2 mm, drawn × %3</source>
-        <translation>Beobachtung %1, vom Modell gebogen: %2 mm, gezeichnet × %3</translation>
-    </message>
-    <message>
         <source>Observation %1: markers measured and predicted, residuals times %2</source>
         <translation>Beobachtung %1: Marker gemessen und vorhergesagt, Reste mal %2</translation>
     </message>
@@ -2192,7 +2244,7 @@
     </message>
     <message>
         <source>On these poses both do the same to the images.</source>
-        <translation>In diesen Stellungen machen beide dasselbe mit den Bildern.</translation>
+        <translation>In diesen Posen machen beide dasselbe mit den Bildern.</translation>
     </message>
     <message>
         <source>One image point in twenty is wrong. Can the robot's error still be named?</source>
@@ -2260,7 +2312,7 @@
     </message>
     <message>
         <source>Own pose</source>
-        <translation>Stellung</translation>
+        <translation>Pose</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2268,11 +2320,11 @@
     </message>
     <message>
         <source>Plan poses</source>
-        <translation>Stellungen planen</translation>
+        <translation>Posen planen</translation>
     </message>
     <message>
         <source>Planning poses</source>
-        <translation>Stellungen werden geplant</translation>
+        <translation>Posen werden geplant</translation>
     </message>
     <message>
         <source>Plausible within about ± %1.</source>
@@ -2312,7 +2364,7 @@
     </message>
     <message>
         <source>Poses that would tell</source>
-        <translation>Stellungen, die es sagten</translation>
+        <translation>Posen, die es sagten</translation>
     </message>
     <message>
         <source>Predicted</source>
@@ -2424,7 +2476,7 @@
     </message>
     <message>
         <source>Right only together with: %1. Used alone, TCP→Body misses by %2 mm on these poses.</source>
-        <translation>Richtig nur zusammen mit: %1. Allein benutzt liegt TCP→Body in diesen Stellungen um %2 mm daneben.</translation>
+        <translation>Richtig nur zusammen mit: %1. Allein benutzt liegt TCP→Body in diesen Posen um %2 mm daneben.</translation>
     </message>
     <message>
         <source>Right only together with the camera mount that was estimated with it: on %1 at %2 mm, rpy %3 deg (mount_from_sensor in the XML).</source>
@@ -2556,7 +2608,7 @@
     </message>
     <message>
         <source>Six poses, everything measured 1 cm nearer than it is: no images, labels only.</source>
-        <translation>Sechs Stellungen, alles 1 cm zu nah gemessen: keine Bilder, nur Marken.</translation>
+        <translation>Sechs Posen, alles 1 cm zu nah gemessen: keine Bilder, nur Marken.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2636,7 +2688,7 @@
     </message>
     <message>
         <source>Stopped before poses were found.</source>
-        <translation>Angehalten, bevor Stellungen gefunden waren.</translation>
+        <translation>Angehalten, bevor Posen gefunden waren.</translation>
     </message>
     <message>
         <source>Stopped by itself: %1, and nothing is left that would help.</source>
@@ -2828,7 +2880,7 @@
     </message>
     <message>
         <source>The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it (sigma), or repeat some poses.</source>
-        <translation>Das Modell liegt um %1 daneben. Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob das viel ist: gib es an (sigma), oder wiederhole einige Stellungen.</translation>
+        <translation>Das Modell liegt um %1 daneben. Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob das viel ist: gib es an (sigma), oder wiederhole einige Posen.</translation>
     </message>
     <message>
         <source>The noise is not known, so nothing can be said about this observation.</source>
@@ -2844,7 +2896,7 @@
     </message>
     <message>
         <source>The planned pose</source>
-        <translation>Die geplante Stellung</translation>
+        <translation>Die geplante Pose</translation>
     </message>
     <message>
         <source>The plot's numbers are on the clipboard.</source>
@@ -2900,7 +2952,7 @@
     </message>
     <message>
         <source>The step down is the error on unseen poses. When it reaches the hatched floor, only noise is left. Ctrl+Z takes the step back.</source>
-        <translation>Die Stufe hinab ist der Fehler in ungesehenen Stellungen. Am schraffierten Boden bleibt nur Rauschen. Strg+Z nimmt die Stufe zurück.</translation>
+        <translation>Die Stufe hinab ist der Fehler in ungesehenen Posen. Am schraffierten Boden bleibt nur Rauschen. Strg+Z nimmt die Stufe zurück.</translation>
     </message>
     <message>
         <source>The thesis's simulation</source>
@@ -2920,7 +2972,7 @@
     </message>
     <message>
         <source>The uncertainties come from how the observations differ, not from the noise alone: they hold for poses like these.</source>
-        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein: sie gelten für Stellungen wie diese.</translation>
+        <translation>Die Unsicherheiten kommen daher, wie die Beobachtungen sich unterscheiden, nicht aus dem Rauschen allein: sie gelten für Posen wie diese.</translation>
     </message>
     <message>
         <source>There are %1 lines of joint angles for %2 images: each instant needs one of each, in the same order.</source>
@@ -2936,7 +2988,7 @@
     </message>
     <message>
         <source>These poses could not show: %1.</source>
-        <translation>Diese Stellungen konnten nicht zeigen: %1.</translation>
+        <translation>Diese Posen konnten nicht zeigen: %1.</translation>
     </message>
     <message>
         <source>Thesis (4.19-4.23): the markers move as one body</source>
@@ -2944,7 +2996,7 @@
     </message>
     <message>
         <source>This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise is, and whose fault the difference is.</source>
-        <translation>Diese Zeile sagt alles: um wie viel das Modell in ungesehenen Stellungen danebenliegt, wie groß das Rauschen ist und an wem der Unterschied liegt.</translation>
+        <translation>Diese Zeile sagt alles: um wie viel das Modell in ungesehenen Posen danebenliegt, wie groß das Rauschen ist und an wem der Unterschied liegt.</translation>
     </message>
     <message>
         <source>This session does not know its truth.</source>
@@ -3108,15 +3160,15 @@
     </message>
     <message>
         <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat better than %3 mm. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: der Ort der Hand wiederholt nicht besser als %3 mm. Keine Ursache nimmt das weg.</translation>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: der Ort der Hand wiederholt nicht besser als %3 mm. Keine Ursache nimmt das weg.</translation>
     </message>
     <message>
         <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad, der Ort der Hand nicht besser als %4 mm. Keine Ursache nimmt das weg.</translation>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad, der Ort der Hand nicht besser als %4 mm. Keine Ursache nimmt das weg.</translation>
     </message>
     <message>
         <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Stellung zu Stellung ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad. Keine Ursache nimmt das weg.</translation>
+        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad. Keine Ursache nimmt das weg.</translation>
     </message>
     <message>
         <source>What is missing</source>
@@ -3220,7 +3272,7 @@
     </message>
     <message>
         <source>The program cannot say when to stop: declare the noise (sigma), or repeat some poses. No cause of the catalogue that is not in the model explains more than chance would.</source>
-        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Stellungen. Keine Ursache des Katalogs, die nicht im Modell ist, erklärt mehr als der Zufall.</translation>
+        <translation>Das Programm kann nicht sagen, wann Schluss ist: gib das Rauschen an (sigma), oder wiederhole einige Posen. Keine Ursache des Katalogs, die nicht im Modell ist, erklärt mehr als der Zufall.</translation>
     </message>
     <message>
         <source>Written: %1</source>
@@ -3271,6 +3323,10 @@
         <translation>%1 hinzugefügt</translation>
     </message>
     <message>
+        <source>added: %1</source>
+        <translation>hinzugefügt: %1</translation>
+    </message>
+    <message>
         <source>added %1, which is likely beside the rest</source>
         <translation>%1 hinzugefügt, was neben dem Übrigen wahrscheinlich ist</translation>
     </message>
@@ -3317,10 +3373,6 @@
     <message>
         <source>arrows 0.1 px, Shift 1, Alt free</source>
         <translation>Pfeile 0,1 px, Umschalt 1, Alt frei</translation>
-    </message>
-    <message>
-        <source>arrows × %1</source>
-        <translation>Pfeile × %1</translation>
     </message>
     <message>
         <source>as it is fitted</source>
@@ -3389,10 +3441,6 @@
     <message>
         <source>depth m</source>
         <translation>Tiefe m</translation>
-    </message>
-    <message>
-        <source>deviations × %1</source>
-        <translation>Abweichungen × %1</translation>
     </message>
     <message>
         <source>down at the noise</source>
@@ -3820,7 +3868,7 @@
     </message>
     <message>
         <source>ready to play</source>
-        <translation>spielbereit</translation>
+        <translation>zum Abspielen bereit</translation>
     </message>
     <message>
         <source>rejected</source>
@@ -4007,6 +4055,10 @@
         <translation>%1 herausgenommen</translation>
     </message>
     <message>
+        <source>took out: %1</source>
+        <translation>herausgenommen: %1</translation>
+    </message>
+    <message>
         <source>took out %1, no longer needed</source>
         <translation>%1 herausgenommen, nicht mehr nötig</translation>
     </message>
@@ -4107,6 +4159,10 @@
         <translation>y mm</translation>
     </message>
     <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
         <source>yaw deg</source>
         <translation>Gieren Grad</translation>
     </message>
@@ -4184,7 +4240,7 @@
     </message>
     <message>
         <source>%1: holds no poses; expected columns x y z qx qy qz qw, a line for each instant.</source>
-        <translation>%1: enthält keine Lagen; erwartet sind Spalten x y z qx qy qz qw, eine Zeile je Zeitpunkt.</translation>
+        <translation>%1: enthält keine Posen; erwartet sind Spalten x y z qx qy qz qw, eine Zeile je Zeitpunkt.</translation>
     </message>
     <message>
         <source>No joint moves between camera and target: choose other links.</source>
@@ -4192,7 +4248,7 @@
     </message>
     <message>
         <source>There are %1 lines of joint angles for %2 poses: each instant needs one of each, in the same order.</source>
-        <translation>Es sind %1 Zeilen mit Gelenkwinkeln für %2 Lagen: Jeder Zeitpunkt braucht beides, in derselben Reihenfolge.</translation>
+        <translation>Es sind %1 Zeilen mit Gelenkwinkeln für %2 Posen: Jeder Zeitpunkt braucht beides, in derselben Reihenfolge.</translation>
     </message>
     <message>
         <source>There are images of %1 and a calibration of %2.</source>
@@ -4284,7 +4340,7 @@
     </message>
     <message>
         <source>Poses from another program</source>
-        <translation>Lagen aus anderem Programm</translation>
+        <translation>Posen aus anderem Programm</translation>
     </message>
     <message>
         <source>A table of where the target is, in place of images.</source>
@@ -4360,7 +4416,7 @@
     </message>
     <message>
         <source>Poses of the target</source>
-        <translation>Lagen des Ziels</translation>
+        <translation>Posen des Ziels</translation>
     </message>
     <message>
         <source>CSV or YAML: x y z qx qy qz qw</source>
@@ -4403,15 +4459,15 @@
     <message numerus="yes">
         <source>%n pose(s) of the target</source>
         <translation>
-            <numerusform>%n Lage des Ziels</numerusform>
-            <numerusform>%n Lagen des Ziels</numerusform>
+            <numerusform>%n Pose des Ziels</numerusform>
+            <numerusform>%n Posen des Ziels</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n pose(s) of the flange</source>
         <translation>
-            <numerusform>%n Lage des Flansches</numerusform>
-            <numerusform>%n Lagen des Flansches</numerusform>
+            <numerusform>%n Pose des Flansches</numerusform>
+            <numerusform>%n Posen des Flansches</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -4470,7 +4526,7 @@
     </message>
     <message>
         <source>Cannot be told from %1 on these poses.</source>
-        <translation>In diesen Stellungen nicht zu unterscheiden von: %1.</translation>
+        <translation>In diesen Posen nicht zu unterscheiden von: %1.</translation>
     </message>
     <message>
         <source>Check: %1</source>
@@ -4478,7 +4534,7 @@
     </message>
     <message>
         <source>These poses could not show it, if it were there.</source>
-        <translation>Diese Stellungen könnten es nicht zeigen, wenn es da wäre.</translation>
+        <translation>Diese Posen könnten es nicht zeigen, wenn es da wäre.</translation>
     </message>
     <message>
         <source>Try it on the robot and type what it shows.</source>
@@ -4542,7 +4598,7 @@
     </message>
     <message>
         <source>unseen on these poses</source>
-        <translation>in diesen Stellungen unsichtbar</translation>
+        <translation>in diesen Posen unsichtbar</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -4714,7 +4770,7 @@
     </message>
     <message>
         <source>The hand is %1 mm from where it was in the mean over these poses, at most %2 mm.</source>
-        <translation>Die Hand ist im Mittel über diese Stellungen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
+        <translation>Die Hand ist im Mittel über diese Posen %1 mm von da, wo sie war, höchstens %2 mm.</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -5186,7 +5242,7 @@
     </message>
     <message>
         <source>Next: measure poses that tell the two apart; Explain plans them.</source>
-        <translation>Als Nächstes: Stellungen messen, die beide unterscheiden; Erklären plant sie.</translation>
+        <translation>Als Nächstes: Posen messen, die beide unterscheiden; Erklären plant sie.</translation>
     </message>
     <message>
         <source>Next: add %1 to the model.</source>
@@ -5198,7 +5254,7 @@
     </message>
     <message>
         <source>Next: declare the noise (sigma), or repeat some poses.</source>
-        <translation>Als Nächstes: das Rauschen angeben (sigma) oder einige Stellungen wiederholen.</translation>
+        <translation>Als Nächstes: das Rauschen angeben (sigma) oder einige Posen wiederholen.</translation>
     </message>
     <message>
         <source>Next: give the links' masses in the robot's file; nothing that bends could be tried.</source>
@@ -5671,8 +5727,8 @@
     <message>
         <source>%n pose(s)</source>
         <translation>
-            <numerusform>%n Stellung</numerusform>
-            <numerusform>%n Stellungen</numerusform>
+            <numerusform>%n Pose</numerusform>
+            <numerusform>%n Posen</numerusform>
         </translation>
     </message>
     <message>
@@ -5725,11 +5781,11 @@
     </message>
     <message>
         <source>Starts the driver and chooses the poses to recheck in; nothing moves yet</source>
-        <translation>Startet den Treiber und wählt die Stellungen zum Nachprüfen; noch bewegt sich nichts</translation>
+        <translation>Startet den Treiber und wählt die Posen zum Nachprüfen; noch bewegt sich nichts</translation>
     </message>
     <message>
         <source>Starts the driver and shows the first poses; nothing moves yet</source>
-        <translation>Startet den Treiber und zeigt die ersten Stellungen; noch bewegt sich nichts</translation>
+        <translation>Startet den Treiber und zeigt die ersten Posen; noch bewegt sich nichts</translation>
     </message>
     <message>
         <source>How well the hand is known</source>
@@ -5757,7 +5813,7 @@
     </message>
     <message>
         <source>The program chooses the most useful poses, drives there, looks (or touches), and stops when enough is known: where the hand sits, and what is missing in the model.</source>
-        <translation>Das Programm wählt die nützlichsten Stellungen, fährt hin, schaut (oder berührt) und hört auf, wenn genug bekannt ist: wo die Hand sitzt und was im Modell fehlt.</translation>
+        <translation>Das Programm wählt die nützlichsten Posen, fährt hin, schaut (oder berührt) und hört auf, wenn genug bekannt ist: wo die Hand sitzt und was im Modell fehlt.</translation>
     </message>
     <message>
         <source>1.  Write the command of your robot's driver above: a program of yours that moves the robot and takes the images, or feels for what is touched. A template of thirty lines is in docs/examples/drivers.</source>
@@ -5765,7 +5821,7 @@
     </message>
     <message>
         <source>2.  Connect. The driver says where the robot stands, and the first poses and the ways to them are shown. Nothing moves.</source>
-        <translation>2.  Verbinden. Der Treiber sagt, wo der Roboter steht; die ersten Stellungen und die Wege dorthin werden gezeigt. Nichts bewegt sich.</translation>
+        <translation>2.  Verbinden. Der Treiber sagt, wo der Roboter steht; die ersten Posen und die Wege dorthin werden gezeigt. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>3.  Start. You are asked once more. Then each move is shown as it happens; Esc and the red button stop the robot at any time.</source>
@@ -5781,11 +5837,11 @@
     </message>
     <message>
         <source>Next likeliest</source>
-        <translation>Am zweitwahrscheinlichsten</translation>
+        <translation>An zweiter Stelle</translation>
     </message>
     <message>
         <source>Next pose</source>
-        <translation>Nächste Stellung</translation>
+        <translation>Nächste Pose</translation>
     </message>
     <message>
         <source>One more hour</source>
@@ -5801,19 +5857,15 @@
     </message>
     <message>
         <source>Poses that were taken and that come next</source>
-        <translation>Stellungen, die eingenommen wurden und die als Nächstes kommen</translation>
+        <translation>Posen, die eingenommen wurden und die als Nächstes kommen</translation>
     </message>
     <message>
         <source>Pose</source>
-        <translation>Stellung</translation>
+        <translation>Pose</translation>
     </message>
     <message>
         <source>What for</source>
         <translation>Wozu</translation>
-    </message>
-    <message>
-        <source>What became of it</source>
-        <translation>Was daraus wurde</translation>
     </message>
     <message>
         <source>nothing measured yet</source>
@@ -5900,20 +5952,12 @@
         <translation>um die Schätzung zu festigen</translation>
     </message>
     <message>
-        <source>for the precision of the hand</source>
-        <translation>für die Genauigkeit der Hand</translation>
-    </message>
-    <message>
         <source>to tell two causes apart</source>
         <translation>um zwei Ursachen zu unterscheiden</translation>
     </message>
     <message>
         <source>where it has not been measured yet</source>
         <translation>wo noch nicht gemessen wurde</translation>
-    </message>
-    <message>
-        <source>a repeat, for the scatter</source>
-        <translation>eine Wiederholung, für die Streuung</translation>
     </message>
     <message>
         <source>within %1 mm</source>
@@ -5933,7 +5977,7 @@
     </message>
     <message>
         <source>nothing that these poses can show, %1</source>
-        <translation>nichts, was diese Stellungen zeigen können, %1</translation>
+        <translation>nichts, was diese Posen zeigen können, %1</translation>
     </message>
     <message>
         <source>nothing is sure yet</source>
@@ -6001,7 +6045,7 @@
     </message>
     <message>
         <source>choosing poses</source>
-        <translation>wählt Stellungen</translation>
+        <translation>wählt Posen</translation>
     </message>
     <message>
         <source>stop the robot, from everywhere</source>
@@ -6029,7 +6073,7 @@
     </message>
     <message>
         <source>In 95 of 100 cases, in 95 of 100 poses over what can be reached and seen</source>
-        <translation>In 95 von 100 Fällen, in 95 von 100 Stellungen über alles, was erreicht und gesehen werden kann</translation>
+        <translation>In 95 von 100 Fällen, in 95 von 100 Posen über alles, was erreicht und gesehen werden kann</translation>
     </message>
     <message>
         <source>one cause, or none, by odds of</source>
@@ -6037,7 +6081,7 @@
     </message>
     <message>
         <source>poses, at most</source>
-        <translation>höchstens Stellungen</translation>
+        <translation>höchstens Posen</translation>
     </message>
     <message>
         <source>time, at most</source>
@@ -6141,7 +6185,7 @@
     </message>
     <message>
         <source>Choose the calibration and connect the driver: the robot goes to the five poses that show mount, hand and joint zeros best. It may be asked every hour, for ever: of a robot that has not changed, the chance of ever being told otherwise is 1 in 1000. Keep one session for all rechecks of a calibration.</source>
-        <translation>Wähle die Kalibrierung und verbinde den Treiber: der Roboter fährt in die fünf Stellungen, die Halterung, Hand und Gelenknullpunkte am besten zeigen. Das darf jede Stunde gefragt werden, für immer: bei einem Roboter, der sich nicht geändert hat, ist die Aussicht, je das Gegenteil zu hören, 1 zu 1000. Nimm eine Sitzung für alle Nachprüfungen einer Kalibrierung.</translation>
+        <translation>Wähle die Kalibrierung und verbinde den Treiber: der Roboter fährt in die fünf Posen, die Halterung, Hand und Gelenknullpunkte am besten zeigen. Das darf jede Stunde gefragt werden, für immer: bei einem Roboter, der sich nicht geändert hat, ist die Aussicht, je das Gegenteil zu hören, 1 zu 1000. Nimm eine Sitzung für alle Nachprüfungen einer Kalibrierung.</translation>
     </message>
     <message>
         <source>Something has changed: %1.</source>
@@ -6185,7 +6229,7 @@
     </message>
     <message>
         <source>95 % limit</source>
-        <translation>Grenze, 95 %</translation>
+        <translation>95 %</translation>
     </message>
     <message>
         <source>on its way</source>
@@ -6193,11 +6237,11 @@
     </message>
     <message>
         <source>What was measured is fitted and diagnosed, and the next poses are chosen ...</source>
-        <translation>Das Gemessene wird angepasst und untersucht, und die nächsten Stellungen werden gewählt ...</translation>
+        <translation>Das Gemessene wird angepasst und untersucht, und die nächsten Posen werden gewählt ...</translation>
     </message>
     <message>
         <source>Connected: %1. These poses come first; nothing has moved.</source>
-        <translation>Verbunden: %1. Diese Stellungen kommen zuerst; nichts hat sich bewegt.</translation>
+        <translation>Verbunden: %1. Diese Posen kommen zuerst; nichts hat sich bewegt.</translation>
     </message>
     <message>
         <source>told when it ends</source>
@@ -6217,7 +6261,7 @@
     </message>
     <message>
         <source>Its points say the same in every pose. </source>
-        <translation>Seine Punkte sagen in jeder Stellung dasselbe. </translation>
+        <translation>Seine Punkte sagen in jeder Pose dasselbe. </translation>
     </message>
     <message>
         <source>Opening %1 …</source>
@@ -6273,7 +6317,7 @@
     </message>
     <message>
         <source>By %1 the hand moves by %2 mm in the mean over these poses, at most by %3 mm.</source>
-        <translation>Durch %1 bewegt sich die Hand über diese Stellungen im Mittel um %2 mm, höchstens um %3 mm.</translation>
+        <translation>Durch %1 bewegt sich die Hand über diese Posen im Mittel um %2 mm, höchstens um %3 mm.</translation>
     </message>
     <message>
         <source>&lt; %1 %</source>
@@ -6428,7 +6472,7 @@
     </message>
     <message>
         <source>Come back to the first pose at the end.</source>
-        <translation>Am Ende zur ersten Stellung zurückkehren.</translation>
+        <translation>Am Ende zur ersten Pose zurückkehren.</translation>
     </message>
     <message>
         <source>Drive the joint to its mechanical stop or mark and read its angle.</source>
@@ -6436,7 +6480,7 @@
     </message>
     <message>
         <source>Drive to one pose from above and from below and compare where the hand is.</source>
-        <translation>Eine Stellung von oben und von unten anfahren und vergleichen, wo die Hand ist.</translation>
+        <translation>Eine Pose von oben und von unten anfahren und vergleichen, wo die Hand ist.</translation>
     </message>
     <message>
         <source>Encoder eccentricity</source>
@@ -6504,7 +6548,7 @@
     </message>
     <message>
         <source>Needs poses at several distances or positions; where the target's points are free it is not needed.</source>
-        <translation>Braucht Stellungen in mehreren Abständen oder an mehreren Orten; wo die Punkte des Targets frei sind, wird sie nicht gebraucht.</translation>
+        <translation>Braucht Posen in mehreren Abständen oder an mehreren Orten; wo die Punkte des Targets frei sind, wird sie nicht gebraucht.</translation>
     </message>
     <message>
         <source>Measure the target over its whole length with a ruler and compare with its description.</source>
@@ -6596,7 +6640,7 @@
     </message>
     <message>
         <source>Look at something that stands still before and after, or measure the first pose again.</source>
-        <translation>Davor und danach etwas ansehen, das stillsteht, oder die erste Stellung noch einmal messen.</translation>
+        <translation>Davor und danach etwas ansehen, das stillsteht, oder die erste Pose noch einmal messen.</translation>
     </message>
     <message>
         <source>Look at the epipolar distances of any matched points: they ought to be zero.</source>
@@ -6648,7 +6692,7 @@
     </message>
     <message>
         <source>Needs joint velocities; poses at rest cannot show it.</source>
-        <translation>Braucht Gelenkgeschwindigkeiten; Stellungen in Ruhe können es nicht zeigen.</translation>
+        <translation>Braucht Gelenkgeschwindigkeiten; Posen in Ruhe können es nicht zeigen.</translation>
     </message>
     <message>
         <source>Needs markers far from the images' middle.</source>
@@ -6692,7 +6736,7 @@
     </message>
     <message>
         <source>Poses must be approached from both sides.</source>
-        <translation>Stellungen müssen von beiden Seiten angefahren werden.</translation>
+        <translation>Posen müssen von beiden Seiten angefahren werden.</translation>
     </message>
     <message>
         <source>Press the marker down and compare its distances to the others.</source>
@@ -6708,7 +6752,7 @@
     </message>
     <message>
         <source>Seen where the joint's gravity torque changes between poses; not at joints without torque. A link's torsion along the joint's axis is the same term.</source>
-        <translation>Zu sehen, wo sich das Schweremoment des Gelenks zwischen den Stellungen ändert; nicht an Gelenken ohne Moment. Die Torsion eines Glieds längs der Gelenkachse ist derselbe Term.</translation>
+        <translation>Zu sehen, wo sich das Schweremoment des Gelenks zwischen den Posen ändert; nicht an Gelenken ohne Moment. Die Torsion eines Glieds längs der Gelenkachse ist derselbe Term.</translation>
     </message>
     <message>
         <source>Stereo rig</source>
@@ -6732,7 +6776,7 @@
     </message>
     <message>
         <source>The angle sensor reads the same amount too much or too little in every pose: a zero position that was set a little wrong.</source>
-        <translation>Der Winkelgeber liest in jeder Stellung um denselben Betrag zu viel oder zu wenig: eine Nulllage, die etwas falsch gesetzt wurde.</translation>
+        <translation>Der Winkelgeber liest in jeder Pose um denselben Betrag zu viel oder zu wenig: eine Nulllage, die etwas falsch gesetzt wurde.</translation>
     </message>
     <message>
         <source>The bearing, the housing or the link behind the joint bends across the axis under the moment of gravity: transversal elasticity.</source>
@@ -6796,7 +6840,7 @@
     </message>
     <message>
         <source>The order of the poses must not follow their posture.</source>
-        <translation>Die Reihenfolge der Stellungen darf nicht ihrer Haltung folgen.</translation>
+        <translation>Die Reihenfolge der Posen darf nicht ihrer Haltung folgen.</translation>
     </message>
     <message>
         <source>The right camera has moved against the left one since the stereo calibration.</source>
@@ -6975,6 +7019,10 @@
         <translation>Ein URDF kann %1 nicht sagen; es steht im Kommentar der Datei.</translation>
     </message>
     <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
         <source>What this kind of file cannot hold was left out and the rest fitted again without it: over the %1 poses of the session the hand is %2 mm rms and %3 mm at most from where the whole calibration has it; without calibration it is %4 mm rms.</source>
         <translation>Was diese Art von Datei nicht fassen kann, ist weggelassen und der Rest ohne es neu geschätzt: über die %1 Posen der Sitzung ist die Hand im quadratischen Mittel %2 mm und höchstens %3 mm von dort, wo die ganze Kalibrierung sie hat; ohne Kalibrierung sind es %4 mm.</translation>
     </message>
@@ -6999,12 +7047,32 @@
         <translation>%1 Netze sind nicht in der Datei: sie liegen nicht neben dem Roboter oder sind von einer Art, die MuJoCo nicht öffnet (es liest OBJ und binäres STL).</translation>
     </message>
     <message>
+        <source>about %1 to one</source>
+        <translation>etwa %1 zu eins</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
         <source>homing_offset is what is to be added to that of your arm, and the other numbers are those of a motor that reads a whole turn; name the arm's own calibration with --lerobot to have it changed.</source>
         <translation>homing_offset ist, was zu dem des Arms zu addieren ist, und die anderen Zahlen sind die eines Motors, der eine ganze Umdrehung liest; mit --lerobot wird die eigene Kalibrierung des Arms geändert.</translation>
     </message>
     <message>
         <source>The signs are those of Feetech's motors (SO-100, SO-101); Dynamixel's add homing_offset where these subtract it.</source>
         <translation>Die Vorzeichen sind die von Feetechs Motoren (SO-100, SO-101); die von Dynamixel addieren homing_offset, wo diese es abziehen.</translation>
+    </message>
+    <message>
+        <source>the markers as a whole are more than %1 mm from where they must be</source>
+        <translation>die Marker als Ganzes liegen mehr als %1 mm neben der Stelle, an der sie sein müssen</translation>
+    </message>
+    <message>
+        <source>the markers as a whole are turned by more than %1 deg from how they must lie</source>
+        <translation>die Marker als Ganzes sind um mehr als %1 Grad gegen die Lage verdreht, in der sie sein müssen</translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation>Tracker</translation>
     </message>
     <message>
         <source>ur_calibration is for robots with UR's six joints, and this one has no joint %1; export as urdf or dh.</source>
@@ -7164,11 +7232,11 @@
     </message>
     <message>
         <source>%1 usable observations leave %2 degrees of freedom beside %3 parameters; a diagnosis needs at least 10 observations and twice as many degrees of freedom as parameters: measure more poses.</source>
-        <translation>%1 brauchbare Beobachtungen lassen %2 Freiheitsgrade neben %3 Parametern; eine Diagnose braucht mindestens 10 Beobachtungen und doppelt so viele Freiheitsgrade wie Parameter: miss mehr Stellungen.</translation>
+        <translation>%1 brauchbare Beobachtungen lassen %2 Freiheitsgrade neben %3 Parametern; eine Diagnose braucht mindestens 10 Beobachtungen und doppelt so viele Freiheitsgrade wie Parameter: miss mehr Posen.</translation>
     </message>
     <message>
         <source>%1 (pose %2)</source>
-        <translation>%1 (Stellung %2)</translation>
+        <translation>%1 (Pose %2)</translation>
     </message>
     <message>
         <source>%1, moved from %2 to %3 mm, moves</source>
@@ -7360,7 +7428,7 @@
     </message>
     <message>
         <source>joints moved %1 deg since observation %2; %3 deg count as new</source>
-        <translation>Gelenke seit Beobachtung %2 um %1 Grad bewegt; neu ist eine Stellung ab %3 Grad</translation>
+        <translation>Gelenke seit Beobachtung %2 um %1 Grad bewegt; neu ist eine Pose ab %3 Grad</translation>
     </message>
     <message>
         <source>left open until the cameras' mount is known: %1 labelled and %2 open observations do not agree on one yet</source>
@@ -7432,31 +7500,23 @@
     </message>
     <message>
         <source>position of %1</source>
-        <translation>Stellung von %1</translation>
+        <translation>Pose von %1</translation>
     </message>
     <message>
         <source>rejected: %1</source>
-        <translation>abgelehnt: %1</translation>
+        <translation>verworfen: %1</translation>
     </message>
     <message>
         <source>shift along %1 of marker %2</source>
-        <translation>Schub längs %1 von Marker %2</translation>
+        <translation>Versatz längs %1 von Marker %2</translation>
     </message>
     <message>
         <source>shift along %1 of the %2</source>
-        <translation>Schub längs %1, %2</translation>
+        <translation>Versatz längs %1, %2</translation>
     </message>
     <message>
         <source>the first observation needs %1 labelled markers seen as points, and has %2</source>
         <translation>die erste Beobachtung braucht %1 markierte Marker, die als Punkte gesehen werden, und hat %2</translation>
-    </message>
-    <message>
-        <source>the markers as a whole are %1 mm from where they must be (limit %2)</source>
-        <translation>die Marker als Ganzes liegen %1 mm neben der Stelle, an der sie sein müssen (Grenze %2)</translation>
-    </message>
-    <message>
-        <source>the markers as a whole are turned by %1 deg from where they must be (limit %2)</source>
-        <translation>die Marker als Ganzes sind um %1 Grad gegen die Lage verdreht, in der sie sein müssen (Grenze %2)</translation>
     </message>
     <message>
         <source>tilt of the base about %1</source>
@@ -7576,7 +7636,7 @@
     </message>
     <message>
         <source>All observations have the same joint positions: nothing can be told from one pose.</source>
-        <translation>Alle Beobachtungen haben dieselben Gelenkwinkel: aus einer einzigen Stellung lässt sich nichts sagen.</translation>
+        <translation>Alle Beobachtungen haben dieselben Gelenkwinkel: aus einer einzigen Pose lässt sich nichts sagen.</translation>
     </message>
     <message>
         <source>Only one observation is used: tcp_from_body is that of thesis (4.35), and nothing checks it.</source>
@@ -7592,7 +7652,7 @@
     </message>
     <message>
         <source>From pose to pose the robot is off by more than the noise of the images: %1 (one standard deviation of each number). Images and robot are weighed by that.</source>
-        <translation>Von Stellung zu Stellung liegt der Roboter weiter daneben, als die Bilder rauschen: %1 (eine Standardabweichung jeder Zahl). Bilder und Roboter sind danach gewichtet.</translation>
+        <translation>Von Pose zu Pose liegt der Roboter weiter daneben, als die Bilder rauschen: %1 (eine Standardabweichung jeder Zahl). Bilder und Roboter sind danach gewichtet.</translation>
     </message>
     <message>
         <source>its joints by %1 mrad and its flange by %2 mm</source>
@@ -7632,19 +7692,19 @@
     </message>
     <message>
         <source>the hand stands in one and the same pose in all observations</source>
-        <translation>die Hand steht in allen Beobachtungen in derselben Stellung</translation>
+        <translation>die Hand steht in allen Beobachtungen in derselben Pose</translation>
     </message>
     <message>
         <source>no pose turns the hand</source>
-        <translation>keine Stellung dreht die Hand</translation>
+        <translation>keine Pose dreht die Hand</translation>
     </message>
     <message>
         <source>every pose turns the hand about the same axis</source>
-        <translation>jede Stellung dreht die Hand um dieselbe Achse</translation>
+        <translation>jede Pose dreht die Hand um dieselbe Achse</translation>
     </message>
     <message>
         <source>these poses do not show it</source>
-        <translation>diese Stellungen zeigen es nicht</translation>
+        <translation>diese Posen zeigen es nicht</translation>
     </message>
     <message>
         <source>its place along %1</source>
@@ -7688,7 +7748,7 @@
     </message>
     <message>
         <source>The robot stands in one and the same pose in all observations, and where the sensor sits is asked for: neither it nor TCP-&gt;Body can be told from one pose. Record poses that shift the hand and turn it about two axes.</source>
-        <translation>Der Roboter steht in allen Beobachtungen in derselben Stellung, und gefragt ist, wo der Sensor sitzt: aus einer einzigen Stellung lässt sich weder er noch TCP→Körper sagen. Nimm Stellungen auf, die die Hand verschieben und um zwei Achsen drehen.</translation>
+        <translation>Der Roboter steht in allen Beobachtungen in derselben Pose, und gefragt ist, wo der Sensor sitzt: aus einer einzigen Pose lässt sich weder er noch TCP→Körper sagen. Nimm Posen auf, die die Hand verschieben und um zwei Achsen drehen.</translation>
     </message>
     <message>
         <source>The fit did not converge in %1 iterations.</source>
@@ -7696,7 +7756,7 @@
     </message>
     <message>
         <source>%1 direction%2 of the unknowns cannot be observed in these poses and stay as they were.</source>
-        <translation>%1 Richtungen der Unbekannten zeigen sich in diesen Stellungen nicht und bleiben, wie sie waren.</translation>
+        <translation>%1 Richtungen der Unbekannten zeigen sich in diesen Posen nicht und bleiben, wie sie waren.</translation>
     </message>
     <message>
         <source>%1 sightings by one camera only cannot take part in this objective, which needs triangulated points.</source>
@@ -7744,7 +7804,7 @@
     </message>
     <message>
         <source>The noise, %1 %2, is that of poses which were measured again; how well the robot repeats is part of it.</source>
-        <translation>Das Rauschen, %1 %2, ist das von Stellungen, die noch einmal gemessen wurden; wie gut der Roboter wiederholt, gehört dazu.</translation>
+        <translation>Das Rauschen, %1 %2, ist das von Posen, die noch einmal gemessen wurden; wie gut der Roboter wiederholt, gehört dazu.</translation>
     </message>
     <message>
         <source>%1: the measurements say more than 5 times what is plausible; its plausible sizes were taken %2 times as large.</source>
@@ -7752,7 +7812,7 @@
     </message>
     <message>
         <source>An effect of the model shows only while the joints move; these poses are at rest and cannot show it.</source>
-        <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Stellungen ruhen und können sie nicht zeigen.</translation>
+        <translation>Eine Ursache des Modells zeigt sich nur, während die Gelenke sich bewegen; diese Posen ruhen und können sie nicht zeigen.</translation>
     </message>
     <message>
         <source>plane</source>
@@ -7860,7 +7920,7 @@
     </message>
     <message>
         <source>%1: no posture within the joint limits touches a fixture; check the limits in the robot's file.</source>
-        <translation>%1: keine Stellung innerhalb der Gelenkgrenzen berührt eine Vorrichtung; prüfe die Grenzen in der Datei des Roboters.</translation>
+        <translation>%1: keine Pose innerhalb der Gelenkgrenzen berührt eine Vorrichtung; prüfe die Grenzen in der Datei des Roboters.</translation>
     </message>
     <message>
         <source>has a place_sigma, expected one only where a place is said and estimate="yes"; a place that is held has none.</source>
@@ -7916,15 +7976,15 @@
     </message>
     <message>
         <source>No posture in %1 searches touches the fixture %2 within the joint limits; place it nearer to the robot, or widen --joint-range.</source>
-        <translation>Keine Stellung aus %1 Suchen berührt die Vorrichtung %2 innerhalb der Gelenkgrenzen; stelle sie näher an den Roboter oder erweitere --joint-range.</translation>
+        <translation>Keine Pose aus %1 Suchen berührt die Vorrichtung %2 innerhalb der Gelenkgrenzen; stelle sie näher an den Roboter oder erweitere --joint-range.</translation>
     </message>
     <message>
         <source>%1 and %2 cannot be told apart at any of the %3 poses that this robot and these cameras allow: whatever one of them does, the other does too.</source>
-        <translation>%1 und %2 lassen sich in keiner der %3 Stellungen unterscheiden, die dieser Roboter und diese Kameras erlauben: was das eine tut, tut auch das andere.</translation>
+        <translation>%1 und %2 lassen sich in keiner der %3 Posen unterscheiden, die dieser Roboter und diese Kameras erlauben: was das eine tut, tut auch das andere.</translation>
     </message>
     <message>
         <source>An effect depends on where a pose is approached from: drive to the poses in this order, each straight from the one before.</source>
-        <translation>Eine Ursache hängt davon ab, von wo eine Stellung angefahren wird: fahre sie in dieser Reihenfolge an, jede geradewegs von der davor.</translation>
+        <translation>Eine Ursache hängt davon ab, von wo eine Pose angefahren wird: fahre sie in dieser Reihenfolge an, jede geradewegs von der davor.</translation>
     </message>
     <message>
         <source>shift across, u,</source>
@@ -7936,7 +7996,7 @@
     </message>
     <message>
         <source>Nothing has changed that these poses show: cameras, hand and arm are as they were.</source>
-        <translation>Nichts hat sich geändert, was diese Stellungen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
+        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hand und Arm sind, wie sie waren.</translation>
     </message>
     <message>
         <source>arm and hand are as they were</source>
@@ -8120,7 +8180,7 @@
     </message>
     <message>
         <source>Fix the camera where it sees the hand in many postures, and fasten the target to the hand so that it cannot slip; turn the hand as far as the target can be seen.</source>
-        <translation>Befestige die Kamera dort, wo sie die Hand in vielen Stellungen sieht, und das Ziel so an der Hand, dass es nicht rutschen kann; drehe die Hand so weit, wie das Ziel zu sehen ist.</translation>
+        <translation>Befestige die Kamera dort, wo sie die Hand in vielen Posen sieht, und das Ziel so an der Hand, dass es nicht rutschen kann; drehe die Hand so weit, wie das Ziel zu sehen ist.</translation>
     </message>
     <message>
         <source>Fasten the camera to the hand and lay the target on the table where nothing moves it; look at it from all sides, near and far, and turn the hand about the line of sight.</source>
@@ -8188,7 +8248,7 @@
     </message>
     <message>
         <source>where a whole region of poses is held out, the error rises from %1 to %2</source>
-        <translation>wo ein ganzer Bereich von Stellungen ungesehen bleibt, steigt der Fehler von %1 auf %2</translation>
+        <translation>wo ein ganzer Bereich von Posen ungesehen bleibt, steigt der Fehler von %1 auf %2</translation>
     </message>
     <message>
         <source>What is left is finer than any sensor measures, as in a session that was computed without noise; %1 %2 are taken for its noise.</source>
@@ -8200,7 +8260,7 @@
     </message>
     <message>
         <source>Only %1 of %2 poses lie %3 rad or more away from the others and from those that were taken.</source>
-        <translation>Nur %1 von %2 Stellungen liegen %3 rad oder mehr von den anderen und von den aufgenommenen entfernt.</translation>
+        <translation>Nur %1 von %2 Posen liegen %3 rad oder mehr von den anderen und von den aufgenommenen entfernt.</translation>
     </message>
     <message>
         <source>rotation vectors (axis times angle)</source>
@@ -8456,7 +8516,7 @@
     </message>
     <message>
         <source>The position has %1 numbers; expected %2, one for each joint: %3.</source>
-        <translation>Die Stellung hat %1 Zahlen; erwartet werden %2, eine je Gelenk: %3.</translation>
+        <translation>Die Pose hat %1 Zahlen; erwartet werden %2, eine je Gelenk: %3.</translation>
     </message>
     <message>
         <source>Effect "%1": the session has the markers 0 to %2.</source>
@@ -8903,10 +8963,6 @@
         <translation>%1%2 unterscheidet sich um</translation>
     </message>
     <message>
-        <source>about %1 to 1</source>
-        <translation>etwa %1 zu 1</translation>
-    </message>
-    <message>
         <source> The residual "%1" follows the %2.</source>
         <translation> Das Residuum "%1" folgt %2.</translation>
     </message>
@@ -9100,11 +9156,11 @@
     </message>
     <message>
         <source>shift along %1 of %2</source>
-        <translation>Verschiebung von %2 entlang %1</translation>
+        <translation>Versatz längs %1, %2</translation>
     </message>
     <message>
         <source>turn about %1 of %2</source>
-        <translation>Drehung von %2 um %1</translation>
+        <translation>Drehung um %1, %2</translation>
     </message>
     <message>
         <source>joints that repeat to %1 mrad</source>
@@ -9164,7 +9220,7 @@
     </message>
     <message>
         <source>what follows the posture may explain as much: beside that its evidence is ln %1, below the ln %2 that is asked of %3</source>
-        <translation>was der Stellung folgt, mag ebenso viel erklären: daneben ist die Evidenz ln %1, unter den ln %2, die für %3 verlangt werden</translation>
+        <translation>was der Pose folgt, mag ebenso viel erklären: daneben ist die Evidenz ln %1, unter den ln %2, die für %3 verlangt werden</translation>
     </message>
     <message>
         <source>with it an unnamed curve, which is to be left out, still explains more than any name</source>
@@ -9852,11 +9908,11 @@
     </message>
     <message>
         <source>What was asked for is reached: nothing is missing that these poses could show.</source>
-        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Stellungen zeigen könnten.</translation>
+        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Posen zeigen könnten.</translation>
     </message>
     <message>
         <source>What was asked for is reached: nothing is missing that these poses could show, and the hand is known to %1 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Stellungen zeigen könnten, und die Hand ist auf %1 mm bekannt (95 %).</translation>
+        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Posen zeigen könnten, und die Hand ist auf %1 mm bekannt (95 %).</translation>
     </message>
     <message>
         <source>What was asked for is reached: the hand is known to %1 mm (95 %).</source>
@@ -9876,7 +9932,7 @@
     </message>
     <message>
         <source>No further pose was found that the robot can reach without a collision and where the target is seen.</source>
-        <translation>Es wurde keine weitere Stellung gefunden, die der Roboter ohne Zusammenstoß erreicht und in der das Ziel zu sehen ist.</translation>
+        <translation>Es wurde keine weitere Pose gefunden, die der Roboter ohne Zusammenstoß erreicht und in der das Ziel zu sehen ist.</translation>
     </message>
     <message>
         <source>What was asked for is reached. What is missing: %1, by odds of %2.</source>
@@ -9904,7 +9960,7 @@
     </message>
     <message>
         <source>Neither the calibration nor the session says where the robot was measured: no pose to recheck in.</source>
-        <translation>Weder Kalibrierung noch Sitzung sagt, wo der Roboter gemessen wurde: keine Stellung zum Nachprüfen.</translation>
+        <translation>Weder Kalibrierung noch Sitzung sagt, wo der Roboter gemessen wurde: keine Pose zum Nachprüfen.</translation>
     </message>
     <message>
         <source>%1: was expanded by xacro, with the arguments that it has by itself.</source>
@@ -9988,7 +10044,7 @@
     </message>
     <message>
         <source>Nothing has changed that these poses show: cameras, hands and arms are the same in all sessions.</source>
-        <translation>Nichts hat sich geändert, was diese Stellungen zeigen: Kameras, Hände und Arme sind in allen Sitzungen gleich.</translation>
+        <translation>Nichts hat sich geändert, was diese Posen zeigen: Kameras, Hände und Arme sind in allen Sitzungen gleich.</translation>
     </message>
     <message>
         <source>%1: %2 single wrong points are left out.</source>
@@ -10000,7 +10056,7 @@
     </message>
     <message>
         <source>shift along %1 at %2</source>
-        <translation>Verschiebung entlang %1 an %2</translation>
+        <translation>Versatz längs %1 an %2</translation>
     </message>
     <message>
         <source>turn about %1 at %2</source>
@@ -10396,7 +10452,7 @@
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation>Lagen des Flansches</translation>
+        <translation>Posen des Flansches</translation>
     </message>
     <message>
         <source>lines of joint angles</source>
@@ -10404,7 +10460,7 @@
     </message>
     <message>
         <source>poses of the target</source>
-        <translation>Lagen des Ziels</translation>
+        <translation>Posen des Ziels</translation>
     </message>
     <message>
         <source>pairs of images</source>
@@ -10420,7 +10476,7 @@
     </message>
     <message>
         <source>A session needs at least one observation; there is no pose.</source>
-        <translation>Eine Sitzung braucht mindestens eine Beobachtung; es ist keine Stellung da.</translation>
+        <translation>Eine Sitzung braucht mindestens eine Beobachtung; es ist keine Pose da.</translation>
     </message>
     <message>
         <source>it has no entries with names</source>
@@ -10536,7 +10592,7 @@
     </message>
     <message>
         <source>there is no pose in the file, expected a line of joint positions for each.</source>
-        <translation>in der Datei ist keine Stellung; erwartet wird für jede eine Zeile mit Gelenkwinkeln.</translation>
+        <translation>in der Datei ist keine Pose; erwartet wird für jede eine Zeile mit Gelenkwinkeln.</translation>
     </message>
     <message>
         <source>one finite number</source>
@@ -10888,7 +10944,7 @@
     </message>
     <message>
         <source>The target's pose counts whole, place and turn.</source>
-        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung.</translation>
+        <translation>Die Pose des Ziels zählt ganz, Ort und Drehung.</translation>
     </message>
     <message>
         <source>%1 rows repeat another one in both tables; each counts once.</source>
@@ -11008,11 +11064,11 @@
     </message>
     <message>
         <source>Neither the calibration nor the session says where the sensor sits: a few poses cannot tell it.</source>
-        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Stellungen lässt es sich nicht finden.</translation>
+        <translation>Weder die Kalibrierung noch die Sitzung sagt, wo der Sensor sitzt: aus wenigen Posen lässt es sich nicht finden.</translation>
     </message>
     <message>
         <source>The session has no observation with markers that can be used; label some poses.</source>
-        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Stellungen beschriften.</translation>
+        <translation>Die Sitzung hat keine Beobachtung mit Markern, die sich verwenden lässt; einige Posen beschriften.</translation>
     </message>
     <message>
         <source>%1: has no &lt;robot&gt; with the tcp link or no &lt;joints&gt; with their order; predict from its session.</source>
@@ -11020,7 +11076,7 @@
     </message>
     <message>
         <source>The target's pose counts whole, place and turn; how exactly the sensor tells them is estimated. Where it is known say it: --sigma (m), --sigma-angle (rad), or in &lt;pose_sensor&gt;.</source>
-        <translation>Die Lage des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, gib es an: --sigma (m), --sigma-angle (rad), oder in &lt;pose_sensor&gt;.</translation>
+        <translation>Die Pose des Ziels zählt ganz, Ort und Drehung; wie genau der Sensor sie angibt, wird geschätzt. Wo es bekannt ist, gib es an: --sigma (m), --sigma-angle (rad), oder in &lt;pose_sensor&gt;.</translation>
     </message>
     <message>
         <source>The calibration of the %1 camera has width and height swapped; %2 x %3 px of the images is taken.</source>
@@ -11072,7 +11128,7 @@
     </message>
     <message>
         <source>Line %1 of %2 is not the posture that the session has for %3. Name the images' numbers in a column "number".</source>
-        <translation>Zeile %1 von %2 ist nicht die Stellung, die die Sitzung für %3 hat. Nenne die Nummern der Bilder in einer Spalte „number“.</translation>
+        <translation>Zeile %1 von %2 ist nicht die Pose, die die Sitzung für %3 hat. Nenne die Nummern der Bilder in einer Spalte „number“.</translation>
     </message>
     <message>
         <source>%1 waits for its joint angles in %2 (number %3).</source>
@@ -11128,7 +11184,7 @@
     </message>
     <message>
         <source>it has no whole pose of the flange (x y z qx qy qz qw)</source>
-        <translation>sie hat keine ganze Lage des Flansches (x y z qx qy qz qw)</translation>
+        <translation>sie hat keine ganze Pose des Flansches (x y z qx qy qz qw)</translation>
     </message>
     <message>
         <source>it has no whole point</source>
@@ -11288,7 +11344,7 @@
     </message>
     <message>
         <source>The position holds a number that is not finite (nan or inf); expected angles in rad (m).</source>
-        <translation>Die Stellung enthält eine Zahl, die nicht endlich ist (nan oder inf); erwartet werden Winkel in rad (m).</translation>
+        <translation>Die Pose enthält eine Zahl, die nicht endlich ist (nan oder inf); erwartet werden Winkel in rad (m).</translation>
     </message>
     <message>
         <source>This candidate is a curve without a name that could not be written down; choose one that has terms.</source>
@@ -12544,7 +12600,7 @@
     </message>
     <message>
         <source>refused: %1</source>
-        <translation>abgelehnt: %1</translation>
+        <translation>verworfen: %1</translation>
     </message>
     <message>
         <source>The driver has refused or shown nothing in %1 moves in a row, the last time because: %2.</source>
@@ -12608,7 +12664,7 @@
     </message>
     <message>
         <source>One more hour (about %1 poses at %2 s each) would bring the body's place on the hand from +-%3 mm to +-%4 mm, as the model has it.</source>
-        <translation>Eine Stunde mehr (etwa %1 Stellungen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
+        <translation>Eine Stunde mehr (etwa %1 Posen zu je %2 s) brächte den Ort des Körpers auf der Hand nach dem Modell von +-%3 mm auf +-%4 mm.</translation>
     </message>
     <message>
         <source>--until %1: expected hand=0.3mm, odds=20, count=60 or time=30min (um, mm, cm, m; s, min, h), several with | between.</source>
@@ -13352,7 +13408,7 @@
     </message>
     <message>
         <source>it is not said in which posture</source>
-        <translation>es ist nicht gesagt, in welcher Stellung</translation>
+        <translation>es ist nicht gesagt, in welcher Pose</translation>
     </message>
     <message>
         <source>the tip does not come to %1</source>

@@ -48,7 +48,7 @@ TEST_F(Experiments, AHiddenCauseIsNamedAndItSaysWhyItEnds) {
   EXPECT_EQ(result.settled->id, "joint_offset");
   EXPECT_THAT(result.settled->where, testing::ElementsAre("a3"));
   EXPECT_GE(result.settled->odds, 20);
-  EXPECT_THAT(result.reason, HasSubstr("Joint offset (a3)"));
+  EXPECT_THAT(result.reason, HasSubstr("What is missing: Joint offset of a3,"));
   EXPECT_THAT(result.more, HasSubstr("One more hour"));
   EXPECT_LE(result.observations, 40);
 }

@@ -59,7 +59,6 @@ void verdicts(const KeepPicture& keep) {
   v = missing_verdict();
   v.state = SessionState::looking;
   v.sentence = "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px.";
-  v.progress = "Looking for the cause: from 40 of 100";
   v.predicted = {0.24, SizeUnit::pixel};
   line.set_verdict(v);
   keep(line, "verdict_looking", {1056, 72});
@@ -91,7 +90,6 @@ void cards(const KeepPicture& keep) {
   keep(list, "cards", {464, 760});
   CardState better = predicted_card();
   list.set_cards({better, elasticity_card()}, CardOrder::kept);
-  list.set_progress("from 40 of 100");
   keep(list, "cards_resort", {464, 420});
   CandidateList honest;
   honest.set_cards(honest_cards(), CardOrder::fresh);

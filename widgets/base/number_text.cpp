@@ -2,6 +2,7 @@
 #include "widgets/base/number_text.h"
 
 #include <QObject>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -119,6 +120,14 @@ QString with_sigma_unit_text(std::optional<double> value, std::optional<double> 
 
 QString size_text(const ShownSize& size, int digits) {
   return with_unit_text(size.value, unit_name(size.unit), digits);
+}
+
+QString unbroken(QString text) {
+  static const QRegularExpression before_unit(
+      QString::fromUtf8("(?<=[\\d×]) (?=(%|px|mm|[µum]?m|[µmu]?rad|deg|Grad|σ|kg|s|N)(?![\\w]))"));
+  text.replace(before_unit, QString(QChar(0x00A0)));
+  return text.replace(QString::fromUtf8(" ± "), QString::fromUtf8("\u00a0±\u00a0"))
+      .replace(QString::fromUtf8("± "), QString::fromUtf8("±\u00a0"));
 }
 
 QString duration_text(double seconds) {

@@ -38,6 +38,9 @@ QString with_sigma_unit_text(std::optional<double> value, std::optional<double> 
 /// "9.1 px", "12 mm", "45 σ"; "-" where it has no value.
 QString size_text(const ShownSize& size, int digits = 2);
 
+/// The text so that no line ends between a number and its unit or its sigma.
+QString unbroken(QString text);
+
 /// "2 s", "1 min 20 s": time left of a job.
 QString duration_text(double seconds);
 

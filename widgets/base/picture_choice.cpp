@@ -78,6 +78,9 @@ PictureChoice::PictureChoice(const QString& name, const std::vector<PictureOptio
     });
     buttons_.push_back(tile);
   }
+  // A row that is not full: its tiles are as wide as those of the others.
+  for (int i = static_cast<int>(options.size()); i < columns; ++i)
+    grid->addItem(new QSpacerItem(tile_width, 0, QSizePolicy::Expanding), 0, i);
   if (!buttons_.empty()) buttons_.front()->setChecked(true);
 }
 

@@ -31,14 +31,11 @@ CandidateList::CandidateList(QWidget* parent) : QWidget(parent) {
   title_ = new QLabel(tr("What is missing"), this);
   title_->setFont(text_font(TextRole::title));
   title_->setFixedHeight(control_height);
-  progress_ = new QLabel(this);
-  progress_->setFont(text_font(TextRole::small));
   resort_ = new QPushButton(tr("Order changed: sort again"), this);
   resort_->setFont(text_font(TextRole::small));
   resort_->hide();
   head->addWidget(title_);
   head->addStretch(1);
-  head->addWidget(progress_);
   head->addWidget(resort_);
   layout->addLayout(head);
 
@@ -239,11 +236,6 @@ void CandidateList::show_add() {
 void CandidateList::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   QTimer::singleShot(0, this, &CandidateList::show_add);
-}
-
-void CandidateList::set_progress(const QString& text) {
-  progress_->setText(text);
-  progress_->setVisible(!text.isEmpty());
 }
 
 void CandidateList::set_previewed(const QString& id) {

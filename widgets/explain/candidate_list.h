@@ -26,8 +26,7 @@ class CandidateList : public QWidget {
  public:
   explicit CandidateList(QWidget* parent = nullptr);
   void set_cards(std::vector<CardState> cards, CardOrder order);
-  void set_progress(const QString& text);  // "from 40 of 100"; empty: done
-  void set_previewed(const QString& id);   // the card that is shown as tried; empty: none
+  void set_previewed(const QString& id);  // the card that is shown as tried; empty: none
   void set_empty_text(const QString& sentence);
   void set_can_add(bool can_add);                                      // false while a fit runs
   void set_measured_note(const QString& id, const QString& sentence);  // why what was typed was not taken
@@ -66,9 +65,8 @@ class CandidateList : public QWidget {
   std::vector<CandidateCard*> cards_;
   std::vector<CardState> wanted_;
   std::vector<QString> attended_;  // hovered or focused, the latest last: a card may have both, or two have one each
-  QString progress_text_, empty_text_;
   bool can_add_ = true;
-  QLabel *title_, *progress_, *empty_;
+  QLabel *title_, *empty_;
   void show_add();
   void lay_out_foot();
   const CandidateCard* first_to_add() const;

@@ -77,7 +77,7 @@ void EffectTable::set_rows(std::vector<EffectRow> rows) {
 /// Name and verdict are whole; where it is has the rest, and its tool tip.
 void EffectTable::fit_columns() {
   constexpr int where_column = 2;
-  constexpr int least_name = 150, least_verdict = 176, beside_text = 2 * layout_gap, mark = 24;
+  constexpr int least_name = 150, least_verdict = 120, beside_text = 2 * layout_gap, mark = 24;
   const QFontMetrics metrics(text_font(TextRole::body));
   const auto width = [&](int row, int column) {
     return metrics.horizontalAdvance(model_->index(row, column).data().toString()) + beside_text;

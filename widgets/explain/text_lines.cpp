@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "widgets/base/number_text.h"
+
 namespace handsight::widgets {
 namespace {
 
@@ -16,7 +18,7 @@ struct Piece {
 };
 
 std::vector<Piece> pieces_of(const QFont& font, const QString& text, double width, int most_lines) {
-  QTextLayout layout(text, font);
+  QTextLayout layout(unbroken(text), font);  // as long as the text
   QTextOption option;
   option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   layout.setTextOption(option);

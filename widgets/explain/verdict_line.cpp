@@ -26,6 +26,7 @@ Mood mood_of(SessionState state) {
   switch (state) {
     case SessionState::adequate:
       return Mood::good;
+    case SessionState::mistake:
     case SessionState::missing:
     case SessionState::implausible:
     case SessionState::unexplained:
@@ -51,6 +52,7 @@ QString sign_of(SessionState state) {
       return QStringLiteral("…");
     case SessionState::adequate:
       return QStringLiteral("✓");
+    case SessionState::mistake:
     case SessionState::missing:
       return QStringLiteral("!");
     case SessionState::ambiguous:
@@ -72,6 +74,8 @@ QString session_state_text(SessionState state) {
       return line_text("waiting");
     case SessionState::looking:
       return line_text("looking …");
+    case SessionState::mistake:
+      return line_text("mistake");
     case SessionState::adequate:
       return line_text("adequate");
     case SessionState::stand_in:
@@ -138,12 +142,10 @@ void VerdictLine::paint_state(QPainter& painter, const QRectF& area) const {
 }
 
 void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
-  QString sentence = verdict_.sentence;
-  for (const char* unit : {" %", " px", " mm"})
-    sentence.replace(unit, QChar(0x00A0) + QString(unit).mid(1));  // no line ends between
+  const QString& sentence = verdict_.sentence;
   painter.setPen(colors().ink1);
   QFont font = text_font(TextRole::title);
-  int most = verdict_.progress.isEmpty() ? 3 : 2;
+  int most = 3;
   const auto fits = [&] {
     return lines_height(font, sentence, area.width(), most + 1) <= (most + 0.5) * QFontMetricsF(font).lineSpacing();
   };
@@ -152,14 +154,7 @@ void VerdictLine::paint_sentence(QPainter& painter, const QRectF& area) const {
   if (!fits()) font = text_font(TextRole::small), ++most;
   const int lines = most;
   const double high = lines_height(font, sentence, area.width(), lines);
-  const double note = verdict_.progress.isEmpty() ? 0 : 18;
-  const double top = area.center().y() - (high + note) / 2;
-  draw_lines(painter, font, QRectF(area.left(), top, area.width(), high), sentence, lines);
-  if (verdict_.progress.isEmpty()) return;
-  painter.setFont(text_font(TextRole::small));
-  painter.setPen(colors().ink3);
-  draw_text(painter, QRectF(area.left(), top + high + 2, area.width(), 16), Qt::AlignLeft | Qt::AlignVCenter,
-            verdict_.progress);
+  draw_lines(painter, font, QRectF(area.left(), area.center().y() - high / 2, area.width(), high), sentence, lines);
 }
 
 void VerdictLine::paint_attribution(QPainter& painter, const QRectF& area) const {

@@ -12,6 +12,7 @@ namespace handsight::widgets {
 
 enum class SessionState {
   waiting,  // nothing to judge yet
+  mistake,  // the session itself is wrong
   looking,  // a diagnosis runs
   adequate,
   stand_in,  // at the noise, with something in the model that stands in for another cause
@@ -31,7 +32,6 @@ QString session_state_text(SessionState state);
 struct SessionVerdict {
   SessionState state = SessionState::waiting;
   QString sentence;                             // at most two lines at 1056 px
-  QString progress;                             // while looking: "from 40 of 100"
   std::optional<double> error_px, noise_px;     // held out, per coordinate; absent with a tracker
   std::optional<double> error_mm, noise_mm;     // at the hand
   std::optional<double> error_sigma;            // in units of the noise

@@ -25,6 +25,7 @@ class PlotWidget : public QWidget {
  public:
   explicit PlotWidget(QWidget* parent = nullptr);
   void set_title(const QString& title);
+  const QString& title() const { return title_; }
   void set_empty_text(const QString& sentence);  // shown while there is nothing to plot
   QImage picture(double scale = 2) const;
   /// Written whole or not at all; returns an empty text, or the sentence that says why not. The ending says the kind:

@@ -70,6 +70,7 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     connect(button, &QToolButton::clicked, this, [this, v = view] { look(v); });
     row->addWidget(button);
   }
+  show_buttons();
 }
 
 RobotView::~RobotView() { parts_->gl.release(); }
@@ -82,6 +83,7 @@ void RobotView::set_robot(const Robot& robot, const std::filesystem::path& mesh_
   p.robot = robot;
   p.posture.clear();
   p.bent.reset();
+  show_buttons();
   if (p.reading.valid()) p.abandoned.push_back(std::move(p.reading));
   take_meshes({});
   if (!has_meshes(robot)) return;
@@ -324,7 +326,12 @@ void RobotView::paintEvent(QPaintEvent*) {
 void RobotView::resizeEvent(QResizeEvent*) {
   parts_->buttons->adjustSize();
   parts_->buttons->move(width() - parts_->buttons->width() - 4, 2);
-  parts_->buttons->setVisible(parts_->buttons->width() + 8 < width());
+  show_buttons();
+}
+
+/// There is nothing to look at from anywhere before there is a robot.
+void RobotView::show_buttons() {
+  parts_->buttons->setVisible(!parts_->robot.links.empty() && parts_->buttons->width() + 8 < width());
 }
 
 void RobotView::changeEvent(QEvent* event) {

@@ -100,6 +100,7 @@ class RobotView : public QWidget {
   void finish_reading();
   void change();  // the scene: the next painting draws it anew
   void draw(const QSize& size);
+  void show_buttons();
   void smooth();     // a step nearer to a picture with smooth edges
   void smooth_on();  // the same, while nothing moves, until it is there
   void show_menu(const QPoint& position);

@@ -194,7 +194,9 @@ void judge(const Problem& problem, const ProblemObservation& seen, const Unknown
   if (row.noise_of_hand_m) *row.noise_of_hand_m *= *noise;
   row.ratio = *row.rms / *noise;
   row.attribution = attribute_error(parts, *noise, typical);
-  const SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.attribution.cause);
+  SingleChange change = single_change(problem, seen, unknowns, *noise, typical, parts, row.attribution.cause);
+  // How far off the hand is is one figure, whoever tells it.
+  if (change.kind == SingleChange::Kind::pose) change.size = row.hand_m.value_or(row.rms_m.value_or(change.size));
   row.what_would_mend = change_text(change, problem.rig_or_null());
   row.smallest_visible = smallest_visible(problem, seen, unknowns, *noise);
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_neighbours = 12;
 
-void add_axes(const std::string& frame, const std::vector<Matrix6>& frame_from_sensor, const LinearModel& model,
+void add_axes(const Message& frame, const std::vector<Matrix6>& frame_from_sensor, const LinearModel& model,
               std::vector<ResidualAxis>& list) {
   const char* axes[] = {"x", "y", "z"};
   const std::size_t first = list.size();

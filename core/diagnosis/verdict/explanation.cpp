@@ -16,7 +16,7 @@ namespace {
 
 Message odds(double ln_bayes_factor) {
   if (ln_bayes_factor > 13.8) return "more than a million to one";
-  if (ln_bayes_factor > 0) return message("about {:.0f} to 1", std::exp(ln_bayes_factor));
+  if (ln_bayes_factor > 0) return message("about {:.0f} to one", std::exp(ln_bayes_factor));
   return "none";
 }
 

@@ -31,10 +31,13 @@ Message reached_text(const Goals& until, const ExperimentResult& result) {
                             hand)
                       : Message("What was asked for is reached: nothing is missing that these poses could show.");
   const Message odds = result.settled->odds > 1e6 ? Message("more than a million to one")
-                                                  : message("about {:.0f} to 1", rounded_odds(result.settled->odds));
+                                                  : message("about {:.0f} to one", rounded_odds(result.settled->odds));
   const Effect* const effect = find_effect(result.settled->id);
   Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
-  if (!result.settled->where.empty()) cause = message("{} ({})", cause, listed_places(result.settled->where));
+  const std::vector<std::string>& where = result.settled->where;
+  if (!where.empty())
+    cause = where.front().starts_with("from observation") ? message("{} {}", cause, listed_places(where))
+                                                          : message("{} of {}", cause, listed_places(where));
   return until.hand ? message(
                           "What was asked for is reached. What is missing: {}, by odds of {}; the hand is known to "
                           "{} mm (95 %).",

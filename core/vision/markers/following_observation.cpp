@@ -176,7 +176,8 @@ Search searched(const std::vector<CornerPair>& pairs, const KnownMarkers& known,
   return search;
 }
 
-/// Why nothing was found: the body may simply be farther off than the gate allows, which is worth saying.
+/// Why nothing was found: the body may simply be farther off than the gate allows, which is worth saying. By how much,
+/// the model says that is fitted in the end: here it is a prediction of few observations.
 Message refusal(const Search& search, const std::vector<CornerPair>& pairs) {
   if (search.prediction) {
     MatchOptions wide = search.options;
@@ -185,11 +186,11 @@ Message refusal(const Search& search, const std::vector<CornerPair>& pairs) {
     const Search again = searched(pairs, search.known, search.prediction, wide);
     for (const BodyHypothesis& h : again.found) {
       if (h.body_offset > search.options.body_gate)
-        return message("the markers as a whole are {:.0f} mm from where they must be (limit {:.0f})",
-                       1e3 * h.body_offset, 1e3 * search.options.body_gate);
+        return message("the markers as a whole are more than {:.0f} mm from where they must be",
+                       1e3 * search.options.body_gate);
       if (h.body_turn > search.options.turn_gate)
-        return message("the markers as a whole are turned by {:.0f} deg from where they must be (limit {:.0f})",
-                       57.29578 * h.body_turn, 57.29578 * search.options.turn_gate);
+        return message("the markers as a whole are turned by more than {:.0f} deg from how they must lie",
+                       57.29578 * search.options.turn_gate);
     }
   }
   return too_few_reason(search, pairs.size());

@@ -132,7 +132,7 @@ TEST_F(EffectsTest, CurvesComeBackFromTheJournal) {
   const Edit edit{.sentence = "x", .settings = SettingsEdit{{}, wanted}};
   EXPECT_THROW(parse_edit(edit_text(edit)), InputError) << "no robot to make it for";
   document.perform(without_effect(document, "curve_1"));
-  EXPECT_EQ(document.undo_stack().undoText(), "took out the hand shifts along y with sin(3.3 q) of right_arm_4");
+  EXPECT_EQ(document.undo_stack().undoText(), "took out: the hand shifts along y with sin(3.3 q) of right_arm_4");
 }
 
 TEST_F(EffectsTest, UndoSaysWhatItDidToTheError) {

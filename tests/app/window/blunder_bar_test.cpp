@@ -65,6 +65,26 @@ TEST_F(BlunderPage, SaysWhatIsWrongAndWritesTheSessionPutRightBesideIt) {
   EXPECT_EQ(app::mended_folder(read_session(session)).filename(), "wrong_mended_2") << "nothing is written over";
 }
 
+TEST_F(BlunderPage, TheWholeWindowSaysTheMistakeUntilItIsPutAway) {
+  open(write("wrong", true));
+  ExplainPage explain{desk};
+  ASSERT_TRUE(desk.wait([this] { return bar->isVisible(); }, 120000));
+  desk.key(Qt::Key_4, Qt::ControlModifier);
+  const auto said = [&] { return explain.verdict().sentence; };
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::mistake);
+  EXPECT_TRUE(said().startsWith("Joint a3 counts the other way")) << said().toStdString();
+  EXPECT_FALSE(said().contains("misses by")) << "a figure of a wrong session tells nothing: " << said().toStdString();
+  EXPECT_FALSE(explain.verdict().attribution) << "it is nobody's fault among cameras, body and robot";
+  EXPECT_FALSE(desk.find<QPushButton>("add_first")->isEnabled());
+  EXPECT_FALSE(desk.find<QPushButton>("until_it_stops")->isEnabled());
+  EXPECT_TRUE(desk.wait([this] { return !desk.window.workbench().explaining.is_busy(); }))
+      << "no causes are looked for in it";
+  desk.press_button("blunders_away");
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_NE(explain.verdict().state, widgets::SessionState::mistake) << "whoever knows better goes on";
+  EXPECT_TRUE(said().contains("misses by")) << said().toStdString();
+}
+
 TEST_F(BlunderPage, OfAGoodSessionSaysSoWhenAsked) {
   open(write("good", false));
   ASSERT_TRUE(desk.settle());

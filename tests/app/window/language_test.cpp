@@ -105,8 +105,7 @@ TEST(Language, SentencesOfTheCoreAreTranslatedWithWhatIsPutIn) {
       message("joints moved {:.1f} deg since observation {}; {:.0f} deg count as new", 0.7, 21, 2.0);
   EXPECT_EQ(app::translated(rejected), QString::fromStdString(rejected.english())) << "English without a translation";
   ASSERT_TRUE(QCoreApplication::installTranslator(&german));
-  EXPECT_EQ(app::translated(rejected),
-            "Gelenke seit Beobachtung 21 um 0,7 Grad bewegt; neu ist eine Stellung ab 2 Grad");
+  EXPECT_EQ(app::translated(rejected), "Gelenke seit Beobachtung 21 um 0,7 Grad bewegt; neu ist eine Pose ab 2 Grad");
   EXPECT_EQ(app::translated(message("excluded: {}", Message("no reason given"))),
             "ausgeschlossen: kein Grund angegeben");
   EXPECT_EQ(app::translated(answer_check({"", "", 1, 0.5, "1", {}}, 1.6, 0).text),

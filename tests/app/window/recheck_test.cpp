@@ -62,6 +62,7 @@ TEST_F(RecheckInWindow, FivePosesAreLookedAtAndNothingHasChanged) {
   EXPECT_EQ(points("recheck_history"), 5U);
   EXPECT_GE(desk.find<QComboBox>("recheck_number")->count(), 6) << "mount, hand and joints";
   EXPECT_EQ(desk.find<widgets::HistoryPlot>("recheck_e_values")->limit(), 1000);
+  EXPECT_EQ(desk.find<widgets::HistoryPlot>("recheck_history")->title(), "") << "the choice above it says what it is";
 }
 
 TEST_F(RecheckInWindow, AHandThatHasSlippedIsNamed) {
