@@ -9,6 +9,17 @@
 #include "widgets/explain/residual_cloud.h"
 
 namespace handsight::widgets {
+namespace {
+
+/// Powers of ten within two decades below the reach.
+std::vector<double> round_sizes(double reach) {
+  std::vector<double> sizes;
+  const int first = static_cast<int>(std::ceil(std::log10(std::max(reach / 100, 1e-9))));
+  for (int power = first; std::pow(10.0, power) < reach; ++power) sizes.push_back(std::pow(10.0, power));
+  return sizes;
+}
+
+}  // namespace
 
 void ResidualCloud::paint_ground(QPainter& painter, int index) const {
   const Colors& c = colors();
@@ -22,8 +33,7 @@ void ResidualCloud::paint_ground(QPainter& painter, int index) const {
   if (shown(index).empty()) return;
   painter.drawLine(QPointF(area.left(), middle.y()), QPointF(area.right(), middle.y()));
   painter.drawLine(QPointF(middle.x(), area.top()), QPointF(middle.x(), area.bottom()));
-  for (double size = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); size < reach_; size *= 10)
-    painter.drawEllipse(middle, half * radius(size), half * radius(size));
+  for (const double size : round_sizes(reach_)) painter.drawEllipse(middle, half * radius(size), half * radius(size));
 }
 
 void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) const {
@@ -45,7 +55,7 @@ void ResidualCloud::paint_ring_names(QPainter& painter, const QRectF& area) cons
     painter.setBrush(Qt::NoBrush);
   }
   painter.setPen(c.ink3);
-  for (double size = std::pow(10.0, std::ceil(std::log10(std::max(reach_ / 100, 1e-9)))); size < reach_; size *= 10) {
+  for (const double size : round_sizes(reach_)) {
     const double r = half * radius(size);
     if (size > 0.7 * reach_ || (noise_ && size < 4 * *noise_) || r < 16) continue;
     draw_plate(painter, {area.center().x() + r * 0.7071 - 2, area.center().y() + r * 0.7071 + 4},
