@@ -158,7 +158,7 @@ void BlunderBar::refresh() {
   const Blunder& first = found().front();
   sizes_->setVisible(first.is_by_fit);
   sizes_->setText((found().size() == 1 ? tr("Fitted with it, %1 are left; put right, %2.")
-                                      : tr("Fitted with them, %1 are left; both put right, %2."))
+                                       : tr("Fitted with them, %1 are left; both put right, %2."))
                       .arg(error_text(first, first.error_before), error_text(first, first.error_after)));
   write_->setEnabled(true);
   QPalette tinted = palette();

@@ -96,7 +96,7 @@ void require_target(const Rig& rig, const ConvertOptions& o, const std::vector<s
   if (o.target || is_pair(rig)) return;
   if (static_cast<int>(folders.size()) == rig.count())
     if (const Message shown = shown_target_text(find_images(folders_by_camera(rig, folders))); !shown.empty())
-      throw InputError(message("No --target is named. {}", shown));
+      throw InputError(message("No target is named. {}", shown));
   throw InputError(
       message("With {} {} something must be shown whose points name themselves: say what with --target, for example "
               "\"charuco columns=8 rows=6 square=0.03 marker=0.022 dictionary=DICT_5X5_100\"; markers without names "
@@ -111,7 +111,7 @@ void say_what_is_shown(const Rig& rig, const ConvertOptions& o, const std::vecto
                        std::vector<Message>& notes) {
   if (o.target || !is_pair(rig)) return;
   if (const Message shown = shown_target_text(images); !shown.empty())
-    notes.push_back(message("No --target is named: the session is one of markers without names. {}", shown));
+    notes.push_back(message("No target is named: the session is one of markers without names. {}", shown));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace handsight {
 
-/// "What 4 of these images show fits --target "chessboard columns=9 rows=6 square=?mm": ..."; empty where nothing is
+/// "4 of the images show one: say what with --target "chessboard columns=9 rows=6 square=?mm", ..."; empty where nothing is
 /// found in them.
 Message shown_target_text(const std::vector<InstantImages>& images);
 

@@ -73,20 +73,20 @@
         <translation>mm im Mittel</translation>
     </message>
     <message>
-        <source>What %1 of the images show fits --target &quot;%2&quot;: put the measured lengths in place of ?%3.</source>
-        <translation>Was %1 der Bilder zeigen, passt zu --target &quot;%2&quot;: für ? die gemessenen Längen einsetzen%3.</translation>
+        <source>%1 of the images show one: say what with --target &quot;%2&quot;, the measured lengths in place of ?%3.</source>
+        <translation>%1 der Bilder zeigen eines: mit --target &quot;%2&quot; sagen, welches, für ? die gemessenen Längen%3.</translation>
     </message>
     <message>
         <source>; a marker is %1 of a square</source>
         <translation>; ein Marker ist das %1-fache eines Felds</translation>
     </message>
     <message>
-        <source>No --target is named. %1</source>
-        <translation>Kein --target ist genannt. %1</translation>
+        <source>No target is named. %1</source>
+        <translation>Kein Ziel ist genannt. %1</translation>
     </message>
     <message>
-        <source>No --target is named: the session is one of markers without names. %1</source>
-        <translation>Kein --target ist genannt: Die Sitzung ist eine von Markern ohne Namen. %1</translation>
+        <source>No target is named: the session is one of markers without names. %1</source>
+        <translation>Kein Ziel ist genannt: Die Sitzung ist eine von Markern ohne Namen. %1</translation>
     </message>
     <message>
         <source>Write the session put right</source>
