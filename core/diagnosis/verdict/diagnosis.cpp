@@ -377,7 +377,7 @@ class Work {
           z2 += std::pow(e.term.values[p] / e.sigmas[p], 2);
           ++numbers;
         }
-      if (z2 > 12 + 2 * numbers) kept.push_back(e.term);
+      if (z2 > 8 + 2 * numbers) kept.push_back(e.term);
     }
     if (kept.empty() || kept.size() == r.added) return;
     std::vector<FitIteration> other_path;

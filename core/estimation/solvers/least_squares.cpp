@@ -98,19 +98,30 @@ double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   return size;
 }
 
+/// Where a model leaves much more than noise, its residuals' second derivatives make the cost bend more along some
+/// directions than Gauss and Newton's equations know: every step along them goes too far, by nearly twice, and comes
+/// back no nearer. The share of their step at which the cost along the last one was lowest is taken of the next.
+double next_share(double share, double slope_before, double slope_after) {
+  constexpr double least = 0.4, all_but_all = 0.8;
+  if (!(slope_before > 0)) return 1;
+  const double best = share * slope_before / std::max(slope_before - slope_after, 1e-300);
+  return best > all_but_all || !(best > 0) ? 1 : std::max(best, least);
+}
+
 /// A long step along a bent valley leaves its floor, and the next one leads back to it, farther on: goes there where
-/// that costs less than `before`.
-void lead_back(const Problem& problem, double damping, bool fixed_body, double before,
+/// that costs less than `before`. Was it so?
+bool lead_back(const Problem& problem, double damping, bool fixed_body, double before,
                const std::function<NormalEquations(const Unknowns&, bool derives)>& normal_at, Unknowns& next,
                NormalEquations& normal) {
   constexpr double most_risen = 10;  // times: from farther up no single step leads back
-  if (!(normal.cost > before && normal.cost < most_risen * before)) return;
+  if (!(normal.cost > before && normal.cost < most_risen * before)) return false;
   const Eigen::VectorXd back = step_from(normal, step_basis(problem, next, fixed_body), damping, fixed_body);
   Unknowns farther = stepped(problem, next, back, fixed_body);
   NormalEquations there = normal_at(farther, true);
-  if (!(there.cost < before)) return;
+  if (!(there.cost < before)) return false;
   next = std::move(farther);
   normal = std::move(there);
+  return true;
 }
 
 /// What a step must promise to be worth it. An answer that is not asked for exactly is good enough within a thousandth
@@ -142,28 +153,33 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   solution.start_cost = solution.normal.cost;
   const bool can_start = std::isfinite(solution.start_cost);
   double damping = 1e-8;
+  double share = 1;  // of Gauss and Newton's step
   bool was_refused = false;
   int patience = 0, wait = 0;  // steps that are taken before a longer one is tried
   while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
     const Eigen::VectorXd gradient = gradient_by_steps(solution.normal, solution.basis, options.fixed_body);
-    const Eigen::VectorXd step = step_from(solution.normal, solution.basis, damping, options.fixed_body);
+    const Eigen::VectorXd step = share * step_from(solution.normal, solution.basis, damping, options.fixed_body);
+    const double slope = gradient.dot(step);
     Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     const double size = measure_size(original, step);
     // The derivatives that are at hand after a refused step are those of where it led.
     NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
-    if (size >= options.reuse_below)
-      lead_back(original, damping, options.fixed_body, solution.normal.cost, normal_at, next, normal);
+    const bool led_back = size >= options.reuse_below && lead_back(original, damping, options.fixed_body,
+                                                                   solution.normal.cost, normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < least_gain(original, solution.normal, options);
     const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
-    const double kept_promise = (solution.normal.cost - normal.cost) / std::max(gradient.dot(step), 1e-300);
+    const double kept_promise = (solution.normal.cost - normal.cost) / std::max((2 - share) * slope, 1e-300);
     const bool accepted = !was_refused;
     was_refused = !better;
     if (better || rounding) {
       if (better) {
+        const Eigen::MatrixXd basis = step_basis(original, next, options.fixed_body);
+        const double left = gradient_by_steps(normal, basis, options.fixed_body).dot(step);
+        share = led_back ? 1 : next_share(share, slope, left);
         solution.unknowns = next;
         solution.normal = std::move(normal);
       }
