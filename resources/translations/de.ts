@@ -25,6 +25,14 @@
         <translation>Berichtige das zuerst: bis dahin sagt keine andere Zahl etwas.</translation>
     </message>
     <message>
+        <source>Fitted with it, %1 are left; put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; berichtigt %2.</translation>
+    </message>
+    <message>
+        <source>Fitted with them, %1 are left; both put right, %2.</source>
+        <translation>Damit angepasst bleiben %1; beide berichtigt %2.</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>

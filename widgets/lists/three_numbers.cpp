@@ -18,7 +18,7 @@ namespace handsight::widgets {
 namespace {
 
 constexpr double stairs_width = 120;
-constexpr double number_line = 20, caption_line = 4;  // baselines above the lower edge
+constexpr double number_line = 22, caption_line = 6;  // baselines above the lower edge
 
 QString ratio_text(const ErrorNumbers& numbers) {
   std::optional<double> ratio = numbers.ratio;
