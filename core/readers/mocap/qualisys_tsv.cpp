@@ -9,6 +9,7 @@
 #include "base/degrees.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/text.h"
 #include "geometry/rigid.h"
 #include "readers/mocap/mocap_cells.h"
 
