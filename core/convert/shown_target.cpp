@@ -55,8 +55,8 @@ Message shown_target_text(const std::vector<InstantImages>& instants) {
   const Message sizes = shown->kind == TargetKind::charuco
                             ? message("; a marker is {:.2f} of a square", shown->tag / shown->square)
                             : Message();
-  return message("{} of the images show one: say what with --target \"{}\", the measured lengths in place of ?{}.",
-                 images.size(), words_without_lengths(*shown), sizes);
+  return message("The images show one: say what with --target \"{}\", the measured lengths in place of ?{}.",
+                 words_without_lengths(*shown), sizes);
 }
 
 }  // namespace handsight

@@ -81,8 +81,8 @@
         <translation>mm im Mittel</translation>
     </message>
     <message>
-        <source>%1 of the images show one: say what with --target &quot;%2&quot;, the measured lengths in place of ?%3.</source>
-        <translation>%1 der Bilder zeigen eines: mit --target &quot;%2&quot; sagen, welches, für ? die gemessenen Längen%3.</translation>
+        <source>The images show one: say what with --target &quot;%1&quot;, the measured lengths in place of ?%2.</source>
+        <translation>Die Bilder zeigen eines: mit --target &quot;%1&quot; sagen, welches, für ? die gemessenen Längen%2.</translation>
     </message>
     <message>
         <source>; a marker is %1 of a square</source>

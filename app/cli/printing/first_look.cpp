@@ -15,19 +15,18 @@ namespace {
 std::optional<Message> unexplained_error(const Session& session, const Fit& fit) {
   if (!has_no_answer(fit) && !looks_lost(fit.problem, fit.solution)) return std::nullopt;
   return message(
-      "A first fit leaves {}: more than noise and a robot's deviations explain, and no mistake of a kind that is "
-      "looked "
-      "for explains it. Make sure that poses and measurements are of the same instants and that units, angles, target "
-      "and mount are what the session says; fit and diagnose tell which observations stand out.",
+      "A first fit leaves {}: more than noise and a robot's deviations explain, and no kind of mistake that is "
+      "looked for explains it. Make sure that poses and measurements are of the same instants and that units, angles, "
+      "target and mount are what the session says; fit and diagnose tell which observations stand out.",
       verbatim(error_text(!session.is_tracker(), reported_error(session, fit))));
 }
 
-std::optional<TargetSize> find_target_size(const Session& session) {
+/// `first`: first_fit().
+std::optional<TargetSize> find_target_size(const Session& session, const Fit& first) {
   if (!session.target && !session.pose_sensor) return std::nullopt;
   try {
     const auto sample = take_sample(session, most_in_first_fit, most_in_first_fit);
-    const Session& judged = sample ? sample->session : session;
-    return other_target_size(judged, fit(judged, {.smallest_step = 1e-6}), {.smallest_step = 1e-6});
+    return other_target_size(sample ? sample->session : session, first, {.smallest_step = 1e-6});
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -46,12 +45,12 @@ std::optional<DistanceDoubt> find_doubtful_distance(const Session& session) {
 FirstLook first_look(const Session& session, SessionCheck& check) {
   FirstLook look;
   if (!check.problems.empty()) return look;
-  look.size = find_target_size(session);
+  const std::optional<Fit> fit = first_fit(session);
+  if (fit) look.size = find_target_size(session, *fit);
   look.distance = find_doubtful_distance(session);
   if (look.size) check.warnings.push_back(look.size->text + " " + look.size->fix);
   if (look.distance) check.warnings.push_back(look.distance->text);
   if (settles_it(look.size) || look.distance) return look;
-  const std::optional<Fit> fit = first_fit(session);
   look.blunders = fit ? list_blunders(session, *fit) : blunders_in_files(session);
   if (fit && look.blunders.empty() && !look.size)
     if (const auto text = unexplained_error(session, *fit)) check.warnings.push_back(*text);

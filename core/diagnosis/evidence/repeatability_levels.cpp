@@ -13,8 +13,8 @@ constexpr double clearly_likelier = 5;  // ln: what another assumption must brin
 std::vector<Repeatability> usual_levels() { return {{0, 0}, {1e-4, 0}, {3e-4, 0}, {1e-3, 0}, {3e-3, 0}}; }
 
 std::vector<Repeatability> list_parts(const Repeatability& s) {
-  std::vector<Repeatability> parts;
-  for (const double part : {0.0, 0.1, 0.3, 0.6, 1.0}) parts.push_back({part * s.joints, part * s.place, s.of_joint});
+  std::vector<Repeatability> parts{{}};  // none at all first
+  for (const double part : {0.1, 0.3, 0.6, 1.0}) parts.push_back({part * s.joints, part * s.place, s.of_joint});
   return parts;
 }
 

@@ -169,7 +169,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const bool led_back = size >= options.reuse_below && lead_back(original, damping, options.fixed_body,
                                                                    solution.normal.cost, normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
-    const bool gains_nothing = damping <= 1e-5 && gradient.dot(step) < least_gain(original, solution.normal, options);
+    const bool gains_nothing = damping <= 1e-5 && slope < least_gain(original, solution.normal, options);
     const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
     const double kept_promise = (solution.normal.cost - normal.cost) / std::max((2 - share) * slope, 1e-300);
@@ -191,7 +191,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
         solution.stopped = true;
     } else {
       // Near the bottom the cost cannot be distinguished from rounding: a step that gains less than that is the end.
-      if (size < 1e-9 && gradient.dot(step) < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
+      if (size < 1e-9 && slope < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
       damping = std::max(damping * 10, 1e-6);
       if (damping > 1e12) break;
       if (accepted) patience = std::max(1, 2 * patience);

@@ -62,15 +62,3 @@ Table read_table_lines(const std::vector<Cells>& lines, std::size_t first, std::
 }
 
 }  // namespace handsight::mocap
-
-namespace handsight {
-
-bool is_mocap(const std::string& text) { return is_motive_csv(text) || is_vicon_csv(text) || is_qualisys_tsv(text); }
-
-std::optional<MocapTables> read_mocap(const std::string& text, const std::string& file) {
-  if (is_motive_csv(text)) return read_motive_csv(text, file);
-  if (is_vicon_csv(text)) return read_vicon_csv(text, file);
-  return is_qualisys_tsv(text) ? std::optional(read_qualisys_tsv(text, file)) : std::nullopt;
-}
-
-}  // namespace handsight

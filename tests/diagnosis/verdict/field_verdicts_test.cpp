@@ -3,6 +3,7 @@
 // over a robot with small deviations everywhere.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 
 #include "diagnosis/selection/improvement.h"
@@ -15,15 +16,21 @@
 namespace handsight {
 namespace {
 
+/// Joints that repeat to so much (rad): all of them, or one.
+void scatter(double repeatability, std::uint64_t seed, Session& s, std::optional<Eigen::Index> joint = {}) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  for (Observation& observation : s.observations)
+    for (Eigen::Index j = 0; j < observation.position.size(); ++j)
+      if (!joint || j == *joint) observation.position[j] += repeatability * normal(random);
+}
+
 Session scattering(const Session& like, double repeatability, std::uint64_t seed) {
   SimulationOptions o;
   o.observations = 40;
   o.seed = seed;
   Session s = simulate_session(like, o).session;
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  for (Observation& observation : s.observations)
-    for (double& q : observation.position) q += repeatability * normal(random);
+  scatter(repeatability, seed, s);
   return s;
 }
 
@@ -54,10 +61,7 @@ TEST(FieldVerdicts, AFineTrackersBodyDoesNotHideARobotsScatter) {
     o.seed = seed;
     o.effects = {{"link_geometry", 2, {3e-3, 2e-3, 0.01, -0.01}}};
     Session s = simulate_session(fixture::tracker_session(4), o).session;
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    for (Observation& observation : s.observations)
-      for (double& q : observation.position) q += 3e-3 * normal(random);
+    scatter(3e-3, seed, s);
     DiagnosisOptions with_geometry = quick_verdicts();
     with_geometry.estimated = {{"link_geometry", 2, {0, 0, 0, 0}}};
     const Diagnosis wild = diagnose(s, with_geometry);
@@ -104,9 +108,7 @@ TEST(FieldVerdicts, AWristThatRepeatsBadlyHidesNothingOfTheFirstJoint) {
     o.seed = seed;
     o.effects = {{"encoder_eccentricity", 0, {2e-5, -1e-5}}};
     Session s = simulate_session(fixture::tracker_session(3), o).session;
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    for (Observation& observation : s.observations) observation.position[5] += 2.5e-4 * normal(random);
+    scatter(2.5e-4, seed, s, 5);
     const Diagnosis d = diagnose(s, quick_verdicts());
     ASSERT_FALSE(d.candidates.empty());
     EXPECT_EQ(d.candidates.front().id, "encoder_eccentricity") << d.reason;
