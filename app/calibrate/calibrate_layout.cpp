@@ -57,9 +57,9 @@ void CalibrateWorkspace::make_layout() {
   fixtures_->hide();
   lower->insertWidget(1, fixtures_);
   lower->addWidget(tabs_);
-  for (int side : {0, 1, 2}) lower->setStretchFactor(side, 64);  // one of them is shown
-  lower->setStretchFactor(3, 36);
-  lower->setSizes({800, 800, 800, 580});
+  for (int side : {0, 1, 2}) lower->setStretchFactor(side, 62);  // one of them is shown
+  lower->setStretchFactor(3, 38);
+  lower->setSizes({800, 800, 800, 620});
   auto* rows = new QSplitter(Qt::Vertical, this);
   rows->addWidget(upper);
   rows->addWidget(lower);

@@ -8,7 +8,9 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly_likelier = 5;  // ln: what another assumption must bring
+constexpr double clearly_likelier = 5;    // ln: what another assumption must bring
+constexpr double most_of_a_joint = 1e-3;  // rad, three times what is usual: beyond it causes are missing, whose shares
+                                          // by joint tell nothing of how each repeats
 
 std::vector<Repeatability> usual_levels() { return {{0, 0}, {1e-4, 0}, {3e-4, 0}, {1e-3, 0}, {3e-3, 0}}; }
 
@@ -38,7 +40,7 @@ std::vector<Repeatability> repeatability_levels(const LinearModel& model, const 
         levels = list_parts(best);
         top += clearly_likelier;
       }
-  if (!noise.known) return levels;
+  if (!noise.known || best.joints > most_of_a_joint) return levels;
   if (const auto uneven = likely_of_each_joint(model, best))
     if (take(uneven->repeatability, clearly_likelier + uneven->ln_price)) levels = list_parts(best);
   return levels;
