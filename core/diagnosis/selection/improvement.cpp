@@ -7,6 +7,7 @@
 #include "diagnosis/selection/choosing.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/fuller_models.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
 #include "diagnosis/verdict/sampled.h"
@@ -102,6 +103,11 @@ class Improving {
       note_refusals(change);
     }
     if (!change.model && !m_.stopped && m_.steps.size() > 1) change = one_that_is_likely();
+    if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_fuller_) {
+      sought_fuller_ = true;
+      change = seek_fuller_model(session_, options_, m_.last, certain());
+      note_refusals(change);
+    }
     if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_simpler_) {
       sought_simpler_ = true;
       change = seek_simpler_model(session_, options_, m_.last);
@@ -155,7 +161,7 @@ class Improving {
   std::vector<RefusedStep> refused_;               // of the last model
   std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
   int sought_ = 0;                                 // times
-  bool sought_simpler_ = false;
+  bool sought_simpler_ = false, sought_fuller_ = false;
   std::set<std::string> tried_;  // likely names
 };
 

@@ -209,15 +209,16 @@ ModelChange search_models(const Session& session, const ImprovementOptions& opti
   const auto other = search_models(model, options.estimated.size(), goes_on);
   if (!other || change.stopped) return change;
   const double most = as_good_as_reported * held_out_error(model);
-  Diagnosis next = diagnosed_from(session, options, other->options.estimated, other->options.start, most);
+  Message refused;
   change.models = 1;
-  change.stopped = next.stopped;
-  if (next.stopped || held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return change;
-  ImprovementStep step = find_step(next);
+  auto next = in_the_place_of(model, session, options, other->options.estimated, other->options.start, most, refused);
+  change.stopped = next && next->stopped;
+  if (!next || change.stopped) return change;
+  ImprovementStep step = find_step(*next);
   step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
   step.exchanged = other->come;
   change.steps.push_back(std::move(step));
-  change.model = std::move(next);
+  change.model = std::move(*next);
   return change;
 }
 

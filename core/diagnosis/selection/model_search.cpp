@@ -5,7 +5,9 @@
 #include <array>
 
 #include "base/threads.h"
+#include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/exchange.h"
 #include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
 
@@ -75,6 +77,10 @@ class Search {
     return best_of(made);
   }
 
+  /// Without what says nothing, one unit after another: a place of a name that stays has to be worth its numbers, also
+  /// where all places of it would have been the fewest ways.
+  Weighed pruned(Chosen chosen) const;
+
  private:
   static Weighed best_of(const std::vector<Weighed>& made) {
     const auto best = std::max_element(made.begin(), made.end(),
@@ -112,35 +118,32 @@ class Search {
            (i + 1 < chosen.size() && units_[chosen[i + 1]].name == name);
   }
 
-  /// Without what says nothing, one unit after another: a place of a name that stays has to be worth its numbers, also
-  /// where all places of it would have been the fewest ways.
-  Weighed pruned(Chosen chosen) const {
-    for (;;) {
-      std::vector<ParameterGroup> groups;
-      for (const std::size_t u : chosen)
-        groups.push_back({groups.empty() ? 0 : groups.back().first + groups.back().count, units_[u].count});
-      const FactorsWithout factors = ln_bayes_factors_without(take_part(all_.score(), all_.list_numbers(chosen)),
-                                                              groups, all_.whitened(), all_.by().knowledge);
-      const double present = factors.whole - all_.compute_cost(chosen);
-      double most = 0;
-      std::optional<Chosen> fewer;
-      for (std::size_t i = 0; i < chosen.size(); ++i) {
-        Chosen less = without_unit(chosen, i);
-        double gained = factors.without[i] - all_.compute_cost(less) - present;
-        if (is_one_of_several(chosen, i))
-          gained = std::max(gained, worth_a_place - (factors.whole - factors.without[i]));
-        if (gained <= most) continue;
-        most = gained;
-        fewer = std::move(less);
-      }
-      if (!fewer) return {std::move(chosen), present};
-      chosen = std::move(*fewer);
-    }
-  }
-
   const ModelSpace& all_;
   const std::vector<ModelSpaceUnit>& units_;
 };
+
+Weighed Search::pruned(Chosen chosen) const {
+  for (;;) {
+    std::vector<ParameterGroup> groups;
+    for (const std::size_t u : chosen)
+      groups.push_back({groups.empty() ? 0 : groups.back().first + groups.back().count, units_[u].count});
+    const FactorsWithout factors = ln_bayes_factors_without(take_part(all_.score(), all_.list_numbers(chosen)), groups,
+                                                            all_.whitened(), all_.by().knowledge);
+    const double present = factors.whole - all_.compute_cost(chosen);
+    double most = 0;
+    std::optional<Chosen> fewer;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      Chosen less = without_unit(chosen, i);
+      double gained = factors.without[i] - all_.compute_cost(less) - present;
+      if (is_one_of_several(chosen, i)) gained = std::max(gained, worth_a_place - (factors.whole - factors.without[i]));
+      if (gained <= most) continue;
+      most = gained;
+      fewer = std::move(less);
+    }
+    if (!fewer) return {std::move(chosen), present};
+    chosen = std::move(*fewer);
+  }
+}
 
 std::vector<std::string> difference(const std::set<std::string>& all, const std::set<std::string>& those) {
   std::vector<std::string> left;
@@ -148,16 +151,16 @@ std::vector<std::string> difference(const std::set<std::string>& all, const std:
   return left;
 }
 
-/// The best by first order, sought from what is present on; nothing where that is not clearly better.
-std::optional<Chosen> better_choice(const ModelSpace& model_space, const std::function<bool()>& goes_on) {
+/// The best by first order, sought from what is present on; nothing where that is not clearly better than what stands.
+std::optional<Chosen> better_choice(const ModelSpace& model_space, const Chosen& stands,
+                                    const std::function<bool()>& goes_on) {
   using Move = Weighed (Search::*)(const Chosen&) const;
   constexpr std::array<Move, 5> moves{&Search::with_one_more, &Search::with_one_name_more,
                                       &Search::with_others_for_a_unit, &Search::with_others_for_a_name,
                                       &Search::grown_afresh};
   const Search search(model_space);
-  Weighed best{model_space.present(), 0};
-  best.worth = model_space.worth(best.chosen);
-  const double least = best.worth + clearly;
+  const double least = model_space.worth(stands) + clearly;
+  Weighed best = search.pruned(model_space.present());
   for (std::size_t move = 0; move < moves.size();) {
     if (!goes_on()) return std::nullopt;
     Weighed next = (search.*moves[move])(best.chosen);
@@ -170,34 +173,89 @@ std::optional<Chosen> better_choice(const ModelSpace& model_space, const std::fu
 
 }  // namespace
 
+namespace {
+
+/// The terms of a choice in the place of the model's from `first` on, fitted from there in full.
+std::optional<Refit> fitted_with(const Diagnosis& model, const ModelSpace& space, const Chosen& chosen,
+                                 const Fit& start, std::size_t first, const std::function<bool()>& goes_on) {
+  Refit r;
+  r.options = model.model_options;
+  r.options.estimated.resize(first);
+  for (EffectTerm& t : space.list_terms(chosen)) r.options.estimated.push_back(std::move(t));
+  r.options.start = estimate(start);
+  set_quick(noise_model(model.model.fit), r.options);
+  r.options.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
+  r.fit = fit(model.model.session, r.options);
+  if (r.fit.solution.stopped || !r.fit.converged()) return std::nullopt;
+  r.options.on_iteration = nullptr;
+  for (std::size_t t = first; t < r.options.estimated.size(); ++t)
+    r.options.estimated[t] = r.fit.effects[r.options.effects.size() + t].term;
+  r.options.start = estimate(r.fit);
+  return r;
+}
+
+/// The units that are terms of the model from `first` on.
+Chosen units_of(const Diagnosis& model, const ModelSpace& space, std::size_t first) {
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  Chosen chosen;
+  for (std::size_t u = 0; u < space.units().size(); ++u) {
+    const ModelSpaceUnit& unit = space.units()[u];
+    const bool is_of_it = unit.is_present && std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                                                         [&](const EffectTerm& t) {
+                                                           return t.id == unit.term.id && t.place == unit.term.place;
+                                                         });
+    if (is_of_it) chosen.push_back(u);
+  }
+  return chosen;
+}
+
+/// What curves of a model cost that are not among the units of a space: nothing else but names is left out of one.
+double cost_of_curves_beside(const ModelSpace& space, const Diagnosis& model, std::size_t first) {
+  std::set<std::string> beside;
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  for (std::size_t t = first; t < all.size(); ++t)
+    if (std::none_of(space.names().begin(), space.names().end(),
+                     [&](const ModelSpaceEffect& name) { return name.id == all[t].id; }))
+      beside.insert(all[t].id);
+  return static_cast<double>(beside.size()) * (model.threshold + ln_ways_of_curves - ln_odds_of_unnamed);
+}
+
+/// What is clearly likelier in `space` than the model, whose names stand in it too.
+std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagnosis& model, const Fit& start,
+                                            std::size_t first, const std::function<bool()>& goes_on) {
+  const Chosen stands = units_of(model, space, first);
+  const auto chosen = better_choice(space, stands, goes_on);
+  if (!chosen) return std::nullopt;
+  auto refit = fitted_with(model, space, *chosen, start, first, goes_on);
+  if (!refit) return std::nullopt;
+  const NoiseModel by = noise_model(model.model.fit);
+  const auto ln_evidence = [&](const Fit& f, const Chosen& c) {
+    return fit_evidence(f, space.base(), by).ln_evidence - space.compute_cost(c);
+  };
+  const double gained = ln_evidence(refit->fit, *chosen) - ln_evidence(model.model.fit, stands) +
+                        cost_of_curves_beside(space, model, first);
+  if (gained <= clearly) return std::nullopt;
+  std::set<std::string> before;
+  for (std::size_t t = first; t < model.model_options.estimated.size(); ++t)
+    before.insert(model.model_options.estimated[t].id);
+  const std::set<std::string> after = space.list_names(*chosen);
+  return ModelAlternative{difference(before, after), difference(after, before), std::move(refit->options), gained};
+}
+
+}  // namespace
+
 std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_t first,
                                               const std::function<bool()>& goes_on) {
-  const ModelSpace model_space(model, first, model.threshold);
-  const auto chosen = better_choice(model_space, goes_on);
-  if (!chosen) return std::nullopt;
+  return likelier_in(ModelSpace(model, first, model.threshold), model, model.model.fit, first, goes_on);
+}
 
-  const NoiseModel by = noise_model(model.model.fit);
-  ModelAlternative other{{}, {}, model.model_options};
-  FitOptions& o = other.options;
-  o.estimated.resize(first);
-  for (EffectTerm& t : model_space.list_terms(*chosen)) o.estimated.push_back(std::move(t));
-  o.start = estimate(model.model.fit);
-  set_quick(by, o);
-  o.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
-  const Fit refit = fit(model.model.session, o);
-  if (refit.solution.stopped || !refit.converged()) return std::nullopt;
-  const auto ln_evidence = [&](const Fit& f, const Chosen& c) {
-    return fit_evidence(f, model_space.base(), by).ln_evidence - model_space.compute_cost(c);
-  };
-  const Chosen present = model_space.present();
-  if (ln_evidence(refit, *chosen) <= ln_evidence(model.model.fit, present) + clearly) return std::nullopt;
-  o.on_iteration = nullptr;
-  for (std::size_t t = first; t < o.estimated.size(); ++t) o.estimated[t] = refit.effects[o.effects.size() + t].term;
-  o.start = estimate(refit);
-  const std::set<std::string> before = model_space.list_names(present), after = model_space.list_names(*chosen);
-  other.gone = difference(before, after);
-  other.come = difference(after, before);
-  return other;
+std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,
+                                                    const FitOptions& fuller_options, std::size_t first,
+                                                    const std::function<bool()>& goes_on) {
+  Diagnosis about;
+  about.model.fit = fuller;
+  about.model_options = fuller_options;
+  return likelier_in(ModelSpace(about, first, model.threshold), model, fuller, first, goes_on);
 }
 
 }  // namespace handsight

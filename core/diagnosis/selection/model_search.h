@@ -10,6 +10,7 @@ namespace handsight {
 struct ModelAlternative {
   std::vector<std::string> gone, come;  // effect ids
   FitOptions options;                   // the model with them, at its answer
+  double ln_gained = 0;                 // evidence against the model that stands, with what either costs to choose
 };
 
 /// Looks for some in the place of all estimated terms from `first` on, curves and what begins at some observation
@@ -18,5 +19,11 @@ struct ModelAlternative {
 /// clearly likelier than what stands. `goes_on` is asked now and then; false gives nothing.
 std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_t first,
                                               const std::function<bool()>& goes_on);
+
+/// The same, but to first order at the answer of `fuller`: a fit of the model's points with all of its names, and its
+/// curves or none of them, and more, by `fuller_options`.
+std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,
+                                                    const FitOptions& fuller_options, std::size_t first,
+                                                    const std::function<bool()>& goes_on);
 
 }  // namespace handsight

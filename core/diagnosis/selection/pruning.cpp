@@ -333,6 +333,21 @@ Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options
   return diagnose_model(session, diagnosis_options(options, {}, {}, {}), std::move(model));
 }
 
+std::optional<Diagnosis> in_the_place_of(const Diagnosis& model, const Session& session,
+                                         const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
+                                         const std::optional<Unknowns>& start, double most, Message& refused) {
+  Diagnosis next = model_from(session, options, estimated, start, most);
+  if (next.stopped) return next;
+  if (held_out_error(next) > most)
+    refused = "the held-out error does not fall";
+  else
+    refused = worse_elsewhere(model, next);
+  if (!refused.empty()) return std::nullopt;
+  next = diagnosed_on(session, options, std::move(next));
+  set_errors_elsewhere(next);
+  return next;
+}
+
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
   std::size_t last = first + 1;
   while (last < terms.size() && terms[last].id == terms[first].id) ++last;

@@ -162,18 +162,19 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
     const double most = (simple.ln_gained > clear_gain ? as_good_as_reported : clearly_less) * held_out_error(model);
     ++change.models;
-    Diagnosis next = diagnosed_from(session, options, simple.options.estimated, simple.options.start, most);
-    change.stopped = change.stopped || next.stopped;
+    Message refused;
+    auto next = in_the_place_of(model, session, options, simple.options.estimated, simple.options.start, most, refused);
+    change.stopped = change.stopped || (next && next->stopped);
     if (change.stopped) return change;
-    if (held_out_error(next) > most || !worse_elsewhere(model, next).empty()) continue;
-    ImprovementStep step = find_step(next);
+    if (!next) continue;
+    ImprovementStep step = find_step(*next);
     step.added = simple.id;
-    step.terms = {next.model_options.estimated.begin() + static_cast<std::ptrdiff_t>(first),
-                  next.model_options.estimated.end()};
+    step.terms = {next->model_options.estimated.begin() + static_cast<std::ptrdiff_t>(first),
+                  next->model_options.estimated.end()};
     step.where = list_places(step.terms, session);
     step.removed = list_ids(gone);
     change.steps.push_back(std::move(step));
-    change.model = std::move(next);
+    change.model = std::move(*next);
     return change;
   }
   return change;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "estimation/solvers/inverse_parts.h"
+#include "estimation/solvers/learned_step.h"
 
 namespace handsight {
 
@@ -88,6 +89,8 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) 
 
 namespace {
 
+constexpr double trusted_damping = 1e-5;  // up to it steps go nearly as far as those that are not damped
+
 /// The longest part of a step: m and rad as they are, an effect's number in thousandths of its prior sigma.
 double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   const Eigen::Index rest = step.size() - problem.effect_count();
@@ -98,24 +101,16 @@ double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   return size;
 }
 
-/// Where a model leaves much more than noise, its residuals' second derivatives make the cost bend more along some
-/// directions than Gauss and Newton's equations know: every step along them goes too far, by nearly twice, and comes
-/// back no nearer. The share of their step at which the cost along the last one was lowest is taken of the next.
-double next_share(double share, double slope_before, double slope_after) {
-  constexpr double least = 0.4, all_but_all = 0.8;
-  if (!(slope_before > 0)) return 1;
-  const double best = share * slope_before / std::max(slope_before - slope_after, 1e-300);
-  return best > all_but_all || !(best > 0) ? 1 : std::max(best, least);
-}
-
 /// A long step along a bent valley leaves its floor, and the next one leads back to it, farther on: goes there where
-/// that costs less than `before`. Was it so?
+/// that costs less than `before`. Was it so? That one is damped: across the valley it goes all the way, along it, where
+/// it would leave the floor again, hardly any.
 bool lead_back(const Problem& problem, double damping, bool fixed_body, double before,
                const std::function<NormalEquations(const Unknowns&, bool derives)>& normal_at, Unknowns& next,
                NormalEquations& normal) {
   constexpr double most_risen = 10;  // times: from farther up no single step leads back
   if (!(normal.cost > before && normal.cost < most_risen * before)) return false;
-  const Eigen::VectorXd back = step_from(normal, step_basis(problem, next, fixed_body), damping, fixed_body);
+  const Eigen::VectorXd back =
+      step_from(normal, step_basis(problem, next, fixed_body), std::max(damping, trusted_damping), fixed_body);
   Unknowns farther = stepped(problem, next, back, fixed_body);
   NormalEquations there = normal_at(farther, true);
   if (!(there.cost < before)) return false;
@@ -153,42 +148,52 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
   solution.start_cost = solution.normal.cost;
   const bool can_start = std::isfinite(solution.start_cost);
   double damping = 1e-8;
-  double share = 1;  // of Gauss and Newton's step
+  LearnedStep learned;
   bool was_refused = false;
+  double last_slope = std::numeric_limits<double>::infinity();
   int patience = 0, wait = 0;  // steps that are taken before a longer one is tried
   while (can_start && solution.iterations < options.most_iterations && !solution.converged && !solution.stopped) {
     ++solution.iterations;
     solution.basis = step_basis(original, solution.unknowns, options.fixed_body);
+    const Eigen::MatrixXd information = by_steps(solution.normal.information, solution.basis, options.fixed_body);
     const Eigen::VectorXd gradient = gradient_by_steps(solution.normal, solution.basis, options.fixed_body);
-    const Eigen::VectorXd step = share * step_from(solution.normal, solution.basis, damping, options.fixed_body);
+    const Eigen::VectorXd step = learned.next(damped_step(information, gradient, damping), information, gradient);
     const double slope = gradient.dot(step);
     Unknowns next = stepped(original, solution.unknowns, step, options.fixed_body);
     const double size = measure_size(original, step);
-    // The derivatives that are at hand after a refused step are those of where it led.
-    NormalEquations normal = normal_at(next, was_refused || size >= options.reuse_below);
-    const bool led_back = size >= options.reuse_below && lead_back(original, damping, options.fixed_body,
-                                                                   solution.normal.cost, normal_at, next, normal);
+    // The derivatives that are at hand after a refused step are those of where it led; where steps hardly become
+    // shorter, those of before are what holds them up.
+    constexpr double still_quick = 0.3;  // of what the step before promised
+    const bool derives = was_refused || slope > still_quick * last_slope || size >= options.reuse_below;
+    NormalEquations normal = normal_at(next, derives);
+    const bool led_back =
+        derives && lead_back(original, damping, options.fixed_body, solution.normal.cost, normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
-    const bool gains_nothing = damping <= 1e-5 && slope < least_gain(original, solution.normal, options);
+    const bool gains_nothing =
+        slope < least_gain(original, solution.normal, options) * std::min(1.0, trusted_damping / damping);
     const bool rounding = size < options.smallest_step || gains_nothing;
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
-    const double kept_promise = (solution.normal.cost - normal.cost) / std::max((2 - share) * slope, 1e-300);
+    const double kept_promise = (solution.normal.cost - normal.cost) / std::max(slope, 1e-300);
     const bool accepted = !was_refused;
+    const double damping_before = damping;
     was_refused = !better;
     if (better || rounding) {
       if (better) {
-        const Eigen::MatrixXd basis = step_basis(original, next, options.fixed_body);
-        const double left = gradient_by_steps(normal, basis, options.fixed_body).dot(step);
-        share = led_back ? 1 : next_share(share, slope, left);
         solution.unknowns = next;
         solution.normal = std::move(normal);
       }
       // What bends is not trusted farther at once, and ever later where that was refused: else every other step is.
       if (kept_promise > 0.75 && --wait < 0) damping = std::max(damping * 0.1, 1e-15);
       if (kept_promise < 0.1) damping *= 3;
+      const bool is_another_step = damping != damping_before && std::max(damping, damping_before) > trusted_damping;
+      learned.took(step, kept_promise > 0.75);
+      if (led_back || is_another_step) learned.forget();
+      last_slope = slope;
       solution.converged = rounding;
       if (options.on_iteration && !options.on_iteration(solution.iterations, solution.normal.cost, solution.unknowns))
         solution.stopped = true;
+    } else if (learned.has_learned()) {
+      learned.refused();
     } else {
       // Near the bottom the cost cannot be distinguished from rounding: a step that gains less than that is the end.
       if (size < 1e-9 && slope < 1e-13 * (solution.normal.cost + 1e-300)) solution.converged = true;
