@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_options.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 

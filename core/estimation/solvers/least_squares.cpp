@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "estimation/solvers/inverse_parts.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 
