@@ -7816,7 +7816,7 @@
     </message>
     <message>
         <source>%1: the measurements say more than 5 times what is plausible; its prior sigmas were taken %2 times as large.</source>
-        <translation>%1: die Messungen sagen mehr als das 5-fache des Plausiblen; die plausiblen Größen gelten hier %2-fach.</translation>
+        <translation>%1: die Messungen sagen mehr als das 5-fache des Plausiblen; die A-priori-Standardabweichungen gelten hier %2-fach.</translation>
     </message>
     <message>
         <source>An effect of the model shows only while the joints move; these poses are at rest and cannot show it.</source>
