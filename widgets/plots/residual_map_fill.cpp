@@ -93,8 +93,8 @@ void ResidualMap::fill_regions() {
   const double times = exaggeration();
   for (int i = 0; i < column_count * row_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Vector2 corner((i % column_count) * width_ / double(column_count),
-                         (i / column_count) * height_ / double(row_count));
+    const int column = i % column_count, row = i / column_count;
+    const Vector2 corner(column * width_ / double(column_count), row * height_ / double(row_count));
     const Vector2 middle = corner + Vector2(width_ / double(2 * column_count), height_ / double(2 * row_count));
     layers_->counts[k]->position->setCoords(corner.x(), corner.y());
     layers_->counts[k]->setText(QString::number(counts[k]));
