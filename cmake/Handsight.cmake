@@ -70,7 +70,7 @@ function(handsight_use_headers target name)
 endfunction()
 
 # handsight_join(TARGET [APART ROOM ...]): the sources of each folder of TARGET are compiled as one, twelve at most, but for
-# those of the rooms that stand APART.
+# those of the rooms, and the sources, that stand APART.
 function(handsight_join target)
   cmake_parse_arguments(arg "" "" "APART" ${ARGN})
   if(NOT HANDSIGHT_JOINED)
@@ -78,10 +78,11 @@ function(handsight_join target)
   endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
-    get_filename_component(room ${source} ABSOLUTE)
-    get_filename_component(room ${room} DIRECTORY)
+    get_filename_component(path ${source} ABSOLUTE)
+    get_filename_component(room ${path} DIRECTORY)
+    file(RELATIVE_PATH path ${CMAKE_CURRENT_SOURCE_DIR} ${path})
     file(RELATIVE_PATH room ${CMAKE_CURRENT_SOURCE_DIR} ${room})
-    if(source MATCHES "\\.cpp$" AND NOT room IN_LIST arg_APART)
+    if(source MATCHES "\\.cpp$" AND NOT room IN_LIST arg_APART AND NOT path IN_LIST arg_APART)
       string(MAKE_C_IDENTIFIER "in_${room}" room)
       list(APPEND ${room}_joined ${source})
       list(LENGTH ${room}_joined part)

@@ -29,7 +29,7 @@ most_joined = 16  # sources at a time
 roots = [root / "core", root / "app" / "cli", root / "widgets", root / "app"]  # as the compiler finds headers
 rooms = ["core", "app/cli"]  # what is looked at
 # The same where the window is built; a room is added when nothing is found in it.
-window_rooms = ["widgets/base", "widgets/drawings"] + [
+window_rooms = ["widgets/" + room for room in ("base", "drawings", "explain", "images", "lists", "plots", "scene")] + [
     "app/" + room for room in ("calibrate", "collection", "compare", "document", "experiment", "explain", "export", "findings",
                                "images", "inspect", "jobs", "label", "live", "merge", "start", "window", "wizard", "words",
                                "workbench")]

@@ -42,7 +42,7 @@ struct ModelVersion {
   std::shared_ptr<const Calibration> calibration;  // what would be exported; null with the fit
   std::vector<PartReport> parts;                   // of a collection: session by session
   std::vector<HandModel> hands;                    // likewise
-  std::vector<BillRow> bill;                       // without what a certainty says of it
+  std::vector<BillRow> bill;                       // without its probabilities of inclusion
   PredictionModel prediction;                      // where the TCP really is in other poses
   std::vector<WrongPoint> wrong_points;            // left out of the fit
   std::vector<LoneObservation> lone;               // likewise, as a whole

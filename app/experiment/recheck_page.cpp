@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "base/utc_now.h"
+#include "compare/change_watch.h"
 #include "document/effect_words.h"
 #include "experiment/recheck/recheck_poses.h"
 #include "session/calibration_xml.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "chain/sighting.h"
 #include "document/bent_robot.h"
 #include "document/document.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "diagnosis/residuals/trend.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -31,13 +32,7 @@ double root_mean_square(const Eigen::VectorXd& v) {
   return v.size() ? std::sqrt(v.squaredNorm() / static_cast<double>(v.size())) : 0;
 }
 
-double median(const Eigen::VectorXd& v) {
-  std::vector<double> sorted(v.data(), v.data() + v.size());
-  if (sorted.empty()) return 0;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
-}
+double median_of(const Eigen::VectorXd& v) { return median({v.data(), v.data() + v.size()}); }
 
 /// Time and the order of the observations, two angles that a mimic joint ties: plots against them are the same picture.
 bool tell_the_same(const Variable& a, const Variable& b) {
@@ -131,7 +126,7 @@ std::optional<widgets::PatternPlot> pattern_plot(const PlotKey& key, const Model
   if (variable.unit != "number") plot.x_unit = QString::fromStdString(variable.unit);  // an order has no unit
   plot.y_unit = shown.unit;
   constexpr double weak = 2.5;
-  const double usual = median(series.sigmas);
+  const double usual = median_of(series.sigmas);
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const ProblemObservation& o = v.problem.observations[static_cast<std::size_t>(i)];
     const std::int64_t id = id_at(of.session, o.index);

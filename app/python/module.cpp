@@ -11,6 +11,7 @@
 #include "correct/robot_file.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"

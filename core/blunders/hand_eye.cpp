@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace handsight {
 namespace {
 
@@ -113,9 +115,7 @@ std::vector<double> squares_at(const std::vector<Sight>& sights, const HandEye& 
 
 /// Sights far beyond the usual count less.
 std::vector<double> robust_weights(const std::vector<double>& squares) {
-  std::vector<double> sorted = squares;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  const double usual = 4 * std::max(sorted[sorted.size() / 2], 1e-18);
+  const double usual = 4 * std::max(median(squares), 1e-18);
   std::vector<double> weights;
   for (const double s : squares) weights.push_back(1 / ((1 + s / usual) * (1 + s / usual)));
   return weights;

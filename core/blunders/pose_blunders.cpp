@@ -352,7 +352,7 @@ BlunderKind target_scaled() {
   };
   k.text = [](const std::string& where, const Session&) {
     const double factor = number_in(name_and_value(where).second, "target_scaled");
-    return message("The target is {:.1f} % {} than the program that told its poses was told.",
+    return message("The target is {:.1f} % {} than the size given to the program that found its poses.",
                    100 * std::abs(factor - 1), factor > 1 ? "larger" : "smaller");
   };
   k.fix = [](const std::string& where, const Session& s) {

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "effects/effect.h"
+#include "estimation/fit/fit.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/start/multi_start.h"
 #include "estimation/start/shape_start.h"

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "estimation/fit/fit.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

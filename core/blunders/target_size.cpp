@@ -114,7 +114,8 @@ std::optional<TargetSize> other_target_size(const Session& session, const Fit& f
                          found.scale > 0 ? "larger" : "smaller", lengths(session, found.scale));
     found.fix =
         session.pose_sensor
-            ? "Measure it over its whole length and give the right size to the program that told its poses; until then "
+            ? "Measure it over its whole length and give the right size to the program that found its poses; until "
+              "then "
               "no "
               "place of the hand or of a camera is to be trusted (--effects target_scale estimates it with them)."
         : are_tags

@@ -5,8 +5,9 @@
 #include <functional>
 
 #include "base/message.h"
-#include "camera_calibration/bundle.h"
+#include "camera_calibration/bundle_parts.h"
 #include "camera_calibration/camera_images.h"
+#include "print/target.h"
 
 namespace handsight {
 

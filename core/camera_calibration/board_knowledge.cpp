@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "camera_calibration/bundle.h"
 #include "camera_calibration/camera_calibration.h"
 #include "camera_calibration/held_out.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "camera_calibration/bundle.h"
 #include "camera_calibration/held_out.h"
 
 namespace handsight {

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/image_names.h"
+#include "base/letters.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -20,8 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_cameras = 8;
 
 bool is_image(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_case(file.extension().string());
   constexpr std::array<std::string_view, 9> endings{".png", ".jpg", ".jpeg", ".tif", ".tiff",
                                                     ".pgm", ".bmp", ".ppm",  ".webp"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
@@ -72,13 +72,6 @@ Parts list_parts(const std::string& stem) {
   return parts;
 }
 
-std::string trimmed(std::string text) {
-  const auto is_separator = [](char c) { return c == '_' || c == '-' || c == '.' || c == ' '; };
-  while (!text.empty() && is_separator(text.back())) text.pop_back();
-  while (!text.empty() && is_separator(text.front())) text.erase(text.begin());
-  return text;
-}
-
 /// The index of the run of digits that takes most values; equal: the last. -1: no name has digits.
 int moment_of(const std::vector<fs::path>& files) {
   std::map<std::size_t, std::set<std::string>> values;
@@ -107,7 +100,7 @@ std::pair<std::string, std::string> locate(const fs::path& file, int moment) {
     rest += parts.texts[i];
     if (i < parts.numbers.size() && static_cast<int>(i) != moment) rest += parts.numbers[i];
   }
-  rest = trimmed(rest);
+  rest = trimmed(rest, "_-. ");
   return {rest.empty() ? "camera" : rest, without_zeros(parts.numbers[static_cast<std::size_t>(moment)])};
 }
 

@@ -4,18 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+#include "camera_calibration/bundle.h"
+
 namespace handsight {
 namespace {
 
 constexpr double better = 0.97;  // of the simpler model's held-out error
 constexpr int most_folds = 15;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 int list_points(const BoardImages& images, int frame) {
   int count = 0;

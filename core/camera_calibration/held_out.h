@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "camera_calibration/bundle.h"
+#include "camera/lens.h"
+#include "camera_calibration/bundle_parts.h"
 
 namespace handsight {
 

@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "certify/seen_hand.h"
+#include "estimation/fit/fit.h"
+#include "estimation/report/fit_report.h"
 #include "estimation/report/hand_end.h"
 #include "estimation/report/regions.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/files.h"
+#include "base/median.h"
 #include "base/sha256.h"
 #include "base/utc_now.h"
 
@@ -46,9 +47,7 @@ void set_coverage(Certificate& c) {
     ++c.coverage.all;
   }
   c.coverage.interval = clopper_pearson(c.coverage.inside, c.coverage.all, 0.95);
-  if (limits.empty()) return;
-  std::nth_element(limits.begin(), limits.begin() + static_cast<std::ptrdiff_t>(limits.size() / 2), limits.end());
-  c.median_limit = limits[limits.size() / 2];
+  if (!limits.empty()) c.median_limit = median(std::move(limits));
 }
 
 void add_file(const std::string& what, const std::filesystem::path& file, Certificate& c) {

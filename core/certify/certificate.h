@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include "base/message.h"
 #include "certify/iso_test.h"
 #include "certify/limits.h"
 #include "certify/workspace_map.h"

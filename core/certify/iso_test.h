@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "base/message.h"
 #include "certify/attained.h"
 #include "certify/iso9283.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/change_candidates.h"
 #include "compare/change_limits.h"
 #include "compare/change_normal.h"
 

@@ -3,7 +3,6 @@
 // comparison.cpp.
 #pragma once
 
-#include "compare/change_candidates.h"
 #include "compare/comparison_result.h"
 #include "compare/shared_model.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "compare/change_candidates.h"
+#include "compare/change_fit.h"
 #include "compare/change_limits.h"
 
 namespace handsight {

@@ -2,7 +2,12 @@
 // From two sides to what has changed between them, in words. Internal to comparison.cpp.
 #pragma once
 
-#include "compare/change_fit.h"
+#include "chain/chain.h"
+#include "compare/comparison_result.h"
+#include "compare/shared_model.h"
+#include "effects/effect.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/pose_sums.h"
 
+#include "chain/sighting.h"
+
 namespace handsight {
 
 Normal without_pose(const PoseSums& sums, double coordinate, const Matrix6& repeatability) {

@@ -7,18 +7,22 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letters.h"
 #include "base/text.h"
+#include "convert/file_kind.h"
 #include "convert/listed_rows.h"
 #include "convert/points_of_body.h"
 #include "convert/rows_of_two.h"
 #include "readers/kalibr_target.h"
 #include "readers/maker_cameras.h"
 #include "readers/mocap/mocap_csv.h"
+#include "readers/pose_list.h"
 #include "readers/pose_matrices.h"
 #include "readers/stereo_calibration.h"
 #include "readers/texts/camera_texts.h"
 #include "readers/texts/cells.h"
 #include "readers/texts/plain_text.h"
+#include "readers/yaml_text.h"
 #include "robot/robot.h"
 
 namespace handsight {

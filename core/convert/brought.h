@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "base/message.h"
-#include "convert/file_kind.h"
 #include "print/target.h"
-#include "readers/bag_contents.h"
 #include "readers/camera_files.h"
 #include "readers/pose_files.h"
+#include "readers/pose_table.h"
 #include "readers/robots/lerobot.h"
 
 namespace handsight {

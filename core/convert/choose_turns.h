@@ -5,7 +5,6 @@
 
 #include "base/message.h"
 #include "convert/brought.h"
-#include "convert/conversion.h"
 
 namespace handsight {
 

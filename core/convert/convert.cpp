@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "convert/convert_inputs.h"
+#include "convert/file_kind.h"
 #include "convert/opened_folders.h"
 #include "convert/points_of_body.h"
 #include "estimation/report/session_warnings.h"

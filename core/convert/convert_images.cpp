@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "convert/choose_turns.h"
 #include "convert/convert_inputs.h"
+#include "convert/file_kind.h"
 #include "convert/pair_poses.h"
 #include "convert/shown_target.h"
 #include "convert/turns_by_images.h"

@@ -6,8 +6,9 @@
 #include "convert/brought.h"
 #include "convert/conversion.h"
 #include "convert/session_parts.h"
+#include "readers/bag_contents.h"
+#include "readers/bags/bag.h"
 #include "readers/field_urdf.h"
-#include "session/new_session.h"
 
 namespace handsight {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/text.h"
 #include "chain/chain.h"
 #include "convert/choose_turns.h"
@@ -12,11 +12,6 @@
 
 namespace handsight {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// Is a file, or what a file calls poses, likely of the robot's flange, of the target? By its name.
 bool says_flange(const std::string& name) {
@@ -55,7 +50,7 @@ JointSeries of_seen_rows(JointSeries joints, const PoseSeries& seen) {
 
 bool says(const std::string& name, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(),
-                     [&](const char* w) { return lower(name).find(w) != std::string::npos; });
+                     [&](const char* w) { return lower_case(name).find(w) != std::string::npos; });
 }
 
 std::pair<NamedPoses, NamedPoses> flange_and_target(const std::vector<NamedPoses>& poses) {

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "convert/convert_inputs.h"
@@ -14,6 +15,7 @@
 #include "readers/texts/plain_text.h"
 #include "robot/urdf.h"
 #include "session/fixtures/find_fixture.h"
+#include "session/fixtures/list.h"
 #include "session/session_xml.h"
 #include "session/touch_xml.h"
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letters.h"
 #include "base/text.h"
 #include "convert/foreign_files.h"
 #include "convert/listed_rows.h"
@@ -17,11 +17,14 @@
 #include "readers/maker_cameras.h"
 #include "readers/mocap/mocap_csv.h"
 #include "readers/pose_files.h"
+#include "readers/pose_list.h"
 #include "readers/pose_matrices.h"
 #include "readers/robots/lerobot.h"
 #include "readers/robots/robot_file.h"
 #include "readers/texts/camera_texts.h"
 #include "readers/texts/cells.h"
+#include "readers/texts/plain_text.h"
+#include "readers/yaml_text.h"
 #include "session/new_session.h"
 
 namespace handsight {

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 
-#include "readers/texts/plain_text.h"
 #include "robot/robot.h"
 
 namespace handsight {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -91,8 +92,7 @@ std::string with_file(std::string text, const std::string& file) {
 }  // namespace
 
 void refuse_foreign_file(const std::filesystem::path& path, std::string_view begin) {
-  std::string name = path.filename().string();
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string name = lower_case(path.filename().string());
   if (is_image(begin))
     throw InputError(message("{}: is one image; name the folder that holds the images.", shown_path(path)));
   for (const ForeignKind& kind : kinds)

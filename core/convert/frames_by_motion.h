@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "convert/conversion.h"
-#include "readers/bag_contents.h"
+#include "readers/bags/bag.h"
 
 namespace handsight {
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "convert/recorder_columns.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/letters.h"
+
 namespace handsight {
 namespace {
 
@@ -12,10 +14,10 @@ namespace fs = std::filesystem;
 /// Letters and digits in lower case, "_" for all between: "_left_hand_points_csv_".
 std::string plain(const std::string& text) {
   std::string words = "_";
-  for (const char c : text) {
+  for (const char c : lower_case(text)) {
     const auto sign = static_cast<unsigned char>(c);
     if (std::isalnum(sign) || sign >= 128)
-      words += static_cast<char>(std::tolower(sign));
+      words += c;
     else if (words.back() != '_')
       words += '_';
   }

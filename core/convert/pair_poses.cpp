@@ -2,13 +2,13 @@
 #include "convert/pair_poses.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -32,8 +32,7 @@ std::vector<T> some_of(const std::vector<T>& all, const Rows& rows) {
 std::string image_stem(const std::string& name) {
   std::string plain = name.substr(name.find_last_of("/\\") == std::string::npos ? 0 : name.find_last_of("/\\") + 1);
   if (const std::size_t dot = plain.rfind('.'); dot != std::string::npos && dot > 0) plain.resize(dot);
-  for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return plain;
+  return lower_case(plain);
 }
 
 std::vector<std::string> plain_names(const std::vector<std::string>& names) {

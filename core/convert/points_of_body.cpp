@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/median.h"
 
 namespace handsight {
 namespace {
@@ -24,11 +25,9 @@ std::vector<double> distances_between(const PointSeries& s, std::size_t a, std::
   return all;
 }
 
-bool is_kept(std::vector<double> distances) {
+bool is_kept(const std::vector<double>& distances) {
   if (distances.size() < fewest) return false;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  const double usual = *middle, most = std::max(as_far_m, as_far_share * usual);
+  const double usual = median(distances), most = std::max(as_far_m, as_far_share * usual);
   const auto others =
       std::count_if(distances.begin(), distances.end(), [&](double d) { return std::abs(d - usual) > most; });
   return usual > least_apart && static_cast<double>(others) <= most_others * static_cast<double>(distances.size());

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/message.h"
 #include "readers/series.h"
 
 namespace handsight {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/letters.h"
 #include "readers/texts/cells.h"
 
 namespace handsight {

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "robot/urdf.h"
+#include "session/new_session.h"
 #include "session/session_xml.h"
 
 namespace handsight {

@@ -4,7 +4,7 @@
 
 #include "base/message.h"
 #include "convert/conversion.h"
-#include "session/new_session.h"
+#include "session/find_images.h"
 
 namespace handsight {
 

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "convert/listed_rows.h"
 #include "readers/pose_files.h"
+#include "readers/pose_table.h"
 #include "readers/texts/cells.h"
 
 namespace handsight {

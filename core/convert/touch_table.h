@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "base/message.h"
-#include "convert/conversion.h"
 #include "readers/table.h"
+#include "robot/robot.h"
 
 namespace handsight {
 

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "estimation/fit/touch_unknown.h"
+#include "estimation/report/export.h"
 #include "estimation/report/hand_end.h"
 
 namespace handsight {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/message.h"
-#include "estimation/report/export.h"
+#include "estimation/report/fit_report.h"
 #include "estimation/report/prediction.h"
 
 namespace handsight {

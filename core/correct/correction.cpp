@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/median.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {
@@ -105,13 +106,6 @@ double measure_length(const Vector6& way) {
 Matrix3 square_root(const Matrix3& covariance) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(covariance);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Rigid nominal_hand(const ObservationState& c) { return observed_ends(c, {}).ends.root_from_tcp; }

@@ -3,42 +3,10 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "effects/list.h"
+#include "effects/effect.h"
 #include "effects/target_effects.h"
 
 namespace handsight {
-
-const std::vector<Effect>& catalogue() {
-  static const std::vector<Effect> effects = {joint_offset(),
-                                              joint_scale(),
-                                              joint_coupling(),
-                                              joint_elasticity(),
-                                              link_elasticity(),
-                                              link_geometry(),
-                                              encoder_eccentricity(),
-                                              transmission_ripple(),
-                                              backlash(),
-                                              friction_hysteresis(),
-                                              payload(),
-                                              base_tilt(),
-                                              mimic_linkage(),
-                                              base_elasticity(),
-                                              mimic_error(),
-                                              camera_mount(),
-                                              stereo_rig(),
-                                              rig(),
-                                              camera_intrinsics(),
-                                              lens_distortion(),
-                                              time_lag(),
-                                              mount_drift(),
-                                              mount_slip(),
-                                              body_slip(),
-                                              marker_slip(),
-                                              target_scale(),
-                                              target_bend(),
-                                              tag_placement()};
-  return effects;
-}
 
 const Effect* find_effect(const std::string& id) {
   static const auto by_id = [] {

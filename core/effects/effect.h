@@ -14,6 +14,12 @@
 
 namespace handsight {
 
+/// "hand_x" ... : the session's sites of six motions, by the prefix hand, mount or body.
+inline constexpr const char* motion_axes[] = {"x", "y", "z", "rx", "ry", "rz"};
+
+/// The site of a formula that moves the angle of every joint that moves by itself, with its own q, velocity and so on.
+inline constexpr const char* every_angle = "every_angle";
+
 /// Where an effect may sit: an instance for every moving joint, for every mimic joint, for every marker, for cameras of
 /// a rig, for every tag of a body of tags, for every part of a joined session, or one for the whole session.
 enum class EffectScope { joint, mimic_joint, marker, camera, tag, part, session };
@@ -53,12 +59,16 @@ struct Effect {
   /// marker, the camera, the tag's number or the part, -1 for the session; `values` has one number a parameter. Linear
   /// in the parameters that are no choices: the sites take up what is not.
   std::function<void(const ObservationState&, int place, std::span<const double> values, Sites& sites)> move;
+  /// The same in words that programs in other languages can be written from: formulas of sites (own_effect.h), in the
+  /// parameters' names. Where there is none the effect moves its sites by the same amount in all observations, or what
+  /// it moves is no part of the arm. Set beside `move` (amount.h).
+  std::function<std::vector<DefinedMove>(const Chain&, int place, std::span<const double> values)> formulas = {};
   std::shared_ptr<const EffectDefinition> definition;  // of an effect by formula; null: of the catalogue
   std::vector<std::string> cameras = {};  // of camera scope: by camera of the rig, its name; empty where it has none
   std::vector<int> tags = {};             // of tag scope: the numbers of the tags
   std::vector<std::string> parts = {};    // of part scope: what the parts of the joined session are called
-  bool reads_torque = false;              // its formula reads gravity torques (Circumstances::torque)
-  bool reads_place = false;               // its formula reads where the TCP is (Circumstances::tcp)
+  bool reads_torque = false;              // its formula reads gravity torques (ObservationState::torque)
+  bool reads_place = false;               // its formula reads where the TCP is (ObservationState::tcp)
 
   /// A curve that the program has found: it is named by its formula, not by a name.
   bool is_unnamed() const { return definition && definition->unnamed; }

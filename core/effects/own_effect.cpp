@@ -305,6 +305,7 @@ std::shared_ptr<const Effect> own_effect(const EffectDefinition& d, const Robot&
   effect->move = [own](const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
     move_by_formula(*own, c, place, values, sites);
   };
+  effect->formulas = [moves = d.moves](const Chain&, int, std::span<const double>) { return moves; };
   return effect;
 }
 

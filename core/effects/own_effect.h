@@ -25,7 +25,4 @@ OwnEffects list_own_effects(const Session& session, const Chain& chain);
 /// A name as formulas write it: characters other than letters, digits and _ become _.
 std::string formula_name(const std::string& name);
 
-/// "hand_x" ... : the session's sites of six motions, by the prefix hand, mount or body.
-inline constexpr const char* motion_axes[] = {"x", "y", "z", "rx", "ry", "rz"};
-
 }  // namespace handsight

@@ -79,6 +79,7 @@ Effect changed_between(const Effect& of_robot, const Chain& chain) {
       effect.parts.push_back(name.empty() ? joint_name : fmt::format("{} {}", name, joint_name));
     }
   }
+  effect.formulas = nullptr;  // its places are not the robot's joints
   effect.move = [=, of_robot_move = of_robot.move](const ObservationState& c, int place, std::span<const double> values,
                                                    Sites& sites) {
     const Place& at = places[static_cast<std::size_t>(place)];

@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "export/cpp_engine.h"
+#include "robot/posture.h"
 
 namespace handsight {
 namespace {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "export/cpp_file.h"
+#include "export/hand_program.h"
 #include "export/number_files.h"
 #include "export/python_file.h"
 #include "export/reported_motion.h"

@@ -7,39 +7,10 @@
 #include <set>
 
 #include "base/text.h"
-#include "effects/coupled_joint.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
 namespace {
-
-struct SiteFormula {
-  std::string site, formula;
-};
-
-/// The effects of the catalogue that depend on more than their numbers, as formulas of sites.
-const std::map<std::string, std::vector<SiteFormula>>& formulas_of_the_catalogue() {
-  static const std::map<std::string, std::vector<SiteFormula>> all = {
-      {"joint_scale", {{"angle", "scale*q"}}},
-      {"encoder_eccentricity", {{"angle", "sine*sin(q) + cosine*cos(q)"}}},
-      {"transmission_ripple", {{"angle", "sine*sin(2*q) + cosine*cos(2*q)"}}},
-      {"friction_hysteresis", {{"angle", "gap*approach"}}},
-      {"time_lag", {{"every_angle", "-lag*velocity"}}},
-      {"body_slip",
-       {{"body_x", "order >= k ? x : 0"},
-        {"body_y", "order >= k ? y : 0"},
-        {"body_z", "order >= k ? z : 0"},
-        {"body_rx", "order >= k ? rx : 0"},
-        {"body_ry", "order >= k ? ry : 0"},
-        {"body_rz", "order >= k ? rz : 0"}}},
-      {"marker_slip", {}},
-      {"target_scale", {}},
-      {"target_bend", {}},
-      {"tag_placement", {}},
-      {"mount_slip", {}},
-      {"mount_drift", {}}};
-  return all;
-}
 
 struct JointRead {
   std::string what;  // q or tau
@@ -88,14 +59,8 @@ class Writer {
     const std::string where = place_name(effect, term.place, robot_.chain.robot);
     of_ = effect.id + (where.empty() ? "" : " of " + where);
     const std::size_t before = program_.moves.size();
-    if (effect.definition) {
-      for (const DefinedMove& m : effect.definition->moves) add_formula({m.site, m.formula}, effect, term);
-    } else if (const auto other = coupled_joint(robot_.chain, term)) {
-      const Joint& joint = robot_.chain.robot.joints[static_cast<std::size_t>(*other)];
-      add_formula({"angle", "ratio*q_" + formula_name(joint.name)}, effect, term);
-    } else if (const auto known = formulas_of_the_catalogue().find(effect.id);
-               known != formulas_of_the_catalogue().end()) {
-      for (const SiteFormula& f : known->second) add_formula(f, effect, term);
+    if (effect.formulas) {
+      for (const DefinedMove& m : effect.formulas(robot_.chain, term.place, term.values)) add_formula(m, effect, term);
     } else {
       add_constants(effect, term);
     }
@@ -110,9 +75,9 @@ class Writer {
     program_.moves.push_back({target, std::move(amount), of_});
   }
 
-  void add_formula(const SiteFormula& f, const Effect& effect, const EffectTerm& term) {
+  void add_formula(const DefinedMove& f, const Effect& effect, const EffectTerm& term) {
     if (effect.scope == EffectScope::marker || effect.scope == EffectScope::camera) return;
-    if (f.site == "every_angle") {
+    if (f.site == every_angle) {
       for (std::size_t j = 0; j < place_.size(); ++j)
         if (place_[j] >= 0 && !robot_.chain.robot.joints[j].is_mimic())
           push(target_of("angle", place_[j]), formula(f, effect, term, static_cast<int>(j)));
@@ -125,7 +90,7 @@ class Writer {
   }
 
   /// With the parameters' values in it, and variables as the program calls them.
-  Expression formula(const SiteFormula& f, const Effect& effect, const EffectTerm& term, int joint) const {
+  Expression formula(const DefinedMove& f, const Effect& effect, const EffectTerm& term, int joint) const {
     return with_names(parse_expression(f.formula), [&](const std::string& name) -> Expression {
       for (std::size_t p = 0; p < effect.parameters.size(); ++p)
         if (effect.parameters[p].name == name) return number_expression(term.values[p]);
@@ -219,8 +184,8 @@ bool bends(const Sites& s) {
 bool bends(const CalibratedRobot& robot) {
   for (const EffectTerm& term : robot.model.effects) {
     const Effect& effect = term_effect(term);
-    if (effect.definition) {
-      for (const DefinedMove& m : effect.definition->moves)
+    if (effect.formulas) {
+      for (const DefinedMove& m : effect.formulas(robot.chain, term.place, term.values))
         if (m.site == "compliance" || m.site == "bend_compliance") return true;
       continue;
     }
@@ -233,9 +198,9 @@ bool bends(const CalibratedRobot& robot) {
 std::vector<int> joints_read_by_name(const CalibratedRobot& robot) {
   std::vector<int> joints;
   for (const EffectTerm& term : robot.model.effects) {
-    if (const auto other = coupled_joint(robot.chain, term)) joints.push_back(*other);
-    if (!term_effect(term).definition) continue;
-    for (const DefinedMove& m : term_effect(term).definition->moves)
+    const Effect& effect = term_effect(term);
+    if (!effect.formulas) continue;
+    for (const DefinedMove& m : effect.formulas(robot.chain, term.place, term.values))
       with_names(parse_expression(m.formula), [&](const std::string& name) {
         if (const auto named = joint_read(name, robot.chain.robot)) joints.push_back(named->joint);
         return name_expression(name);

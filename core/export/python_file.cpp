@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "export/cpp_file.h"
 #include "export/python_engine.h"
+#include "robot/posture.h"
 
 namespace handsight {
 namespace {

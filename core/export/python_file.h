@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "export/hand_program.h"
+#include "export/program_types.h"
 
 namespace handsight {
 

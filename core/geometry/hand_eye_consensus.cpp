@@ -11,6 +11,8 @@
 #include <cmath>
 #include <random>
 
+#include "base/median.h"
+
 namespace handsight {
 namespace {
 
@@ -138,12 +140,6 @@ std::vector<double> left_of(const std::vector<Rigid>& a, const std::vector<Rigid
   return left;
 }
 
-double half_of(std::vector<double> left) {
-  const auto place = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
-  std::nth_element(left.begin(), place, left.end());
-  return *place;
-}
-
 std::vector<std::size_t> rows_within(const std::vector<double>& left, double most) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -173,7 +169,7 @@ void try_triple(const std::vector<Rigid>& a, const std::vector<Rigid>& b, const 
   const std::vector<Motion> two{motion_between(a, b, rows[0], rows[1]), motion_between(a, b, rows[0], rows[2])};
   if (!may_be_one_motion(two[0]) || !may_be_one_motion(two[1])) return;
   const Rigid x = solve(two);
-  const double half = half_of(left_of(a, b, x, {rows.begin(), rows.end()}));
+  const double half = median(left_of(a, b, x, {rows.begin(), rows.end()}));
   if (half < best.half) best = {x, half, {rows.begin(), rows.end()}};
 }
 
@@ -196,11 +192,11 @@ std::optional<HandEyeConsensus> hand_eye_consensus(const std::vector<Rigid>& a, 
   if (best.rows.empty()) return std::nullopt;
   std::vector<double> left = left_of(a, b, best.x, best.rows);
   for (int pass = 0; pass < 6; ++pass) {
-    std::vector<std::size_t> rows = rows_within(left, std::max(times_usual * half_of(left), at_least));
+    std::vector<std::size_t> rows = rows_within(left, std::max(times_usual * median(left), at_least));
     if (pass > 0) {  // by what those leave that agree already, not by what half of all leave
       std::vector<double> of_these;
       for (const std::size_t i : best.rows) of_these.push_back(left[i]);
-      rows = rows_within(left, std::max(times_usual * half_of(of_these), at_least));
+      rows = rows_within(left, std::max(times_usual * median(of_these), at_least));
     }
     const std::vector<Motion> motions = motions_of(a, b, rows);
     if (rows.size() < 3 || motions.size() < 3) break;

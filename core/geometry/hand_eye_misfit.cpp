@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/median.h"
+
 namespace handsight {
 namespace {
 
@@ -36,12 +38,6 @@ Motion motion_between(const Rigid& f_i, const Rigid& f_j, const Rigid& t_i, cons
   m.flange_turn = vector_from_rotation(m.flange.rotation);
   m.target_turn = vector_from_rotation(m.target.rotation);
   return m;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Of residuals: what is many times the usual counts little.

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "readers/csv.h"
+#include "readers/texts/cells.h"
 
 namespace handsight {
 

@@ -2,6 +2,8 @@
 // Cameras as ROS and Kalibr write them.
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +11,6 @@
 #include "base/message.h"
 #include "camera/rig.h"
 #include "readers/bags/messages.h"
-#include "readers/yaml_text.h"
 
 namespace handsight {
 

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "readers/texts/cells.h"
 
 namespace handsight {
 
@@ -23,13 +24,6 @@ struct Columns {
   std::optional<std::size_t> of_time;
   std::size_t count = 0;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const std::vector<std::string_view> words = split_words(text);
-  if (words.empty()) return {};
-  const char* end = words.back().data() + words.back().size();
-  return {words.front().data(), static_cast<std::size_t>(end - words.front().data())};
-}
 
 Columns plain_columns(std::size_t joints) {
   Columns columns{std::vector<std::size_t>(joints), {}, {}, joints};
@@ -128,23 +122,11 @@ PoseTable parse_table(const std::string& text, const std::string& file, const st
 }  // namespace
 
 std::vector<std::string_view> cells_of_line(std::string_view line) {
-  line = trimmed(line.substr(0, line.find('#')));
-  if (line.empty()) return {};
-  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
-  if (line.find(separator) == std::string_view::npos) return split_words(line);
-  CsvCells cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return cells;
-}
-
-std::string_view unquoted(std::string_view cell) {
-  const bool has_quotes =
-      cell.size() >= 2 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
-  return has_quotes ? cell.substr(1, cell.size() - 2) : cell;
+  line = line.substr(0, line.find('#'));
+  if (split_words(line).empty()) return {};
+  const char separator = cell_separator(line);
+  const bool is_comma = separator == '\t' && line.find(',') != std::string_view::npos;  // with tabs for white space
+  return cell_views(line, is_comma ? ',' : separator == '\t' ? ' ' : separator);
 }
 
 bool names_columns(const std::vector<std::string_view>& cells) {

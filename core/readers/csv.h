@@ -16,7 +16,6 @@ namespace handsight {
 /// '#'; views into `line`. None where nothing stands in it; the last is empty where the line ends with a separator, as
 /// many programs have it.
 std::vector<std::string_view> cells_of_line(std::string_view line);
-std::string_view unquoted(std::string_view cell);
 
 /// Does a line name columns: is none of its cells a number?
 bool names_columns(const std::vector<std::string_view>& cells);

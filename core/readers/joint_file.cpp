@@ -7,6 +7,7 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "readers/pose_files.h"

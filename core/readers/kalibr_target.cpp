@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

@@ -2,11 +2,12 @@
 // Kalibr's description of a target (april_6x6.yaml and the like).
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <string>
 #include <vector>
 
 #include "print/target.h"
-#include "readers/yaml_text.h"
 
 namespace handsight {
 

@@ -2,6 +2,8 @@
 // One camera as other programs than ROS's drivers and Kalibr write it.
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <string>
 #include <vector>
 

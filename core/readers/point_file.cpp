@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points of trackers and motion capture, from tables.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/text.h"
 #include "readers/pose_files.h"
 
@@ -33,7 +33,7 @@ std::optional<std::pair<std::string, int>> numbered_axis_of(const std::string& n
 /// The name before "_x", ".x", " x", "x", or the number behind "x1"; nothing where the column is of no axis.
 std::optional<std::pair<std::string, int>> axis_of(std::string name) {
   if (name.empty()) return std::nullopt;
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  name = lower_case(name);
   if (auto numbered = numbered_axis_of(name)) return numbered;
   const std::size_t axis = std::string("xyz").find(name.back());
   if (axis == std::string::npos) return std::nullopt;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
 
+#include "base/letters.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -39,11 +39,11 @@ void split_number(Names& words) {
 
 Names list_words(const std::string& name) {
   Names words{""};
-  for (const char c : name) {
+  for (const char c : lower_case(name)) {
     if (std::string_view("_.-:/ ").find(c) != std::string_view::npos)
       words.emplace_back();
     else
-      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      words.back() += c;
   }
   std::erase(words, "");
   split_number(words);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "readers/pose_list.h"
+#include "readers/yaml_text.h"
+
 namespace handsight {
 
 bool is_hand_eye_samples(const YAML::Node& yaml) {

@@ -2,16 +2,15 @@
 // Poses, points and joint readings from tables and from easy_handeye.
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/message.h"
-#include "readers/pose_list.h"
-#include "readers/pose_table.h"
 #include "readers/series.h"
 #include "readers/table.h"
-#include "readers/yaml_text.h"
 #include "robot/robot.h"
 
 namespace handsight {

@@ -8,6 +8,7 @@
 #include "base/bounds.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

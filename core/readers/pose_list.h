@@ -2,13 +2,14 @@
 // Poses from YAML and JSON.
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/message.h"
 #include "readers/pose_table.h"
-#include "readers/yaml_text.h"
 
 namespace handsight {
 

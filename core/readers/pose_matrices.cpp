@@ -16,6 +16,7 @@
 #include "readers/opencv_storage.h"
 #include "readers/pose_list.h"
 #include "readers/texts/plain_text.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

@@ -4,9 +4,11 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "readers/maker_cameras.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {
@@ -19,7 +21,8 @@ struct Intrinsics {
 
 /// "distortion.inverse_brown_conrady", "Inverse Brown Conrady" and "RS2_DISTORTION_BROWN_CONRADY" in one form.
 std::string plain_model(std::string model) {
-  for (char& c : model) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  model = lower_case(model);
+  std::replace(model.begin(), model.end(), ' ', '_');
   for (const char* before : {"distortion.", "rs2_distortion_"})
     if (model.starts_with(before)) model.erase(0, std::string(before).size());
   return model;
@@ -57,11 +60,6 @@ RosCamera look_up_camera(const Intrinsics& i, const std::string& file, std::vect
   return c;
 }
 
-std::string trimmed_text(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
 void take_line(Intrinsics& i, const std::string& name, const std::string& value) {
   const std::map<std::string, double*> numbers = {{"Width", &i.width}, {"Height", &i.height}, {"PPX", &i.ppx},
                                                   {"PPY", &i.ppy},     {"Fx", &i.fx},         {"Fy", &i.fy}};
@@ -78,7 +76,7 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
   std::istringstream lines(text);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    const std::string reported = trimmed_text(line);
+    const std::string reported = trimmed(line);
     if (reported.starts_with("Intrinsic of ")) {
       all.push_back({reported.substr(13), {}});
       inside = true;
@@ -86,7 +84,7 @@ std::vector<Intrinsics> listed_intrinsics(const std::string& text) {
     }
     const std::size_t colon = reported.find(':');
     inside = inside && colon != std::string::npos;
-    if (inside) take_line(all.back(), reported.substr(0, colon), trimmed_text(reported.substr(colon + 1)));
+    if (inside) take_line(all.back(), reported.substr(0, colon), trimmed(reported.substr(colon + 1)));
   }
   return all;
 }

@@ -8,17 +8,13 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "readers/texts/cells.h"
 
 namespace handsight {
 namespace {
-
-std::string trimmed_cell(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
 
 /// "shoulder [deg]", "q1_deg" and "dial mm" to name and unit.
 TableColumn column_of(const std::string& cell) {
@@ -27,8 +23,8 @@ TableColumn column_of(const std::string& cell) {
   const bool is_number = open != std::string::npos && open + 2 < cell.size() &&
                          cell.find_first_not_of("0123456789", open + 1) == cell.size() - 1;  // "position[0]"
   if (open != std::string::npos && open > 0 && !is_number && (cell.back() == ']' || cell.back() == ')')) {
-    column.unit = plain_unit(lower_case(trimmed_cell(cell.substr(open + 1, cell.size() - open - 2))));
-    column.name = trimmed_cell(cell.substr(0, open));
+    column.unit = plain_unit(lower_case(trimmed(cell.substr(open + 1, cell.size() - open - 2))));
+    column.name = trimmed(cell.substr(0, open));
     return column;
   }
   for (const char between : {'_', ' '})

@@ -2,7 +2,6 @@
 #include "robot/mesh.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -10,6 +9,7 @@
 #include "base/bounds.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "robot/collada_text.h"
@@ -173,8 +173,7 @@ Mesh parse_stl(std::string_view bytes, const std::string& file) {
 }
 
 Mesh read_mesh(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lower_case(file.extension().string());
   const std::string name = file.filename().string();
   if (ending != ".stl" && ending != ".obj" && ending != ".dae")
     refuse(name, 0, "the mesh is of a kind that is not read, expected an STL, an OBJ or a Collada (.dae) file.");

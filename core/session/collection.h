@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/message.h"
-#include "session/joined.h"
 
 namespace handsight {
 

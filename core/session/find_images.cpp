@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/image_names.h"
+#include "base/letters.h"
 #include "base/text.h"
 
 namespace handsight {
@@ -18,11 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// An image's file and its name in small letters, without its ending.
 struct NamedFile {
@@ -44,7 +40,7 @@ bool is_image_ending(const std::string& ending) {
 Listing images_in(const fs::path& folder) {
   Listing listing{folder, {}, {}};
   for (const auto& entry : fs::directory_iterator(folder, listing.error)) {
-    std::string name = lower(entry.path().filename().string());
+    std::string name = lower_case(entry.path().filename().string());
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || name[0] == '.' || !is_image_ending(name.substr(dot))) continue;
     std::error_code is_gone;
@@ -224,7 +220,7 @@ std::vector<InstantImages> find_camera_folders(const std::vector<std::string>& c
                                                const std::vector<fs::path>& folders, const IsOldImage& is_old,
                                                std::vector<Message>& refusals) {
   std::vector<std::string> names;
-  for (const std::string& camera : cameras) names.push_back(lower(camera));
+  for (const std::string& camera : cameras) names.push_back(lower_case(camera));
   std::map<std::size_t, Listing> listings;  // by the first camera whose folder it is
   std::vector<Images> by_camera;
   for (std::size_t c = 0; c < folders.size(); ++c) {

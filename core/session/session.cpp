@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace handsight {
 
 std::filesystem::path folder(const Session& session) {
@@ -113,9 +115,7 @@ double usual_sigma(const Session& session) {
     }
   if (reported.empty()) return 0;
   if (declared) return *declared;
-  const auto middle = reported.begin() + static_cast<std::ptrdiff_t>(reported.size() / 2);
-  std::nth_element(reported.begin(), middle, reported.end());
-  return *middle;
+  return median(std::move(reported));
 }
 
 PixelSigma pixel_sigma(const Eigen::Matrix2d& covariance) {

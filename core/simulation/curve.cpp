@@ -7,15 +7,11 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 
 namespace handsight {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
 
 /// Size, function and order of "0.0015*sin(3q)"; false where it is something else.
 bool read_formula(const std::string& formula, Curve& curve) {

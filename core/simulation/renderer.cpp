@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "simulation/hand.h"
 #include "simulation/point_spread.h"
 #include "simulation/random.h"
 #include "simulation/trace.h"

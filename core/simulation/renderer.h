@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "camera/camera.h"
-#include "simulation/scene.h"
+#include "simulation/scene_parts.h"
 #include "vision/image/image.h"
 
 namespace handsight {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "chain/arrangement.h"
+#include "simulation/hand.h"
 #include "simulation/shown_tags.h"
 #include "targets/pattern.h"
 

@@ -4,7 +4,7 @@
 
 #include "simulation/poses.h"
 #include "simulation/random.h"
-#include "simulation/scene.h"
+#include "simulation/scene_parts.h"
 
 namespace handsight {
 

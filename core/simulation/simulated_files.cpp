@@ -7,8 +7,11 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "session/session_xml.h"
+#include "simulation/hand.h"
 #include "simulation/renderer.h"
+#include "simulation/scene.h"
 #include "simulation/shown_target.h"
+#include "simulation/simulated_session.h"
 #include "vision/image/image_file.h"
 
 namespace handsight {

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "simulation/simulated_session.h"
+#include "simulation/simulated_truth.h"
+#include "simulation/simulation_options.h"
 
 namespace handsight {
 

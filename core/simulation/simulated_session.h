@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "simulation/random.h"
 #include "simulation/simulated_truth.h"
 #include "simulation/simulation_options.h"
 

@@ -8,6 +8,7 @@
 #include "chain/touching.h"
 #include "session/fixtures/fixture_kind.h"
 #include "session/touch_xml.h"
+#include "simulation/random.h"
 
 namespace handsight {
 namespace {

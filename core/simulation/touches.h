@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "effects/observation_state.h"
-#include "simulation/random.h"
 #include "simulation/simulation_options.h"
 
 namespace handsight {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/median.h"
 #include "targets/board_corners.h"
 #include "targets/board_detection.h"
 #include "targets/corner_lattice.h"
@@ -102,11 +103,9 @@ bool is_smooth(const std::vector<TargetPixel>& points, int columns) {
     most.push_back(std::max(1.0, (guess->is_between ? 0.1 : 0.4) * step));
   }
   if (errors.empty()) return true;
-  std::vector<double> sorted = errors;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = median(errors);
   for (std::size_t i = 0; i < errors.size(); ++i)
-    if (errors[i] > std::max(most[i], 6 * *middle)) return false;
+    if (errors[i] > std::max(most[i], 6 * usual)) return false;
   return true;
 }
 

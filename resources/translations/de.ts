@@ -7815,8 +7815,8 @@
         <translation>Das Rauschen, %1 %2, ist das von Posen, die noch einmal gemessen wurden; wie gut der Roboter wiederholt, gehört dazu.</translation>
     </message>
     <message>
-        <source>%1: the measurements say more than 5 times what is plausible; its plausible sizes were taken %2 times as large.</source>
-        <translation>%1: die Messungen sagen mehr als das 5-fache des Plausiblen; die plausiblen Größen gelten hier %2-fach.</translation>
+        <source>%1: the measurements say more than 5 times what is plausible; its prior sigmas were taken %2 times as large.</source>
+        <translation>%1: die Messungen sagen mehr als das 5-fache des Plausiblen; die A-priori-Standardabweichungen gelten hier %2-fach.</translation>
     </message>
     <message>
         <source>An effect of the model shows only while the joints move; these poses are at rest and cannot show it.</source>
@@ -9871,7 +9871,7 @@
         <translation>Zwei Koordinaten jedes Punkts in %1 vertauschen (zwei Spalten der Tabelle, aus der sie gemacht wurde), oder noch einmal mit rechtshändigen Achsen exportieren.</translation>
     </message>
     <message>
-        <source>Measure it over its whole length and give the right size to the program that told its poses; until then no place of the hand or of a camera is to be trusted (--effects target_scale estimates it with them).</source>
+        <source>Measure it over its whole length and give the right size to the program that found its poses; until then no place of the hand or of a camera is to be trusted (--effects target_scale estimates it with them).</source>
         <translation>Miss es über die ganze Länge und gib dem Programm, das seine Posen sagt, die richtige Größe; bis dahin ist keinem Ort der Hand oder einer Kamera zu trauen (--effects target_scale schätzt sie mit ihnen).</translation>
     </message>
     <message>
@@ -11647,7 +11647,7 @@
         <translation>target_scaled: erwartet wird ein Faktor über 0, etwa 0.5.</translation>
     </message>
     <message>
-        <source>The target is %1 % %2 than the program that told its poses was told.</source>
+        <source>The target is %1 % %2 than the size given to the program that found its poses.</source>
         <translation>Das Target ist %1 % %2, als dem Programm gesagt wurde, das seine Posen angibt.</translation>
     </message>
     <message>

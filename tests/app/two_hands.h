@@ -8,6 +8,7 @@
 
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
+#include "simulation/simulated_session.h"
 
 namespace handsight::test {
 

@@ -37,14 +37,16 @@ std::vector<std::string> told_folders(const std::string& house, const std::regex
   return folders;
 }
 
-/// What the sources of a folder include with a path of at least two parts, below `prefix`: the first part.
-std::set<std::string> included_folders(const std::filesystem::path& folder, const std::string& prefix) {
-  const std::regex include("#include \"" + prefix + "([a-z_]+)/");
+/// Of the folders of `house` those from which the sources of `folder` include something, as "PREFIXFOLDER/...".
+std::set<std::string> included_folders(const std::filesystem::path& house, const std::string& folder,
+                                       const std::string& prefix) {
+  const std::regex include("#include \"" + prefix + "(([a-z_]+)/[^\"]+)\"");
   std::set<std::string> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(house / folder)) {
     if (!is_source(entry.path())) continue;
     const std::string text = read_file(entry.path());
-    for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) found.insert((*i)[1]);
+    for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i)
+      if (std::filesystem::exists(house / i->str(1))) found.insert((*i)[2]);  // core has a compare/ as app has
   }
   return found;
 }
@@ -52,7 +54,7 @@ std::set<std::string> included_folders(const std::filesystem::path& folder, cons
 void expect_one_way(const std::string& house, const std::string& prefix, const std::vector<std::string>& folders,
                     const std::set<std::string>& beside_each_other = {}) {
   for (std::size_t i = 0; i < folders.size(); ++i)
-    for (const std::string& used : included_folders(root / house / folders[i], prefix)) {
+    for (const std::string& used : included_folders(root / house, folders[i], prefix)) {
       const auto place = std::find(folders.begin(), folders.end(), used);
       if (place == folders.end() || used == folders[i]) continue;
       EXPECT_LT(place - folders.begin(), static_cast<std::ptrdiff_t>(i))
@@ -188,6 +190,34 @@ TEST(House, NoSourcesIncludeEachOtherInACircle) {
     for (const std::string& one : circle) reported += one + "\n";
     ASSERT_TRUE(circle.empty()) << "include each other:\n" << reported;
   }
+}
+
+/// The sources of core, widgets and app in which this is written.
+std::set<std::string> sources_with(const std::regex& what) {
+  std::set<std::string> found;
+  for (const char* house : {"core", "widgets", "app"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / house))
+      if (is_source(entry.path()) && std::regex_search(read_file(entry.path()), what))
+        found.insert(entry.path().lexically_relative(root).string());
+  return found;
+}
+
+TEST(House, WhatManyNeedStandsInOnePlace) {
+  using Places = std::set<std::string>;
+  EXPECT_EQ(sources_with(std::regex("tolower")), Places{"core/base/letters.cpp"}) << "lower_case";
+  EXPECT_EQ(sources_with(std::regex("size\\(\\) / 2\\);\n *std::nth_element")), Places{"core/base/median.h"})
+      << "median";
+}
+
+TEST(House, AnExporterKnowsNoEffectByName) {
+  const std::string list = read_file(root / "core" / "effects" / "list.inc");
+  static const std::regex entry("HANDSIGHT_EFFECT\\((\\w+)\\)");
+  std::string ids;
+  for (std::sregex_iterator i(list.begin(), list.end(), entry), none; i != none; ++i)
+    ids += (ids.empty() ? "" : "|") + i->str(1);
+  ASSERT_NE(ids, "");
+  for (const std::string& source : sources_with(std::regex("\"(" + ids + ")\"")))
+    EXPECT_FALSE(source.starts_with("core/export/")) << source << ": ask the effect for its formulas";
 }
 
 }  // namespace

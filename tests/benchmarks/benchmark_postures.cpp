@@ -10,6 +10,7 @@
 #include "estimation/problem/problem.h"
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
+#include "simulation/random.h"
 #include "simulation/simulated_session.h"
 #include "trials/table.h"
 

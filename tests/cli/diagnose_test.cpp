@@ -59,6 +59,10 @@ void expect_candidate_keys(const Json& c, bool tracker) {
   }
   EXPECT_TRUE(c["where"].is_array() && c["parameters"].is_array() && c["cannot_be_told_from"].is_array());
   EXPECT_TRUE(c["plausible"].is_boolean());
+  for (const Json& p : c["parameters"]) EXPECT_EQ(p.at("prior_sigma"), p.at("plausible_size")) << "its older name";
+  if (c.contains("noncentrality_of_prior_sigma")) {
+    EXPECT_EQ(c.at("noncentrality_of_prior_sigma"), c.at("noncentrality_of_plausible_size")) << "its older name";
+  }
   EXPECT_TRUE(c["ln_bayes_factor"].is_number());
   if (c["explained"].is_number()) {
     EXPECT_GE(c["explained"].get<double>(), 0);

@@ -6,6 +6,9 @@
 
 #include "chain/touching.h"
 #include "diagnosis/planning/planning.h"
+#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_options.h"
+#include "estimation/fit/fit_result.h"
 #include "fixtures/touch_session.h"
 
 namespace handsight {

@@ -5,6 +5,7 @@
 #include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/outliers/snooping.h"
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "fixtures/rigs.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "fixtures/askew_tags.h"
 
 namespace handsight {

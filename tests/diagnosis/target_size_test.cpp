@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/targets.h"

@@ -11,6 +11,7 @@
 #include "estimation/solvers/normal_equations.h"
 #include "estimation/start/start.h"
 #include "fixtures/arms.h"
+#include "simulation/random.h"
 
 namespace handsight {
 namespace {

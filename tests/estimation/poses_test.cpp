@@ -6,6 +6,7 @@
 
 #include "chain/body_frame.h"
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "estimation/report/fit_report.h"

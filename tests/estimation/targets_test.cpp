@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "estimation/fit/fit.h"
 #include "estimation/online/online.h"
 #include "estimation/problem/target_pose.h"

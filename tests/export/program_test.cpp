@@ -4,6 +4,7 @@
 
 #include "export/cpp_file.h"
 #include "export/exported.h"
+#include "export/hand_program.h"
 #include "export/python_file.h"
 #include "fixtures/robots_with_everything.h"
 #include "session/session_xml.h"

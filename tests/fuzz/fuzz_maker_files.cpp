@@ -7,7 +7,9 @@
 #include "readers/maker_cameras.h"
 #include "readers/mocap/mocap_csv.h"
 #include "readers/pose_files.h"
+#include "readers/pose_table.h"
 #include "readers/robots/lerobot.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

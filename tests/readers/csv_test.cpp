@@ -82,5 +82,16 @@ TEST(Csv, TimesAndVelocitiesAreReadWhereTheyHaveColumns) {
               HasSubstr("p.csv, line 2: \"1e160\" stands in column 2, expected a number from"));
 }
 
+TEST(Csv, ALineIsCutAsATableIs) {
+  EXPECT_THAT(cells_of_line("\"elbow, left\",q2 # the second one"), ElementsAre("\"elbow, left\"", "q2"));
+  EXPECT_THAT(cells_of_line("\"a;b\", c"), ElementsAre("\"a;b\"", "c"));
+  EXPECT_THAT(cells_of_line(" 1.0,\t2.0,\r"), ElementsAre("1.0", "2.0", ""));
+  EXPECT_THAT(cells_of_line("\t1.0\t2.0 3.0\r"), ElementsAre("1.0", "2.0", "3.0"));
+  EXPECT_THAT(cells_of_line("1;;2"), ElementsAre("1", "", "2"));
+  EXPECT_THAT(cells_of_line(" \t # nothing"), IsEmpty());
+  const PoseTable named = parse_pose_table("\"elbow, left\",b\n1,2\n", "p.csv", {"b", "elbow, left"});
+  EXPECT_THAT(named.positions.front(), ElementsAre(2, 1));
+}
+
 }  // namespace
 }  // namespace handsight

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "readers/kalibr_target.h"
+#include "readers/yaml_text.h"
 #include "session/session_texts.h"
 
 namespace handsight {

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "fixtures/drawn.h"
+#include "simulation/hand.h"
 #include "simulation/random.h"
+#include "simulation/scene.h"
 
 namespace handsight {
 namespace {

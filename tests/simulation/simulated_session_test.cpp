@@ -9,6 +9,7 @@
 #include "fixtures/hand_eye.h"
 #include "fixtures/targets.h"
 #include "session/session_xml.h"
+#include "simulation/random.h"
 
 namespace handsight {
 namespace {

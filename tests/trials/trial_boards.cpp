@@ -10,10 +10,12 @@
 #include <string>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/targets.h"
 #include "session/pose_points.h"
+#include "simulation/random.h"
 #include "trials/table.h"
 
 namespace handsight {

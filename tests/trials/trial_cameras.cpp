@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "camera_calibration/board_images.h"
+#include "camera_calibration/bundle.h"
 #include "camera_calibration/camera_calibration.h"
 #include "trials/table.h"
 #include "vision/image/image_file.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "vision/corners/corner_likelihood.h"
+#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_noise.h"
 #include "vision/corners/corner_structure.h"
 #include "vision/corners/corner_truth.h"

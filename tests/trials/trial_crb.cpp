@@ -9,6 +9,7 @@
 
 #include "estimation/fit/fit.h"
 #include "fixtures/arms.h"
+#include "simulation/random.h"
 #include "trials/table.h"
 
 namespace handsight {

@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 
+#include "chain/sighting.h"
 #include "compare/change_watch.h"
 #include "estimation/report/fit_report.h"
 #include "experiment/loop/experiment.h"

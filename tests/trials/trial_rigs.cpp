@@ -9,9 +9,11 @@
 
 #include "chain/body_frame.h"
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "estimation/fit/fit.h"
 #include "fixtures/rigs.h"
+#include "simulation/random.h"
 #include "trials/table.h"
 
 namespace handsight {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "diagnosis/verdict/finding.h"
 #include "effects/own_effect.h"
 #include "fixtures/touch_session.h"

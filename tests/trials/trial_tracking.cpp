@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "estimation/online/online.h"
 #include "session/session_xml.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
 #include "vision/markers/first_observation.h"
 

@@ -72,7 +72,7 @@ void ImageView::show_frame(int width, int height) {
 
 #define HANDSIGHT_SETTER(name, Type, member) \
   void ImageView::name(Type value) {         \
-    member = std::move(value);               \
+    (member) = std::move(value);             \
     update();                                \
   }
 HANDSIGHT_SETTER(set_corners, std::vector<Vector2>, corners_)

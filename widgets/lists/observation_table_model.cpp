@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/median.h"
 #include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/session_mark.h"
@@ -52,9 +53,7 @@ int find_decimals(const std::vector<ObservationRow>& rows, SizeUnit unit) {
   for (const ObservationRow& row : rows)
     if (const auto value = measure_size(row, unit); value && *value > 0) values.push_back(*value);
   if (values.empty()) return 2;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(*middle))), 2, 4);
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(median(std::move(values))))), 2, 4);
 }
 
 QString shown(const ObservationRow& row, TableColumn column, const Units& units, const std::array<int, 2>& decimals) {

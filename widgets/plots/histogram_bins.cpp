@@ -5,6 +5,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
+#include "base/median.h"
 #include "widgets/base/theme.h"
 
 namespace handsight::widgets {
@@ -51,9 +52,7 @@ std::optional<double> typical_noise(const std::vector<ObservationCell>& cells, S
   for (const ObservationCell& cell : cells)
     if (const auto noise = find_noise(cell, unit); noise && counts_in(cell, unit)) sizes.push_back(noise->size);
   if (sizes.empty()) return std::nullopt;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return median(std::move(sizes));
 }
 
 std::map<int, double> noise_bins(const std::vector<ObservationCell>& cells, SizeUnit unit) {

@@ -45,8 +45,11 @@ HistogramPlot::HistogramPlot(QWidget* parent) : PlotWidget(parent), bars_(std::m
   bars_->threshold_text->setPadding(QMargins(4, 0, 4, 0));
   connect(plot_, &QCustomPlot::afterLayout, this, &HistogramPlot::place_threshold_text);
   const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
-  for (double decade = 0.001; decade < 2000; decade *= 10)
-    for (const double size : {decade, 3 * decade}) ticker->addTick(std::log10(size), short_text(size, 1));
+  for (int power = -3; power <= 3; ++power)
+    for (const double times : {1.0, 3.0}) {
+      const double size = times * std::pow(10.0, power);
+      ticker->addTick(std::log10(size), short_text(size, 1));
+    }
   plot_->xAxis->setTicker(ticker);
   const QSharedPointer<QCPAxisTickerFixed> counts(new MarkedTicker<QCPAxisTickerFixed>);  // no half observations
   counts->setTickStep(1);

@@ -58,9 +58,9 @@ double ResidualMap::exaggeration() const {
   const double shown = std::max(quantile(lengths, 0.95), 3 * quantile(sigmas, 0.5));
   const double wanted = width_ / 12.0 / std::max(shown, 1e-6);
   double best = 1;
-  for (double power = 1; power < 1e6; power *= 10)
+  for (int power = 0; power < 6; ++power)
     for (const double step : {1.0, 2.0, 5.0})
-      if (step * power <= wanted) best = step * power;
+      if (const double times = step * std::pow(10.0, power); times <= wanted) best = times;
   return best;
 }
 
@@ -93,8 +93,8 @@ void ResidualMap::fill_regions() {
   const double times = exaggeration();
   for (int i = 0; i < column_count * row_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Vector2 corner((i % column_count) * width_ / double(column_count),
-                         (i / column_count) * height_ / double(row_count));
+    const int column = i % column_count, row = i / column_count;
+    const Vector2 corner(column * width_ / double(column_count), row * height_ / double(row_count));
     const Vector2 middle = corner + Vector2(width_ / double(2 * column_count), height_ / double(2 * row_count));
     layers_->counts[k]->position->setCoords(corner.x(), corner.y());
     layers_->counts[k]->setText(QString::number(counts[k]));
@@ -147,9 +147,9 @@ void ResidualMap::fill() {
   // The scale bar: a round number of the residuals' unit, near a tenth of the width.
   const double times = exaggeration();
   double shown = 1;
-  for (double power = 0.001; power < 1000; power *= 10)
+  for (int power = -3; power < 3; ++power)
     for (const double step : {1.0, 2.0, 5.0})
-      if (step * power * times <= width_ / 8.0) shown = step * power;
+      if (const double length = step * std::pow(10.0, power); length * times <= width_ / 8.0) shown = length;
   const double right = width_ * 0.98, bottom = height_ * 0.975;
   const bool has_bar = lens_ == MapLens::arrows && !points_.empty();
   layers_->bar->setVisible(has_bar);

@@ -14,6 +14,7 @@
 #include "base/threads.h"
 #include "command.h"
 #include "diagnosis/selection/improvement.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "printing/outputs.h"
 #include "session/collection.h"
 #include "session/session_xml.h"

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "compare/comparison.h"
 #include "compare/several_comparison.h"
+#include "estimation/report/export.h"
 #include "options/joined_source.h"
 #include "options/named_effects.h"
 #include "options/predict_source.h"

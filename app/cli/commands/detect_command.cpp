@@ -4,6 +4,7 @@
 #include "command.h"
 #include "printing/json_values.h"
 #include "printing/outputs.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
 #include "vision/markers/corner_pairs.h"
 

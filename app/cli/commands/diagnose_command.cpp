@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "options/named_effects.h"
 #include "printing/bill_output.h"
 #include "printing/blunder_output.h"

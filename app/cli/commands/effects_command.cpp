@@ -63,7 +63,7 @@ void print_effect(const Output& output, const Effect& effect) {
   };
   reported("", effect.cause);
   for (const EffectParameter& p : effect.parameters)
-    output.line(fmt::format("  {} [{}], plausible size {:g}{}", p.name, p.unit, p.sigma, list_words(effect.scope).at));
+    output.line(fmt::format("  {} [{}], prior sigma {:g}{}", p.name, p.unit, p.sigma, list_words(effect.scope).at));
   reported("Seen: ", effect.visibility);
   reported("Check: ", effect.check);
   reported("Source: ", effect.source);

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "printing/json_values.h"
 #include "session/session_xml.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
 #include "vision/markers/first_observation.h"
 

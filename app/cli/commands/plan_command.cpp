@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "command.h"
 #include "diagnosis/planning/planning.h"
+#include "estimation/fit/fit.h"
 #include "estimation/fit/part_fit.h"
 #include "options/competing_effects.h"
 #include "options/named_effects.h"

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/utc_now.h"
 #include "command.h"
+#include "compare/change_watch.h"
 #include "detection/target_finding.h"
 #include "experiment/driver/child_driver.h"
 #include "experiment/loop/experiment.h"

@@ -15,6 +15,7 @@
 #include "session/collection.h"
 #include "simulate_live.h"
 #include "simulation/simulated_files.h"
+#include "simulation/simulated_session.h"
 
 namespace handsight::cli {
 namespace {

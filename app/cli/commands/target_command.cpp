@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/letters.h"
 #include "base/text.h"
 #include "certify/touch_page.h"
 #include "command.h"
@@ -19,11 +20,7 @@ struct TargetArguments {
   double dots_per_inch = 300;
 };
 
-std::string ending_of(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
+std::string ending_of(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }
 
 std::string file_of(const Sheet& sheet, const TargetArguments& o) {
   const std::string ending = ending_of(o.out);

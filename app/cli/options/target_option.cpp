@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "print/target_xml.h"
 #include "readers/kalibr_target.h"
+#include "readers/yaml_text.h"
 
 namespace handsight::cli {
 namespace {

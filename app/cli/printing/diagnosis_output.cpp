@@ -34,7 +34,8 @@ Json parameters_json(const Session& session, const DiagnosisCandidate& c) {
                       {"value", number(c.terms[t].values[p])},
                       {"sigma", number(c.sigmas[t][p])},
                       {"unit", unit_at(effect, p, c.terms[t].place, session.robot)},
-                      {"plausible_size", effect.parameters[p].sigma}});
+                      {"prior_sigma", effect.parameters[p].sigma},
+                      {"plausible_size", effect.parameters[p].sigma}});  // its older name
   }
   return list;
 }
@@ -92,7 +93,8 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"explained", number(c.explained)},
          {"parameters", parameters_json(session, c)},
          {"plausible", c.plausible},
-         {"noncentrality_of_plausible_size", number(c.visibility)},
+         {"noncentrality_of_prior_sigma", number(c.visibility)},
+         {"noncentrality_of_plausible_size", number(c.visibility)},  // its older name
          {"cannot_be_told_from", c.indistinguishable_from},
          {"check", check_json(c)},
          {"explanation", c.explanation}};

@@ -2,10 +2,10 @@
 #include "convert/bags/bag_rigs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/text.h"
 #include "convert/convert_inputs.h"
 
@@ -14,8 +14,7 @@ namespace {
 
 /// What stands in a topic's name before the word that says the side: "/head/" of "/head/left/image_raw".
 std::string before_side(const std::string& topic, std::initializer_list<const char*> sides) {
-  std::string small = topic;
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string small = lower_case(topic);
   std::size_t at = std::string::npos;
   for (const char* side : sides) at = std::min(at, small.find(side));
   return topic.substr(0, at);

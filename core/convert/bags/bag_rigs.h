@@ -6,6 +6,7 @@
 
 #include "convert/brought.h"
 #include "convert/conversion.h"
+#include "readers/bag_contents.h"
 
 namespace handsight {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+#include "chain/sighting.h"
 #include "estimation/fit/noise.h"
 #include "estimation/problem/body_pose.h"
 
@@ -18,10 +20,7 @@ bool exceeds(double squares, int rows, double noise) {
 
 double median_of(std::vector<double> values) {
   constexpr std::size_t fewest = 5;
-  if (values.size() < fewest) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.size() < fewest ? 0 : median(std::move(values));
 }
 
 ErrorAttribution shares(double cameras, double body, double robot) {

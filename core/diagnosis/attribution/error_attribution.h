@@ -9,7 +9,11 @@
 #include <string_view>
 
 #include "base/message.h"
-#include "diagnosis/outliers/snooping.h"
+#include "camera/rig.h"
+#include "estimation/fit/fit_result.h"
+#include "estimation/problem/problem.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

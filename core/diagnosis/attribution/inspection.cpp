@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "chain/sighting.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/report/hand_residual.h"
 #include "session/by_time.h"

@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/outliers/lone_observations.h"
+#include "diagnosis/outliers/snooping.h"
 #include "estimation/online/second_look.h"
 #include "estimation/report/fit_report.h"
 

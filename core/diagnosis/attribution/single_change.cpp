@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/shown_number.h"
+#include "chain/sighting.h"
 #include "diagnosis/attribution/error_attribution.h"
 #include "estimation/problem/body_pose.h"
 

@@ -6,6 +6,7 @@
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 
+#include "chain/sighting.h"
 #include "diagnosis/attribution/error_attribution.h"
 #include "diagnosis/evidence/body_rows.h"
 #include "geometry/orthonormal_columns.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/message.h"
-#include "diagnosis/evidence/linear_model.h"
+#include "estimation/problem/problem.h"
 
 namespace handsight {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/evidence/body_rows.h"
 
+#include "chain/sighting.h"
+
 namespace handsight {
 
 BodyRows body_rows(const Problem& problem, const ProblemObservation& o, const Unknowns& u) {

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "base/threads.h"
+#include "chain/sighting.h"
 #include "estimation/problem/column_products.h"
 #include "estimation/problem/robot_scale.h"
+#include "estimation/solvers/normal_equations.h"
 #include "estimation/solvers/priors.h"
 
 namespace handsight {

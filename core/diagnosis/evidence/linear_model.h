@@ -4,7 +4,9 @@
 // two: the external ones, which anything may explain, and the internal ones, which only cameras and markers can.
 #pragma once
 
-#include "estimation/solvers/least_squares.h"
+#include "chain/chain.h"
+#include "estimation/problem/problem.h"
+#include "geometry/rigid.h"
 
 namespace handsight {
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "chain/sighting.h"
+
 namespace handsight {
 
 int unknowns_of_motions(const Fit& fit) {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "estimation/solvers/normal_equations.h"
+
 namespace handsight {
 
 Eigen::MatrixXd by_columns(const Problem& p, const ProblemObservation& o, const Sighting& s, const Vector3& x,

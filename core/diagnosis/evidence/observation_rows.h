@@ -2,7 +2,10 @@
 // All measured coordinates of one observation and how they follow from every column of a problem.
 #pragma once
 
-#include "estimation/solvers/normal_equations.h"
+#include "chain/sighting.h"
+#include "estimation/problem/problem.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

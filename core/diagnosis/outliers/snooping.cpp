@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/median.h"
+#include "chain/sighting.h"
 #include "diagnosis/evidence/body_rows.h"
 #include "diagnosis/evidence/noise_model.h"
 #include "estimation/fit/fit_noise.h"

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "chain/sighting.h"
+#include "estimation/solvers/normal_equations.h"
 #include "session/pose_points.h"
 #include "session/touch_xml.h"
 

@@ -5,7 +5,9 @@
 #include <functional>
 
 #include "base/message.h"
-#include "estimation/fit/fit.h"
+#include "effects/effect.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

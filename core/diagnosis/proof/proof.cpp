@@ -10,6 +10,7 @@
 #include "diagnosis/evidence/observation_rows.h"
 #include "diagnosis/proof/proof_sites.h"
 #include "effects/units.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 namespace {

@@ -7,7 +7,10 @@
 #pragma once
 
 #include "base/message.h"
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
+#include "effects/effect.h"
+#include "estimation/fit/fit_result.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/report/fit_report.h"
+
 namespace handsight {
 namespace {
 

@@ -2,7 +2,10 @@
 // Is a slip at one moment believable? It is cheap to add and costly when wrong.
 #pragma once
 
-#include "estimation/report/fit_report.h"
+#include "effects/effect.h"
+#include "estimation/fit/fit_options.h"
+#include "estimation/fit/fit_result.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -4,6 +4,7 @@
 
 #include "base/message.h"
 #include "diagnosis/curves/variables.h"
+#include "diagnosis/evidence/linear_model.h"
 
 namespace handsight {
 

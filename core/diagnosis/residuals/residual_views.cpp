@@ -7,7 +7,9 @@
 #include "base/error.h"
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/observation_rows.h"
+#include "diagnosis/outliers/snooping.h"
 #include "estimation/report/fit_report.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 namespace {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "diagnosis/evidence/noise_model.h"
-#include "diagnosis/outliers/snooping.h"
 #include "diagnosis/residuals/patterns.h"
 
 namespace handsight {

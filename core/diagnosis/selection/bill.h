@@ -34,11 +34,11 @@ struct BillRow {
   bool stands_in() const { return too_large || pushes_back; }
 };
 
-/// Of the model of a fit, what moves the hand most first. `certainty`: of the same model, null where nobody has looked.
-/// Of long sessions a part of the observations, evenly taken, tells how much.
+/// Of the model of a fit, what moves the hand most first. `inclusion_probabilities`: of the same model, null where
+/// nobody has looked. Of long sessions a part of the observations, evenly taken, tells how much.
 std::vector<BillRow> make_bill(const Fit& fit, const InclusionProbabilities* inclusion_probabilities = nullptr);
 
-/// The same rows with what a certainty says of them.
+/// The same rows with what the probabilities say of them.
 std::vector<BillRow> with_inclusion_probabilities(std::vector<BillRow> rows,
                                                   const InclusionProbabilities& inclusion_probabilities);
 

@@ -2,7 +2,9 @@
 // A name that was given early may have stood in for another, which shows once the rest is in the model.
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
+#include "effects/effect.h"
+#include "estimation/fit/fit_options.h"
 
 namespace handsight {
 

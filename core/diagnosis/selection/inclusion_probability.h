@@ -3,7 +3,7 @@
 // over models (Hoeting, Madigan, Raftery and Volinsky 1999, Bayesian model averaging).
 #pragma once
 
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 #include "estimation/report/model_uncertainty.h"
 
 namespace handsight {

@@ -7,7 +7,7 @@
 namespace handsight {
 
 /// Ids of the other names of which one alone, with numbers that robots have, imitates what this name of the model
-/// (into Explanations::names) does to the measurements, the rest of the model taking up what it can, so nearly that the
+/// (into ModelSpace::names) does to the measurements, the rest of the model taking up what it can, so nearly that the
 /// odds against it stay below twenty to one. Empty where it does nothing that could be seen.
 std::vector<std::string> indistinguishable_from(const ModelSpace& all, std::size_t name);
 

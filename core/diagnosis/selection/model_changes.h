@@ -28,7 +28,7 @@ inline constexpr int most_times_sought = 4;
 
 /// Where nothing else is to be found: the likeliest name that is not in a model with names, where the held-out error
 /// falls with it (Barbieri and Berger 2004: for predictions the model of what is likely, not the likeliest model).
-/// `certainty`: of the model.
+/// `inclusion_probabilities`: of the model.
 ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                        const InclusionProbabilities& inclusion_probabilities);
 

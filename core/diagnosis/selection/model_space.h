@@ -8,14 +8,14 @@
 
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/noise_model.h"
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
 
 /// An effect at one place.
 struct ModelSpaceUnit {
   EffectTerm term;                    // at the model's answer
-  std::size_t name = 0;               // into Explanations::names
+  std::size_t name = 0;               // into ModelSpace::names
   Eigen::Index first = 0, count = 0;  // numbers among those of all units
   bool is_present = false;            // in the model
 };

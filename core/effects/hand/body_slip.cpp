@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
-  if (c.order >= values[6]) sites.body += Eigen::Map<const Vector6>(values.data());
-}
-
-}  // namespace
 
 Effect body_slip() {
   Effect effect;
@@ -23,7 +17,9 @@ Effect body_slip() {
   effect.parameters = {{"x", "m", 1.5e-3},           {"y", "m", 1.5e-3},    {"z", "m", 1.5e-3},
                        {"rx", "rad", 1.5e-2},        {"ry", "rad", 1.5e-2}, {"rz", "rad", 1.5e-2},
                        {"k", "observation", 1, true}};
-  effect.move = move;
+  moves_body(effect, [](const auto& now, const auto& number, std::size_t axis) {
+    return where(now.order >= number[6], number[axis]);
+  });
   return effect;
 }
 

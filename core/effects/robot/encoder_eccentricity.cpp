@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-  sites.robot.joints[static_cast<std::size_t>(place)].angle +=
-      values[0] * std::sin(c.sensor[place]) + values[1] * std::cos(c.sensor[place]);
-}
-
-}  // namespace
 
 Effect encoder_eccentricity() {
   Effect effect;
@@ -26,7 +19,10 @@ Effect encoder_eccentricity() {
   effect.source = "Standard error model of angular encoders";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"sine", "rad", 2e-3}, {"cosine", "rad", 2e-3}};
-  effect.move = move;
+  moves_angle(effect, [](const auto& joint, const auto& number) {
+    using std::sin, std::cos;
+    return number[0] * sin(joint.q) + number[1] * cos(joint.q);
+  });
   return effect;
 }
 

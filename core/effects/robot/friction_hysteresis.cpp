@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-  sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.approach[place];
-}
-
-}  // namespace
 
 Effect friction_hysteresis() {
   Effect effect;
@@ -21,7 +15,7 @@ Effect friction_hysteresis() {
   effect.source = "Armstrong-Helouvry 1991";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"gap", "rad", 1e-3}};
-  effect.move = move;
+  moves_angle(effect, [](const auto& joint, const auto& number) { return number[0] * joint.approach; });
   return effect;
 }
 

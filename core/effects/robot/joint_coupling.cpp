@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "effects/amount.h"
 #include "effects/coupled_joint.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-  if (const auto other = coupled_joint(*c.chain, place, static_cast<int>(std::lround(values[1]))))
-    sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.sensor[*other];
-}
-
-}  // namespace
 
 Effect joint_coupling() {
   Effect effect;
@@ -27,7 +20,10 @@ Effect joint_coupling() {
   effect.source = "Mooring, Roth and Driels 1991";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"ratio", "1", 1e-2}, {"from", "joints before it", 1, true, {1, 2, 3, -1}}};
-  effect.move = move;
+  const auto other = [](const Chain& chain, int place, std::span<const double> values) {
+    return coupled_joint(chain, place, static_cast<int>(std::lround(values[1])));
+  };
+  moves_angle_with(effect, other, [](const auto& joint, const auto& number) { return number[0] * joint.q; });
   return effect;
 }
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-  sites.robot.joints[static_cast<std::size_t>(place)].angle += values[0] * c.sensor[place];
-}
-
-}  // namespace
 
 Effect joint_scale() {
   Effect effect;
@@ -23,7 +17,7 @@ Effect joint_scale() {
   effect.source = "Hollerbach and Wampler 1996";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"scale", "1", 2e-3}};
-  effect.move = move;
+  moves_angle(effect, [](const auto& joint, const auto& number) { return number[0] * joint.q; });
   return effect;
 }
 

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int, std::span<const double> values, Sites& sites) {
-  const std::vector<Joint>& joints = c.chain->robot.joints;
-  // A mimic joint follows the lagging joints by itself.
-  for (std::size_t j = 0; j < joints.size(); ++j)
-    if (joints[j].moves() && !joints[j].is_mimic())
-      sites.robot.joints[j].angle -= values[0] * c.velocity[static_cast<Eigen::Index>(j)];
-}
-
-}  // namespace
 
 Effect time_lag() {
   Effect effect;
@@ -26,7 +16,7 @@ Effect time_lag() {
   effect.source = "Furgale, Rehder and Siegwart 2013";
   effect.scope = EffectScope::session;
   effect.parameters = {{"lag", "s", 0.02}};
-  effect.move = move;
+  moves_every_angle(effect, [](const auto& joint, const auto& number) { return -number[0] * joint.velocity; });
   return effect;
 }
 

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "effects/amount.h"
 #include "effects/list.h"
 
 namespace handsight {
-namespace {
-
-void move(const ObservationState& c, int place, std::span<const double> values, Sites& sites) {
-  sites.robot.joints[static_cast<std::size_t>(place)].angle +=
-      values[0] * std::sin(2 * c.sensor[place]) + values[1] * std::cos(2 * c.sensor[place]);
-}
-
-}  // namespace
 
 Effect transmission_ripple() {
   Effect effect;
@@ -26,7 +19,10 @@ Effect transmission_ripple() {
   effect.source = "Tuttle 1992 on harmonic drives";
   effect.scope = EffectScope::joint;
   effect.parameters = {{"sine", "rad", 1e-3}, {"cosine", "rad", 1e-3}};
-  effect.move = move;
+  moves_angle(effect, [](const auto& joint, const auto& number) {
+    using std::sin, std::cos;
+    return number[0] * sin(2 * joint.q) + number[1] * cos(2 * joint.q);
+  });
   return effect;
 }
 

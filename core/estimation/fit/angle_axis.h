@@ -2,7 +2,9 @@
 // The angle-axis objective (thesis 4.39-4.40): body poses of single observations against the chain.
 #pragma once
 
-#include "estimation/solvers/least_squares.h"
+#include "estimation/problem/problem.h"
+#include "estimation/solvers/loss.h"
+#include "geometry/rigid.h"
 
 namespace handsight {
 

@@ -135,7 +135,7 @@ void add_notes(const Session& session, Fit& fit) {
   for (std::size_t t = 0; t < fit.problem.terms.size(); ++t)
     if (const double times = widened_by(fit.problem, t); times > 1.5)
       fit.notes.push_back(
-          message("{}: the measurements say more than 5 times what is plausible; its plausible sizes were taken {:.0f} "
+          message("{}: the measurements say more than 5 times what is plausible; its prior sigmas were taken {:.0f} "
                   "times as large.",
                   fit.problem.terms[t].id, times));
   for (const ProblemObservation& o : fit.problem.observations) {

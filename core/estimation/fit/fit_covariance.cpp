@@ -13,6 +13,7 @@
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/covariance_factor.h"
 #include "estimation/solvers/inverse_parts.h"
+#include "estimation/solvers/normal_equations.h"
 #include "estimation/solvers/priors.h"
 #include "estimation/solvers/unit_factor.h"
 

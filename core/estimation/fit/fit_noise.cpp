@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "base/shown_number.h"
+#include "chain/sighting.h"
 
 namespace handsight {
 const std::optional<double>& declared_noise(const Session& session) {
@@ -25,10 +27,8 @@ std::optional<double> median_residual(const Problem& problem, const Unknowns& un
       const SightingNormal n = sighting_normal(problem.rig_or_null(), s, x);
       if (n.rows > 0) variances.push_back(n.cost / (n.rows * std::pow(1 - 2.0 / (9 * n.rows), 3)));
     }
-  if (variances.empty()) return std::nullopt;
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  return *middle > 0 ? std::optional(std::sqrt(*middle)) : std::nullopt;
+  const double usual = median(std::move(variances));
+  return usual > 0 ? std::optional(std::sqrt(usual)) : std::nullopt;
 }
 
 /// The robot-free noise where it is one, else that of repeated poses.

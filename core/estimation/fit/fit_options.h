@@ -7,8 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "camera/camera_knowledge.h"
 #include "chain/body_frame.h"
-#include "estimation/solvers/least_squares.h"
+#include "effects/effect.h"
+#include "estimation/problem/problem.h"
+#include "estimation/solvers/loss.h"
 
 namespace handsight {
 

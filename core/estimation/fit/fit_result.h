@@ -10,6 +10,7 @@
 #include "chain/body_frame.h"
 #include "estimation/fit/fit_options.h"
 #include "estimation/fit/noise.h"
+#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "session/collection.h"
+#include "session/joined.h"
 
 namespace handsight {
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "chain/sighting.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/column_products.h"
 #include "estimation/solvers/least_squares.h"

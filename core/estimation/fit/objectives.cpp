@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "estimation/fit/objectives.h"
 
+#include "chain/sighting.h"
 #include "estimation/fit/angle_axis.h"
 #include "estimation/problem/body_shape.h"
 #include "estimation/solvers/covariance_factor.h"
+#include "estimation/solvers/normal_equations.h"
 #include "estimation/solvers/trust_region.h"
 #include "estimation/start/shape_start.h"
 

@@ -9,6 +9,7 @@
 #include "estimation/fit/objectives.h"
 #include "estimation/fit/prior_widths.h"
 #include "estimation/problem/problem_part.h"
+#include "estimation/solvers/normal_equations.h"
 #include "estimation/start/effect_starts.h"
 #include "estimation/start/multi_start.h"
 

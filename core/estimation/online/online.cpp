@@ -5,10 +5,14 @@
 #include <chrono>
 #include <cmath>
 
+#include "chain/sighting.h"
 #include "estimation/fit/fit_covariance.h"
 #include "estimation/fit/noise.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/start/start.h"
+#include "estimation/start/start_markers.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 namespace {

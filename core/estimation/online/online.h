@@ -12,7 +12,7 @@
 #include "estimation/problem/running_shape.h"
 #include "estimation/solvers/incremental_fit.h"
 #include "estimation/start/mount_search.h"
-#include "vision/markers/following_observation.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

@@ -7,6 +7,9 @@
 #include "estimation/online/online.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/start/start.h"
+#include "vision/corners/corner_detector.h"
+#include "vision/markers/body_candidates.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 namespace {

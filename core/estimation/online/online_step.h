@@ -9,8 +9,8 @@
 #include "chain/body_frame.h"
 #include "chain/chain.h"
 #include "effects/effect.h"
-#include "vision/corners/corner_detector.h"
-#include "vision/markers/following_observation.h"
+#include "vision/corners/corner_options.h"
+#include "vision/markers/known_markers.h"
 
 namespace handsight {
 

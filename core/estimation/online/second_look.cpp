@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "vision/corners/corner_detector.h"
 #include "vision/markers/following_observation.h"
 
 namespace handsight {

@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "chain/sighting.h"
+
 namespace handsight {
 namespace {
 

@@ -2,7 +2,9 @@
 // Where the marker body is in the sensor's frame, from one observation alone (thesis 4.24).
 #pragma once
 
-#include "chain/sighting.h"
+#include "camera/rig.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

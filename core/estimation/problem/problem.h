@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "camera/camera_knowledge.h"
-#include "chain/sighting.h"
 #include "effects/effect.h"
 
 namespace handsight {

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "chain/sighting.h"
+
 namespace handsight {
 namespace {
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "chain/sighting.h"
+#include "camera/rig.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

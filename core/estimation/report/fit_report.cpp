@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 
+#include "base/median.h"
 #include "base/threads.h"
 #include "estimation/fit/noise.h"
 #include "estimation/fit/objectives.h"
@@ -15,6 +16,7 @@
 #include "estimation/problem/problem_part.h"
 #include "estimation/report/regions.h"
 #include "estimation/report/residuals.h"
+#include "estimation/solvers/normal_equations.h"
 #include "estimation/start/shape_start.h"
 
 namespace handsight {
@@ -192,12 +194,6 @@ std::optional<double> noise_of_hand(const std::vector<Residuals>& all, std::opti
   return *noise * std::sqrt(squares / count);
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// An observation stands out when it is beyond what noise allows, and beyond the spread of the others too: where an
 /// effect is missing all of them are large, each by another amount, and none of them is to blame. The spread is that of
 /// the logarithm of the mean square (median and median deviation), which for noise alone is about chi-squared's own.
@@ -208,10 +204,10 @@ std::vector<char> outliers(const std::vector<Residuals>& all, std::optional<doub
     if (r.rows > 0 && r.squares > 0) logs.push_back(std::log(r.squares / r.rows));
   std::vector<char> out(all.size(), 0);
   if (logs.size() < 5) return out;
-  const double middle = median_of(logs);
+  const double middle = median(logs);
   std::vector<double> deviations;
   for (const double l : logs) deviations.push_back(std::abs(l - middle));
-  const double spread = std::max(1.4826 * median_of(deviations), 0.2);
+  const double spread = std::max(1.4826 * median(deviations), 0.2);
   const double variance = std::max(std::exp(middle), noise.value_or(0) * noise.value_or(0));
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].rows == 0 || !(all[i].squares > 0)) continue;

@@ -4,6 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+#include "chain/chain.h"
+#include "chain/sighting.h"
+#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
+#include "robot/posture.h"
+
 namespace handsight {
 namespace {
 

@@ -2,7 +2,8 @@
 // One marker (thesis 4.2): the force at the TCP that pulls the springs of the arm toward the measured marker.
 #pragma once
 
-#include "estimation/fit/fit.h"
+#include "geometry/rigid.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -7,6 +7,7 @@
 #include "effects/own_effect.h"
 #include "effects/rig_effects.h"
 #include "effects/term_numbers.h"
+#include "estimation/report/fit_report.h"
 #include "estimation/solvers/covariance_factor.h"
 
 namespace handsight {

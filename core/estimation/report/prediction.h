@@ -4,7 +4,8 @@
 
 #include <functional>
 
-#include "estimation/report/fit_report.h"
+#include "estimation/fit/fit_result.h"
+#include "estimation/problem/problem.h"
 #include "estimation/report/model_uncertainty.h"
 #include "session/calibration.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chain/sighting.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/pose_residuals.h"
 #include "estimation/start/shape_start.h"

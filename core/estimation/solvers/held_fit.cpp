@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "chain/sighting.h"
 #include "estimation/solvers/least_squares.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

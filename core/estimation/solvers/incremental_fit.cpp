@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/solvers/normal_equations.h"
+
 namespace handsight {
 namespace {
 

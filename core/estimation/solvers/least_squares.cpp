@@ -7,6 +7,7 @@
 
 #include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/learned_step.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "chain/sighting.h"
+#include "estimation/solvers/normal_equations.h"
+
 namespace handsight {
 
-double bend(int rows) {
+double tuning_constant(int rows) {
   constexpr double lengths[] = {2.45, 2.45, 2.45, 2.80, 3.08, 3.33, 3.55, 3.75, 3.94,
                                 4.11, 4.28, 4.44, 4.59, 4.73, 4.87, 5.00, 5.13};
   return lengths[std::clamp(rows, 0, static_cast<int>(std::size(lengths)) - 1)];
@@ -15,7 +18,7 @@ double bend(int rows) {
 
 LossValue loss_at(Loss loss, double squared_length, int rows, double noise) {
   if (loss == Loss::none || rows == 0) return {1, squared_length, 0};
-  const double limit = bend(rows) * noise;
+  const double limit = tuning_constant(rows) * noise;
   const double length = std::sqrt(squared_length);
   if (loss == Loss::huber) {
     if (length <= limit) return {1, squared_length, 0};

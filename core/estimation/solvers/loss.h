@@ -2,15 +2,17 @@
 // Robust losses: how much a sighting with a long residual counts.
 #pragma once
 
-#include "estimation/solvers/normal_equations.h"
+#include "estimation/problem/problem.h"
+#include "estimation/solvers/equation_sums.h"
 
 namespace handsight {
 
-/// Robust losses on the length of one sighting's residual in units of the noise; they bend at `bend`.
+/// Robust losses on the length of one sighting's residual in units of the noise; they bend at the tuning constant.
 enum class Loss { none, huber, cauchy };
 
-/// Where a loss bends, in units of the noise: the length that noise alone exceeds once in 20 (chi, 2 rows to 16).
-double bend(int rows);
+/// Where a loss bends, its tuning constant, in units of the noise: the length that noise alone exceeds once in 20 (chi,
+/// 2 rows to 16).
+double tuning_constant(int rows);
 
 /// A loss rho of a squared length s, scaled so that it is s near 0.
 struct LossValue {

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "chain/sighting.h"
 #include "estimation/problem/problem.h"
 #include "estimation/solvers/equation_sums.h"
 

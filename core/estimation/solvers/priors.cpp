@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chain/sighting.h"
 #include "estimation/problem/robot_scale.h"
 #include "estimation/solvers/part_prior.h"
 #include "geometry/orthonormal_columns.h"

@@ -9,6 +9,7 @@
 #include "estimation/problem/problem.h"
 #include "estimation/solvers/least_squares.h"
 #include "estimation/solvers/motion_manifold.h"
+#include "estimation/solvers/normal_equations.h"
 
 namespace handsight {
 

@@ -118,7 +118,7 @@ void add_sightings(TriedPlace& place, const SolveOptions& options, double unit, 
       if (place.is_free(place.mount_at(k))) blocks.push_back(place.mounts[place.mount_at(k)].data());
       if (place.effects.size() > 0) blocks.push_back(place.effects.data());
       if (options.loss != Loss::none && !losses.contains(rows))
-        losses[rows] = loss_function(options.loss, bend(rows) * options.noise / unit);
+        losses[rows] = loss_function(options.loss, tuning_constant(rows) * options.noise / unit);
       const bool weighted = options.loss == Loss::none && !o.weights.empty();
       squares.AddResidualBlock(new SightingCost(place, k, i, (weighted ? std::sqrt(o.weights[i]) : 1.0) / unit),
                                options.loss == Loss::none ? nullptr : losses[rows], blocks);

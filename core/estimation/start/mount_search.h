@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "estimation/problem/problem.h"
-#include "vision/markers/body_candidates.h"
+#include "vision/markers/known_markers.h"
 
 namespace handsight {
 

@@ -2,8 +2,8 @@
 // Start values in closed form, for markers seen by two cameras, by one, or as points, and for any unknown mount.
 #pragma once
 
-#include "estimation/solvers/least_squares.h"
-#include "estimation/start/start_markers.h"
+#include "estimation/problem/problem.h"
+#include "session/session.h"
 
 namespace handsight {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/planning/cause_planning.h"
+#include "diagnosis/planning/pose_pool.h"
 #include "estimation/report/hand_end.h"
 
 namespace handsight {

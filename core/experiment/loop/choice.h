@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "diagnosis/planning/pose_pool.h"
 #include "experiment/loop/knowledge.h"
 #include "experiment/paths/joint_paths.h"
 

@@ -2,7 +2,7 @@
 // The loop: choose poses, drive there, look, decide, fit, and stop when enough is known.
 #pragma once
 
-#include "estimation/online/online_step.h"
+#include "experiment/driver/driven_robot.h"
 #include "experiment/loop/experiment_result.h"
 
 namespace handsight {

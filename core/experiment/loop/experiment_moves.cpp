@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "estimation/solvers/normal_equations.h"
 #include "experiment/loop/experiment_run.h"
 #include "experiment/loop/touch_choice.h"
 #include "session/session_xml.h"

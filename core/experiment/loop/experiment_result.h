@@ -3,7 +3,6 @@
 #pragma once
 
 #include "base/message.h"
-#include "experiment/driver/driven_robot.h"
 #include "experiment/loop/choice.h"
 #include "experiment/loop/goals.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/limits.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "estimation/report/hand_end.h"
 #include "estimation/report/prediction.h"
 

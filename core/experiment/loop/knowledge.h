@@ -3,7 +3,8 @@
 #pragma once
 
 #include "diagnosis/planning/planning.h"
-#include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/diagnosis_result.h"
+#include "estimation/fit/fit_result.h"
 
 namespace handsight {
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/change_watch.h"
+#include "base/message.h"
+#include "compare/watch_step.h"
 
 namespace handsight {
 

@@ -8,6 +8,7 @@
 #include "estimation/fit/fit.h"
 #include "session/fixtures/fixture_kind.h"
 #include "session/touch_xml.h"
+#include "simulation/simulated_session.h"
 
 namespace handsight {
 namespace {

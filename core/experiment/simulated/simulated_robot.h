@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "experiment/driver/driven_robot.h"
+#include "simulation/random.h"
 #include "simulation/simulated_files.h"
 
 namespace handsight {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "export/rigid/export_poses.h"
+#include "export/rigid/held_sites.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "base/message.h"
-#include "export/rigid/held_sites.h"
+#include "chain/sites.h"
+#include "correct/calibrated_robot.h"
+#include "robot/posture.h"
 
 namespace handsight {
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "readers/bags/bag.h"
+#include "readers/bags/decompress.h"
 #include "readers/bags/mcap_records.h"
 
 namespace handsight {

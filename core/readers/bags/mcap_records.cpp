@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "readers/bags/decompress.h"
 #include "readers/bags/messages.h"
 
 namespace handsight::mcap {

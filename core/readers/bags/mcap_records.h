@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "readers/bags/bag.h"
-#include "readers/bags/decompress.h"
 #include "readers/bags/file_bytes.h"
 
 namespace handsight::mcap {

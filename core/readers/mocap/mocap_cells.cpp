@@ -5,18 +5,14 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 
 namespace handsight::mocap {
 namespace {
 
-std::string bare(std::string_view cell) {
-  constexpr std::string_view around = " \t\r\"";
-  const std::size_t begin = cell.find_first_not_of(around);
-  if (begin == std::string_view::npos) return {};
-  return std::string(cell.substr(begin, cell.find_last_not_of(around) - begin + 1));
-}
+std::string bare(std::string_view cell) { return trimmed(cell, " \t\r\""); }
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "readers/mocap/mocap_csv.h"
+#include "readers/table.h"
 
 namespace handsight::mocap {
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "readers/mocap/mocap_cells.h"
+#include "readers/mocap/mocap_csv.h"
 
 namespace handsight {
 namespace {

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "geometry/rigid.h"
 #include "readers/mocap/mocap_cells.h"
+#include "readers/mocap/mocap_csv.h"
 
 namespace handsight {
 namespace {

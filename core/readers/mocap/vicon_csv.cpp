@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "readers/mocap/mocap_cells.h"
+#include "readers/mocap/mocap_csv.h"
 
 namespace handsight {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

@@ -2,12 +2,13 @@
 // LeRobot's calibrations of servos (JSON: id, drive_mode, homing_offset, range_min, range_max of each).
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <string>
 #include <vector>
 
 #include "base/message.h"
 #include "readers/table.h"
-#include "readers/yaml_text.h"
 
 namespace handsight {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "readers/texts/cells.h"
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
 
+#include "base/letters.h"
 #include "base/numbers.h"
 
 namespace handsight {
@@ -17,13 +17,11 @@ namespace {
 
 constexpr double empty_cell = std::numeric_limits<double>::quiet_NaN();
 
-std::string trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') && text.back() == text.front())
-    text = text.substr(1, text.size() - 2);
-  return std::string(text);
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n\v\f";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 /// Whole numbers with these signs between them, one a place of the pattern ("0-0-0"); takes them from the text.
@@ -81,11 +79,6 @@ std::optional<double> day_seconds(const std::array<int, 3>& year_month_day) {
 
 }  // namespace
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 char cell_separator(std::string_view line) {
   std::string outside;
   bool is_quoted = false;
@@ -98,21 +91,30 @@ char cell_separator(std::string_view line) {
   return ' ';
 }
 
-TextCells split_cells(std::string_view line, char separator) {
-  TextCells cells;
-  if (separator == ' ') {
-    for (const std::string_view word : split_words(line)) cells.push_back(trimmed(word));
-    return cells;
-  }
+std::vector<std::string_view> cell_views(std::string_view line, char separator) {
+  if (separator == ' ') return split_words(line);
+  std::vector<std::string_view> cells;
   bool is_quoted = false;
   std::size_t begin = 0;
   for (std::size_t at = 0; at <= line.size(); ++at) {
     const bool is_end = at == line.size();
     if (!is_end && line[at] == '"') is_quoted = !is_quoted;
     if (!is_end && (is_quoted || line[at] != separator)) continue;
-    cells.push_back(trimmed(line.substr(begin, at - begin)));
+    cells.push_back(without_blanks(line.substr(begin, at - begin)));
     begin = at + 1;
   }
+  return cells;
+}
+
+std::string_view unquoted(std::string_view cell) {
+  const bool has_quotes =
+      cell.size() >= 2 && (cell.front() == '"' || cell.front() == '\'') && cell.back() == cell.front();
+  return has_quotes ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+TextCells split_cells(std::string_view line, char separator) {
+  TextCells cells;
+  for (const std::string_view cell : cell_views(line, separator)) cells.emplace_back(unquoted(cell));
   return cells;
 }
 

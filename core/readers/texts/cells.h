@@ -11,11 +11,14 @@ namespace handsight {
 
 using TextCells = std::vector<std::string>;
 
-/// In lower case (ASCII).
-std::string lower_case(std::string text);
+/// The cells between separators (' ': any white space), without white space about them; a separator within double
+/// quotes is none. Views into `line`; the last is empty where the line ends with a separator.
+std::vector<std::string_view> cell_views(std::string_view line, char separator);
 
-/// The cells between separators (' ': any white space), without white space and quotes about them; a separator within
-/// double quotes is none.
+/// Without the quotes about it, double or single.
+std::string_view unquoted(std::string_view cell);
+
+/// The same cells as texts of their own, without quotes about them.
 TextCells split_cells(std::string_view line, char separator);
 
 /// ';', tab or ',' whichever comes first in this order outside of quotes; else ' '.

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "readers/maker_cameras.h"
 #include "readers/texts/plain_text.h"
+#include "readers/yaml_text.h"
 
 namespace handsight {
 namespace {

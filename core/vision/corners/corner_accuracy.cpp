@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/corners/corner_odd_system.h"
 #include "vision/corners/corner_patch.h"
 
 namespace handsight {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "vision/corners/corner_habits.h"
-#include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
 

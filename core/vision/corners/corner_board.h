@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "vision/corners/corner_likelihood.h"
-#include "vision/corners/corner_model.h"
 
 namespace handsight {
 

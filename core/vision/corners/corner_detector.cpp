@@ -7,11 +7,13 @@
 #include <span>
 #include <utility>
 
+#include "base/median.h"
 #include "base/threads.h"
 #include "vision/corners/corner_accuracy.h"
 #include "vision/corners/corner_level.h"
 #include "vision/corners/corner_mosaic.h"
 #include "vision/corners/corner_noise.h"
+#include "vision/corners/corner_odd_system.h"
 #include "vision/corners/corner_patch.h"
 #include "vision/corners/corner_pyramid.h"
 
@@ -96,9 +98,8 @@ Variances variances_of(double noise, const std::vector<OddSystem>& systems) {
   if (systems.size() < few_corners) return {0, noise * noise};
   std::vector<double> variances(systems.size());
   std::transform(systems.begin(), systems.end(), variances.begin(), [](const OddSystem& s) { return s.variance; });
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  return {*middle, std::max(noise * noise, *middle)};
+  const double usual = median(std::move(variances));
+  return {usual, std::max(noise * noise, usual)};
 }
 
 using OddSystems = std::vector<std::optional<OddSystem>>;

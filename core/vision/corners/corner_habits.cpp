@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/corners/corner_odd_system.h"
+
 namespace handsight {
 namespace {
 

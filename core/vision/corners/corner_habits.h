@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "vision/corners/corner_odd_system.h"
+#include "vision/corners/corner_odd_unknowns.h"
 
 namespace handsight {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "vision/corners/corner_candidates.h"
-#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_shape.h"
 
 namespace handsight {
 

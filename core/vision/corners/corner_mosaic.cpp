@@ -6,6 +6,7 @@
 
 #include "vision/corners/corner_odd_grid.h"
 #include "vision/corners/corner_odd_rows.h"
+#include "vision/corners/corner_odd_system.h"
 
 namespace handsight {
 namespace {

@@ -4,7 +4,9 @@
 
 #include <optional>
 
-#include "vision/corners/corner_odd_system.h"
+#include "vision/corners/corner_odd_unknowns.h"
+#include "vision/corners/corner_shape.h"
+#include "vision/image/image.h"
 
 namespace handsight {
 

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_odd_unknowns.h"
+#include "vision/corners/corner_shape.h"
 #include "vision/image/image.h"
 
 namespace handsight {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_structure.h"
 
 namespace handsight {

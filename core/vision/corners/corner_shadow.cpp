@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_products.h"
 #include "vision/corners/corner_simd.h"
 #include "vision/corners/corner_solve.h"

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_patch.h"
 #include "vision/image/image.h"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_shape.h"
 
 namespace handsight {
 

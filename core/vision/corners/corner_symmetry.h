@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_shape.h"
 #include "vision/image/image.h"
 
 namespace handsight {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "camera/camera.h"
-#include "vision/corners/corner_detector.h"
+#include "vision/corners/corner_options.h"
 
 namespace handsight {
 

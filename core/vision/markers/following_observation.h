@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/message.h"
-#include "vision/markers/corner_pairs.h"
 #include "vision/markers/known_markers.h"
 
 namespace handsight {

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "vision/markers/following_observation.h"
+#include "geometry/rigid.h"
+#include "vision/markers/known_markers.h"
 
 namespace handsight {
 

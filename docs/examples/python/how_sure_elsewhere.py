@@ -18,7 +18,7 @@ out = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else ".")
 
 # %% [markdown]
 # ## A model that is told what there is
-# "joint_offset" stands for offsets at every joint, estimated. What the measurements do not show stays at its plausible size, and as
+# "joint_offset" stands for offsets at every joint, estimated. What the measurements do not show stays at its prior sigma, and as
 # unsure as that.
 # %%
 model = handsight.fit(session, effects=["joint_offset", "encoder_eccentricity"])

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "session/session_xml.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
 
 namespace handsight::app {

@@ -14,6 +14,7 @@
 #include "findings/proof_plots.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
+#include "simulation/simulated_session.h"
 #include "start/session_places.h"
 #include "widgets/lists/attribution_bar.h"
 #include "workbench/observation_views.h"

@@ -6,6 +6,7 @@
 #include "app/window/reported_story.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
+#include "simulation/simulated_session.h"
 
 namespace handsight::test {
 namespace {

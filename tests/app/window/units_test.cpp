@@ -8,6 +8,7 @@
 #include "app/window/pages.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
+#include "simulation/simulated_session.h"
 #include "temporary_folder.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/read_out_line.h"

@@ -9,6 +9,7 @@
 #include "fixtures/arms.h"
 #include "session/pose_points.h"
 #include "session/session_xml.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
 #include "vision/markers/first_observation.h"
 

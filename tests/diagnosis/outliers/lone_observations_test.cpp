@@ -7,6 +7,7 @@
 #include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "diagnosis/planning/planning.h"
 #include "fixtures/arms.h"
+#include "simulation/random.h"
 #include "simulation/simulated_session.h"
 
 namespace handsight::fixture {

@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "diagnosis/planning/planning_sessions.h"
+#include "estimation/fit/fit.h"
+#include "estimation/fit/fit_result.h"
 #include "fixtures/hand_eye.h"
 #include "fixtures/targets.h"
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "diagnosis/selection/model_changes.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/own_effect.h"
 #include "fixtures/arms.h"
 

@@ -10,6 +10,7 @@
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_posterior.h"
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 #include "effects/term_numbers.h"
 #include "estimation/report/export.h"
 #include "estimation/report/prediction.h"

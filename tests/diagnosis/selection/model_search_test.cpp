@@ -6,6 +6,7 @@
 
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 namespace {

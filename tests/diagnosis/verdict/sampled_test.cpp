@@ -5,6 +5,7 @@
 
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/simulated_stand.h"
+#include "diagnosis/verdict/diagnosis.h"
 
 namespace handsight {
 namespace {

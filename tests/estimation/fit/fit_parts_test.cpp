@@ -11,6 +11,7 @@
 #include "estimation/fit/part_fit.h"
 #include "estimation/report/export.h"
 #include "estimation/report/part_report.h"
+#include "estimation/solvers/normal_equations.h"
 #include "fixtures/two_arms.h"
 
 namespace handsight {

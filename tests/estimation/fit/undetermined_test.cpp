@@ -92,7 +92,7 @@ TEST(Undetermined, IsWhereAScaraHoldsTheBodyAlongItsAxes) {
     EXPECT_LT(std::abs(off[i]), 5 * std::sqrt(f.covariance(i, i)));
     EXPECT_LT(std::sqrt(f.covariance(i, i)), 0.01);
   }
-  for (const std::string& text : texts) EXPECT_THAT(f.notes, testing::Contains(text));
+  for (const std::string text : texts) EXPECT_THAT(f.notes, testing::Contains(text));
 }
 
 TEST(Undetermined, IsWhatOneAxisDoesNotTell) {

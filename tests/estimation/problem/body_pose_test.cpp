@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/arms.h"
+#include "simulation/random.h"
 
 namespace handsight {
 namespace {

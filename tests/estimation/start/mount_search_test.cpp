@@ -7,11 +7,15 @@
 #include <map>
 #include <random>
 
+#include "chain/sighting.h"
 #include "estimation/online/online.h"
 #include "fixtures/arms.h"
 #include "session/session_xml.h"
+#include "vision/corners/corner_detector.h"
 #include "vision/image/image_file.h"
+#include "vision/markers/body_candidates.h"
 #include "vision/markers/first_observation.h"
+#include "vision/markers/following_observation.h"
 
 namespace handsight {
 namespace {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "export/exported.h"
+#include "export/rigid/held_sites.h"
 #include "export/rigid/urdf_file.h"
 #include "fixtures/exported_robots.h"
 

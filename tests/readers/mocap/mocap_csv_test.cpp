@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "readers/pose_files.h"
+#include "readers/pose_table.h"
 #include "session/session_texts.h"
 
 namespace handsight {

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "readers/yaml_text.h"
 #include "session/session_texts.h"
 
 namespace handsight {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_model.h"
+#include "vision/corners/corner_odd_system.h"
 #include "vision/corners/corner_structure.h"
 
 namespace handsight {

@@ -5,6 +5,7 @@
 
 #include "vision/corners/corner_accuracy.h"
 #include "vision/corners/corner_camera.h"
+#include "vision/corners/corner_model.h"
 #include "vision/corners/corner_structure.h"
 
 namespace handsight {

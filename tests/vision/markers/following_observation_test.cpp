@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fixtures/arms.h"
+#include "simulation/random.h"
 #include "vision/markers/first_observation.h"
 
 namespace handsight {
