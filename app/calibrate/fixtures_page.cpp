@@ -57,6 +57,8 @@ FixturesPage::FixturesPage(Workbench& workbench, QWidget* parent) : QWidget(pare
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setStretchLastSection(true);
+  // Where a plane stands is long: in two lines rather than cut off.
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableWidget::resizeRowsToContents);
   table_->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
@@ -89,6 +91,7 @@ void FixturesPage::refresh() {
     }
   }
   table_->resizeColumnsToContents();
+  table_->resizeRowsToContents();
 }
 
 }  // namespace handsight::app

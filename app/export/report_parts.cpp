@@ -154,7 +154,8 @@ QString story_part(const Document& document, const ReportStory& story) {
   const Session& s = document.session();
   QString text =
       "<h1>" + display_name(s).toHtmlEscaped() + "</h1>\n<p><b>" + story.verdict.toHtmlEscaped() + "</b></p>\n";
-  if (!story.next.isEmpty()) text += "<p>" + story.next.toHtmlEscaped() + "</p>\n";
+  for (const QString& sentence : {story.figures, story.next})
+    if (!sentence.isEmpty()) text += "<p>" + sentence.toHtmlEscaped() + "</p>\n";
   return text + "<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
          QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
 }
