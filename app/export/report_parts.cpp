@@ -42,13 +42,13 @@ QString error_text(const ErrorSummary& e) {
   return e.hand_m ? QObject::tr("%1 (%2 at the hand)").arg(px, widgets::with_unit_text(1e3 * *e.hand_m, "mm")) : px;
 }
 
-/// Nine places: the full numbers are in the XML.
+/// Eight places, as many as go beside the other numbers on paper: the full ones are in the XML.
 QString matrix_table(const Rigid& motion) {
   const Matrix4 m = matrix_from_rigid(motion);
   std::vector<QStringList> rows;
   for (int r = 0; r < 4; ++r) {
     QStringList cells;
-    for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 9 : 0);
+    for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 8 : 0);
     rows.push_back(cells);
   }
   return table({}, rows, Columns::numbers_alone);

@@ -152,6 +152,7 @@ void select_forty(Desk& desk, const char* what) {
     times.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
   }
   const double processor = 1e3 * (processor_seconds() - before) / static_cast<double>(times.size());
+  ASSERT_TRUE(desk.window.workbench().selected_row()) << "nothing is selected that has a residual";
   std::sort(times.begin(), times.end());
   say((std::string("select in 10,000, ") + what).c_str(), times[37], "ms", 100);
   std::printf("%-60s %8.1f ms median, %.1f ms of processor time\n", "", times[20], processor);
@@ -162,6 +163,7 @@ TEST(Window, SelectingInTenThousand) {
   const auto session = make_session(folder, 10000);
   Desk desk;
   desk.window.open(QString::fromStdString(session.string()));
+  ASSERT_TRUE(desk.wait([&] { return desk.document().model() != nullptr; }, 300000));
   desk.settle();
   desk.window.show_workspace(app::Place::calibrate);
   paint_everything();
