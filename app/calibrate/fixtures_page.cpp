@@ -57,12 +57,25 @@ FixturesPage::FixturesPage(Workbench& workbench, QWidget* parent) : QWidget(pare
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setStretchLastSection(true);
+  // Where a plane stands is long: in two lines rather than cut off.
+  connect(table_->horizontalHeader(), &QHeaderView::sectionResized, table_, &QTableWidget::resizeRowsToContents,
+          Qt::QueuedConnection);
   table_->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addWidget(heading(tr("What was touched"), this));
   layout->addWidget(sentence_);
   layout->addWidget(table_, 1);
+}
+
+/// Once the last column has the width that is left.
+void FixturesPage::fit_rows() {
+  QMetaObject::invokeMethod(table_, &QTableWidget::resizeRowsToContents, Qt::QueuedConnection);
+}
+
+void FixturesPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit_rows();
 }
 
 void FixturesPage::refresh() {
@@ -89,6 +102,7 @@ void FixturesPage::refresh() {
     }
   }
   table_->resizeColumnsToContents();
+  fit_rows();
 }
 
 }  // namespace handsight::app

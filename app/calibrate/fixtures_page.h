@@ -18,7 +18,12 @@ class FixturesPage : public QWidget {
   explicit FixturesPage(Workbench& workbench, QWidget* parent = nullptr);
   void refresh();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fit_rows();
+
   Workbench& workbench_;
   QLabel* sentence_;
   QTableWidget* table_;

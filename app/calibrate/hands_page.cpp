@@ -12,6 +12,7 @@
 #include "widgets/base/number_text.h"
 #include "widgets/base/session_mark.h"
 #include "widgets/base/theme.h"
+#include "widgets/lists/whole_rows.h"
 #include "workbench/heading.h"
 
 namespace handsight::app {
@@ -48,7 +49,7 @@ HandsPage::HandsPage(Workbench& workbench, QWidget* parent) : QWidget(parent), w
   sentence_->setObjectName("hands_sentence");
   const QStringList rows{tr("x mm"),        tr("y mm"),      tr("z mm"),
                          tr("roll deg"),    tr("pitch deg"), tr("yaw deg"),
-                         tr("error"),       tr("held out"),  tr("with the robot of the others"),
+                         tr("fitted"),      tr("held out"),  tr("with the robot of the others"),
                          tr("observations")};
   table_ = new QTableWidget(static_cast<int>(rows.size()), 0, this);
   table_->setObjectName("hands_table");
@@ -56,15 +57,16 @@ HandsPage::HandsPage(Workbench& workbench, QWidget* parent) : QWidget(parent), w
   table_->setVerticalHeaderLabels(rows);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
+  constexpr int row_height = 20;
   table_->verticalHeader()->setMinimumSectionSize(18);
-  table_->verticalHeader()->setDefaultSectionSize(20);
+  table_->verticalHeader()->setDefaultSectionSize(row_height);
   table_->verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setFrameShape(QFrame::NoFrame);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->addWidget(heading(tr("TCP→Body of each hand"), this));
   layout->addWidget(sentence_);
-  layout->addWidget(table_, 1);
+  layout->addWidget(new widgets::WholeRows(table_, row_height, this), 1);
 }
 
 void HandsPage::refresh() {

@@ -211,8 +211,7 @@ QString waiting_text(const Session& session) {
 QString Transport::progress_text() const {
   if (workbench_.document.is_open() && is_joined(workbench_.document.session()))
     return tr("Each session is played by itself.");
-  if (workbench_.document.is_open() && workbench_.document.session().is_touch())
-    return tr("Touches are fitted all at once: there is nothing to play.");
+  if (workbench_.document.is_open() && workbench_.document.session().is_touch()) return tr("Nothing to play");
   if (!workbench_.document.is_open() || !is_labelled())
     return tr("Waits for three markers: label the first observation (Ctrl+1).");
   const std::size_t count = workbench_.document.session().observations.size(), at = player_.position();

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "document/effect_words.h"
+#include "document/sample_titles.h"
 #include "session/session_xml.h"
 #include "words/core_words.h"
 #include "words/counted.h"
@@ -114,9 +115,11 @@ std::int64_t id_at(const Session& session, int index) {
              : -1;
 }
 
-QString display_name(const Session& s) {
+QString written_title(const Session& s) {
   return QString::fromStdString(s.title.empty() ? s.file.parent_path().filename().string() : s.title);
 }
+
+QString display_name(const Session& s) { return shown_title(written_title(s)); }
 
 void Document::number_observations() {
   index_of_.clear();

@@ -21,7 +21,9 @@ namespace handsight::app {
 /// The id of an observation by its index in the session of a model; -1 where it has gone since.
 std::int64_t id_at(const Session& session, int index);
 
-/// The title of a session, else the name of its folder.
+/// The title of a session as its file has it, else the name of its folder.
+QString written_title(const Session& session);
+/// The same as it is shown: a sample's title in the user's language.
 QString display_name(const Session& session);
 
 class Document : public QObject {

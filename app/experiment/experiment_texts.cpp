@@ -29,6 +29,16 @@ QString why_no_experiment(const Session& session) {
   return {};
 }
 
+namespace {
+
+/// What a driver calls itself; the simulated one in the reader's language.
+QString shown_driver(const QString& name) {
+  const QString simulated = "a simulated ";
+  return name.startsWith(simulated) ? QObject::tr("a simulated %1").arg(name.mid(simulated.size())) : name;
+}
+
+}  // namespace
+
 QString state_text(RunState state, const QString& driver, bool is_of_touches) {
   switch (state) {
     case RunState::resting:
@@ -38,7 +48,7 @@ QString state_text(RunState state, const QString& driver, bool is_of_touches) {
     case RunState::thinking:
       return QObject::tr("What was measured is fitted and diagnosed, and the next poses are chosen ...");
     case RunState::asking:
-      return QObject::tr("Connected: %1. These poses come first; nothing has moved.").arg(driver);
+      return QObject::tr("Connected: %1. These poses come first; nothing has moved.").arg(shown_driver(driver));
     case RunState::moving:
       return QObject::tr("The robot moves.");
     case RunState::looking:

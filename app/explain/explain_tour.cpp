@@ -20,8 +20,9 @@ std::vector<TourStep> ExplainWorkspace::tour_steps() {
   };
   const auto index = workbench_.document.undo_stack().index();
   return {
-      {tr("This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise "
-          "is, and whose fault the difference is."),
+      {tr("This line says what is most likely missing, what it would bring, and whose fault the error is. How large "
+          "the "
+          "error is, on poses that the model has not seen, and the noise beside it stand above, at the right."),
        widget("verdict")},
       {tr("Where does it fail, and why? Every observation against what the likeliest cause follows: the points lie on "
           "its "

@@ -8,12 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "diagnosis/attribution/common.h"
 #include "document/effect_words.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/what_if_slider.h"
 #include "widgets/plots/scatter_plot.h"
-#include "words/core_words.h"
 #include "workbench/link_selection.h"
 
 namespace handsight::app {
@@ -125,6 +123,7 @@ void FailingPane::connect_all() {
   link_selection(large_, workbench_);
   connect(common_, &QPushButton::clicked, this, [this] { show_variable(common_variable_); });
   connect(&workbench_.diagnosing, &Diagnosing::diagnosis_changed, this, &FailingPane::say_proof);
+  connect(&workbench_, &Workbench::blunders_changed, this, &FailingPane::refresh_shows);
   connect(&workbench_.selection, &Selection::changed, this, [this] {
     if (isVisible()) refresh_selection();
   });
@@ -143,7 +142,7 @@ std::vector<widgets::PatternPlot> FailingPane::plots(const ModelResiduals& resid
     if (!plot) continue;
     if (!values && &residuals == residuals_.get()) {
       const auto found = shows_.find(key);
-      if (found == shows_.end() && workbench_.story().lead() && !shows_timer_.isActive()) shows_timer_.start();
+      if (found == shows_.end() && named_cause() && !shows_timer_.isActive()) shows_timer_.start();
       if (found != shows_.end()) plot->shows = found->second;
     }
     list.push_back(std::move(*plot));
@@ -230,9 +229,13 @@ void FailingPane::refresh_shows() {
   shows_timer_.start();
 }
 
+/// What the verdict names: other names beside it would be another story. Of a session with a mistake it names none.
+const StoryCause* FailingPane::named_cause() const {
+  return workbench_.blunders().empty() ? workbench_.story().lead() : nullptr;
+}
+
 void FailingPane::find_next_shows() {
-  // Only what the verdict names: other names beside it would be another story.
-  const StoryCause* lead = workbench_.story().lead();
+  const StoryCause* lead = named_cause();
   for (const PlotKey& key : places_)
     if (residuals_ && lead && !shows_.contains(key)) {
       shows_[key] =
@@ -393,40 +396,6 @@ void FailingPane::show_variable(const std::string& variable) {
     page_->update_plots(all_plots(*residuals_, nullptr));
     return choose(static_cast<int>(places_.size()) - 1);
   }
-}
-
-void FailingPane::refresh_selection() {
-  const auto id = workbench_.selection.current().observation.value_or(widgets::no_observation);
-  const auto& many = workbench_.selection.many();
-  const std::vector<widgets::ObservationId> ids = many.size() > 1
-                                                      ? std::vector<widgets::ObservationId>(many.begin(), many.end())
-                                                      : std::vector<widgets::ObservationId>{};
-  large_->set_selected(id);
-  large_->set_highlighted(ids);
-  page_->set_selected(id);
-  page_->set_highlighted(ids);
-  look_for_common();
-}
-
-void FailingPane::look_for_common() {
-  common_->hide();
-  common_variable_.clear();
-  const auto& many = workbench_.selection.many();
-  if (!residuals_ || many.size() < 2) return;
-  const ResidualViews& v = residuals_->views;
-  std::vector<char> chosen;
-  for (const ProblemObservation& o : v.problem.observations)
-    chosen.push_back(many.contains(id_at(workbench_.document.session(), o.index)) ? 1 : 0);
-  auto list = what_is_common(v.variables, chosen);
-  // What was dragged over is no news.
-  if (const auto plot = plot_at(chosen_); plot && list.size() > 1)
-    std::erase_if(list, [&](const Common& c) { return translated(v.variables[c.variable].name) == plot->against; });
-  if (list.empty()) return;
-  const Variable& variable = v.variables[list.front().variable];
-  common_variable_ = variable.name.english();
-  common_->setText(translated(common_text(list.front(), variable)));
-  common_->setToolTip(tr("Shows the plot against it"));
-  common_->show();
 }
 
 }  // namespace handsight::app

@@ -92,6 +92,7 @@ class FailingPane : public QWidget {
   bool has_to_be_sorted() const;
   void put_proof(const Proof& proof);
   void set_added(double share);
+  const StoryCause* named_cause() const;
   void find_next_shows();
   void resort();
   void look_for_common();

@@ -68,7 +68,13 @@ void ExportWorkspace::fit_columns() {
   if (form() != MotionForm::matrix && motion_->columnWidth(0) > room) motion_->setColumnWidth(0, room);
   motion_->horizontalHeader()->setStretchLastSection(true);
   motion_->resizeRowsToContents();
-  motion_->setMinimumHeight(height_of_rows(*motion_, 24));
+  constexpr int between = 6, one_line = 24;  // else two names of several lines read as one
+  for (int r = 0; r < motion_->rowCount(); ++r)
+    if (motion_->rowHeight(r) > one_line) motion_->setRowHeight(r, motion_->rowHeight(r) + between);
+  const int high = height_of_rows(*motion_, 24);
+  // A minimum above the maximum would be drawn over what stands below.
+  motion_->setMaximumHeight(std::max(motion_->maximumHeight(), high));
+  motion_->setMinimumHeight(high);
 }
 
 bool ExportWorkspace::eventFilter(QObject* watched, QEvent* event) {

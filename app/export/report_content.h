@@ -19,6 +19,7 @@ struct ReportPicture {
 /// What a report says first.
 struct ReportStory {
   QString verdict;                       // how good the model is, in a sentence or two
+  QString figures;                       // how far off it is, in numbers; may be empty
   QString next;                          // what to do; may be empty
   std::vector<widgets::BillEntry> bill;  // of the model; empty: nothing is in it
 };

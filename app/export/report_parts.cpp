@@ -42,13 +42,13 @@ QString error_text(const ErrorSummary& e) {
   return e.hand_m ? QObject::tr("%1 (%2 at the hand)").arg(px, widgets::with_unit_text(1e3 * *e.hand_m, "mm")) : px;
 }
 
-/// Nine places: the full numbers are in the XML.
+/// Eight places, as many as go beside the other numbers on paper: the full ones are in the XML.
 QString matrix_table(const Rigid& motion) {
   const Matrix4 m = matrix_from_rigid(motion);
   std::vector<QStringList> rows;
   for (int r = 0; r < 4; ++r) {
     QStringList cells;
-    for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 9 : 0);
+    for (int c = 0; c < 4; ++c) cells << widgets::fixed_text(m(r, c), r < 3 ? 8 : 0);
     rows.push_back(cells);
   }
   return table({}, rows, Columns::numbers_alone);
@@ -154,7 +154,8 @@ QString story_part(const Document& document, const ReportStory& story) {
   const Session& s = document.session();
   QString text =
       "<h1>" + display_name(s).toHtmlEscaped() + "</h1>\n<p><b>" + story.verdict.toHtmlEscaped() + "</b></p>\n";
-  if (!story.next.isEmpty()) text += "<p>" + story.next.toHtmlEscaped() + "</p>\n";
+  for (const QString& sentence : {story.figures, story.next})
+    if (!sentence.isEmpty()) text += "<p>" + sentence.toHtmlEscaped() + "</p>\n";
   return text + "<p class=\"from\">" + QString::fromStdString(s.file.string()).toHtmlEscaped() + "<br/>" +
          QDateTime::currentDateTimeUtc().toString(Qt::ISODate) + ", handsight " HANDSIGHT_VERSION "</p>\n";
 }

@@ -43,11 +43,11 @@ QString next_text(const Story& story, const QString& lead) {
 
 ReportStory report_story(const Workbench& workbench, const ModelVersionPointer& model) {
   const Story& story = workbench.find_story(model);
-  if (!workbench.blunders().empty())
-    return {session_verdict(workbench, model).sentence,
-            QObject::tr("Next: %1").arg(translated(workbench.blunders().front().fix)), bill_entries(workbench, model)};
-  return {session_verdict(workbench, model).sentence, next_text(story, name_of_lead(workbench, story, model)),
-          bill_entries(workbench, model)};
+  const widgets::SessionVerdict verdict = session_verdict(workbench, model);
+  const std::vector<Blunder>& blunders = workbench.blunders();
+  const QString next = blunders.empty() ? next_text(story, name_of_lead(workbench, story, model))
+                                        : QObject::tr("Next: %1").arg(translated(blunders.front().fix));
+  return {verdict.sentence, verdict.figures, next, bill_entries(workbench, model)};
 }
 
 }  // namespace handsight::app

@@ -25,13 +25,14 @@ ResidualSize size_left(const DiagnosisCandidate& c, bool in_pixels, std::optiona
   return c.predicted_held_out ? size_of_error(*c.predicted_held_out, in_pixels, noise) : ResidualSize{};
 }
 
-/// All three in the unit in force, or all in the session's own where one of them has no value there.
-widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const Diagnosis& d, const ModelVersion& model,
-                              widgets::SizeUnit unit) {
-  const VersionSizes sizes = list_sizes(d.report, model.inspection->in_pixels, d.noise, d.noise);
-  const ResidualSize left = size_left(c, model.inspection->in_pixels, d.noise);
+/// All three in the unit in force, or all in the session's own where one of them has no value there. The error now is
+/// that of the header: of a flange's poses the search has a fit of its own, which does not weigh the robot's own error.
+widgets::ErrorLeft card_error(const DiagnosisCandidate& c, const ModelVersion& model, widgets::SizeUnit unit) {
+  const auto noise = model.fit->noise;
+  const VersionSizes sizes = list_sizes(model, noise);
+  const ResidualSize left = size_left(c, model.inspection->in_pixels, noise);
   if (!left.in(unit)) unit = left.pixel ? widgets::SizeUnit::pixel : widgets::SizeUnit::millimetre;
-  return {sizes.held_out.in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
+  return {sizes.error().in(unit), left.in(unit), sizes.noise.in(unit), !c.held_out, widgets::unit_name(unit)};
 }
 
 /// What speaks for the candidate: what its own proof follows, where the points do follow it, and how much of the excess
@@ -77,7 +78,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const
   if (!c.unnamed) card.where = places_text(c.where);
   card.words = list_words(c);
   card.add_text = QObject::tr("Add %1").arg(c.unnamed ? QObject::tr("this curve") : within_sentence(card.title));
-  card.error = card_error(c, d, model, workbench.units.unit());
+  card.error = card_error(c, model, workbench.units.unit());
   card.evidence = evidence_text(c, workbench.diagnosing.find_view(find_id(c)).get());
   card.sizes = effect_parameters(workbench.document.session(), c.terms, c.sigmas);
   std::erase_if(card.sizes, [](const widgets::ModelParameter& p) { return p.is_choice; });
@@ -117,15 +118,16 @@ bool has_curve(const Workbench& workbench, const ModelVersionPointer& model) {
                                   [](const DiagnosisCandidate& c) { return c.unnamed.has_value(); });
 }
 
-/// What is said where no cause leads.
+/// What is said where no cause leads; the verdict's sentence stands above it and is not said again.
 std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelVersionPointer& model) {
   const Story& story = workbench.find_story(model);
-  const QString sentence = session_verdict(workbench, model).sentence;
   switch (story.state) {
     case StoryState::at_the_noise:
       if (!story.stands_in.empty())
         return with_export(honest_card(CardKind::repeatability,
-                                       QObject::tr("At the noise, but by something that stands in"), sentence));
+                                       QObject::tr("At the noise, but by something that stands in"),
+                                       QObject::tr("It holds for poses like those that were measured, and perhaps for "
+                                                   "no others.")));
       return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"),
                                      QObject::tr("No cause that these poses can show would lower the error on "
                                                  "observations that the fit has not seen.")));
@@ -134,10 +136,13 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
           honest_card(CardKind::repeatability, QObject::tr("Down at the noise, but not all has a name"),
                       QObject::tr("A curve stands in the model for it; what causes it on the robot is not known.")));
     case StoryState::repeatability:
-      return with_export(
-          honest_card(CardKind::repeatability, QObject::tr("The remaining error looks random"), sentence));
+      return with_export(honest_card(
+          CardKind::repeatability, QObject::tr("The remaining error looks random"),
+          QObject::tr("There is nothing to add. Poses that are measured again tell how well the robot comes "
+                      "back to them.")));
     case StoryState::too_few_observations: {
-      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"), sentence);
+      CardState card = honest_card(CardKind::too_few, QObject::tr("Too few observations"),
+                                   QObject::tr("Poses that differ from those there are tell the most."));
       card.action = QObject::tr("Plan poses");
       card.action_id = "plan";
       return card;
@@ -151,14 +156,18 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
                     "of the catalogue that is not in the model explains more than chance would.")
               : QObject::tr("The program cannot say when to stop: declare the noise (sigma), or repeat some poses."));
     case StoryState::unexplained: {
-      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"), sentence);
+      CardState card = honest_card(CardKind::unexplained, QObject::tr("Nothing with a name explains it"),
+                                   QObject::tr("Look at the plots of what is left, and at the observations that it is "
+                                               "largest in."));
       if (!has_curve(workbench, model)) return card;  // it follows nothing
+      card.words = QObject::tr("A curve shows what it follows; it has no name in the catalogue.");
       card.action = QObject::tr("Show the curve");
       card.action_id = "curve";
       return card;
     }
     case StoryState::refused:
-      return honest_card(CardKind::unexplained, QObject::tr("Nothing that helps is left"), sentence);
+      return honest_card(CardKind::unexplained, QObject::tr("Nothing that helps is left"),
+                         QObject::tr("Why not ...? says of every effect why it was not added."));
     default:
       return std::nullopt;
   }

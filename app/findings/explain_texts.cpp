@@ -17,54 +17,44 @@ QString error_with_unit(double error, bool in_pixels) {
   return widgets::with_unit_text(in_pixels ? error : 1e3 * error, in_pixels ? QObject::tr("px") : QObject::tr("mm"));
 }
 
-namespace {
-
-/// An error and the noise beside it, in words.
-struct Told {
-  QString error, noise;
-  QString both;     // "0.21 px against 0.20 px"
-  QString at_hand;  // " (12 mm at the hand)": the other way to tell it
-};
-
-Told reported(const VersionSizes& sizes, widgets::SizeUnit unit) {
-  using widgets::SizeUnit;
-  Told t{.error = text_in(unit, sizes.error())};
-  const bool in_sigma = shown_in(unit, sizes.error()).unit == SizeUnit::sigma;
-  // In units of itself the noise would be 1, which tells nothing.
-  const bool is_known = sizes.noise.pixel || sizes.noise.millimetre;
-  t.noise = is_known ? text_in(in_sigma ? SizeUnit::pixel : unit, sizes.noise) : QObject::tr("unknown");
-  t.both = in_sigma || !is_known ? QObject::tr("%1, the noise being %2").arg(t.error, t.noise)
-                                 : QObject::tr("%1 against %2").arg(t.error, t.noise);
-  if (unit != SizeUnit::millimetre && sizes.error().pixel && sizes.error().millimetre)
-    t.at_hand = QObject::tr(" (%1 at the hand)").arg(text_in(SizeUnit::millimetre, sizes.error()));
-  if (unit == SizeUnit::millimetre && sizes.error().pixel)
-    t.at_hand = QObject::tr(" at the hand (%1)").arg(text_in(SizeUnit::pixel, sizes.error()));
-  return t;
-}
-
-}  // namespace
-
 QString cannot_be_split_text() { return QObject::tr("Cannot be split with one marker"); }
 
-QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
+QString figures_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
+  if (!model.fit || model.report->used < fewest_that_tell || !error_and_noise(model).error) return {};
+  using widgets::SizeUnit;
+  const VersionSizes sizes = list_sizes(model, model.fit->noise);
+  const bool is_known = sizes.noise.pixel || sizes.noise.millimetre;
+  // In units of itself the noise would be 1, which tells nothing.
+  const bool in_sigma = shown_in(unit, sizes.error()).unit == SizeUnit::sigma;
+  QString error = text_in(unit, sizes.error());
+  if (sizes.error().pixel && sizes.error().millimetre)
+    error = unit == SizeUnit::millimetre
+                ? QObject::tr("%1 at the hand (%2)").arg(error, text_in(SizeUnit::pixel, sizes.error()))
+                : QObject::tr("%1 (%2 at the hand)").arg(error, text_in(SizeUnit::millimetre, sizes.error()));
+  const QString noise = is_known ? text_in(in_sigma ? SizeUnit::pixel : unit, sizes.noise) : QObject::tr("unknown");
+  return (error_and_noise(model).held_out
+              ? QObject::tr("Error on observations that the fit has not seen: %1; noise: %2.")
+              : QObject::tr("Error on the observations that were fitted: %1; noise: %2."))
+      .arg(error, noise);
+}
+
+QString comparison_sentence(const ModelVersion& model) {
   if (!model.fit) return model.refusal;
   const StoryError e = error_and_noise(model);
   if (model.report->used < fewest_that_tell)
     return QObject::tr("%1 alone cannot show an error: label or play more.")
         .arg(counted(model.report->used, "%n observation(s)"));
   if (!e.error) return QObject::tr("The error is not known.");
-  const Told t = reported(list_sizes(model, model.fit->noise), unit);
   if (!e.noise)
-    return QObject::
-        tr("The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it "
-           "(sigma), or repeat some poses.")
-            .arg(t.error);
+    return QObject::tr(
+        "The noise is not known, so that nobody can say whether the error is much: declare it (sigma), or repeat some "
+        "poses.");
   // So many observations may show that it is not the noise alone, however near it comes.
   if (*e.ratio() < most_beside_repeatability && model.fit->covariance_kind == CovarianceKind::repeatability)
-    return QObject::tr("The model comes near the noise (%1), but what is left is more than noise.").arg(t.both);
+    return QObject::tr("The model comes near the noise, but what is left is more than noise.");
   if (*e.ratio() < most_beside_repeatability)
-    return QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
-  return QObject::tr("The model misses by %1%2 where the noise is %3.").arg(t.error, t.at_hand, t.noise);
+    return QObject::tr("The model agrees with the measurements down to the noise.");
+  return QObject::tr("The model misses by more than the noise.");
 }
 
 namespace {
@@ -76,6 +66,7 @@ std::optional<widgets::ErrorAttribution> shown(const ErrorAttribution& attributi
   return widgets::ErrorAttribution{attribution.cameras, attribution.body, attribution.robot, !in_pixels};
 }
 
+/// Who answers for most of it; how much of it stands in the bar beside the sentence.
 QString attribution_sentence(const std::optional<widgets::ErrorAttribution>& attribution, bool in_pixels) {
   if (!attribution) return {};
   const std::pair<double, QString> parts[] = {
@@ -84,11 +75,22 @@ QString attribution_sentence(const std::optional<widgets::ErrorAttribution>& att
       {attribution->cameras, in_pixels ? QObject::tr("the cameras") : QObject::tr("the tracker")}};
   const auto& most = *std::max_element(std::begin(parts), std::end(parts),
                                        [](const auto& a, const auto& b) { return a.first < b.first; });
-  return QObject::tr("%1 % of it comes from %2.").arg(std::lround(100 * most.first)).arg(most.second);
+  constexpr double nearly_all = 0.95, half = 0.5;
+  return (most.first >= nearly_all ? QObject::tr("The error comes from %1.")
+          : most.first >= half     ? QObject::tr("Most of the error comes from %1.")
+                                   : QObject::tr("The largest part of the error comes from %1."))
+      .arg(most.second);
 }
 
-QString adequate_sentence(const Diagnosis& d, const Told& t) {
-  QString text = QObject::tr("The model agrees with the measurements down to the noise (%1).").arg(t.both);
+/// How far the hand is off, where the header has another unit.
+QString hand_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
+  const ResidualSize error = list_sizes(model, model.fit->noise).error();
+  if (unit == widgets::SizeUnit::millimetre || !error.pixel || !error.millimetre) return {};
+  return QObject::tr("The hand is off by %1.").arg(text_in(widgets::SizeUnit::millimetre, error));
+}
+
+QString adequate_sentence(const Diagnosis& d) {
+  QString text = QObject::tr("The model agrees with the measurements down to the noise.");
   QStringList unseen;
   for (const std::string& id : unseen_effects(d)) unseen << effect_text(id, {});
   constexpr qsizetype most = 3;
@@ -98,38 +100,51 @@ QString adequate_sentence(const Diagnosis& d, const Told& t) {
 }
 
 /// At the noise with curves: what follows what, without a name.
-QString curves_sentence(const ModelVersion& model, const Diagnosis& d, const Told& t) {
+QString curves_sentence(const ModelVersion& model, const Diagnosis& d) {
   QStringList list;
   for (const EffectTerm& curve : list_curves(*model.fit)) {
     QString title = make_title(curve, d.model.session.robot);
     title[0] = title[0].toLower();
     list << title;
   }
-  return QObject::tr("The model agrees with the measurements down to the noise (%1), but not all of it has a name: %2.")
-      .arg(t.both, list.join("; "));
+  return QObject::tr("The model agrees with the measurements down to the noise, but not all of it has a name: %1.")
+      .arg(list.join("; "));
 }
 
-QString repeatability_sentence(const Diagnosis& d, const Told& t) {
+/// "0.25 mrad", and which joint is the worst where they differ.
+QString joints_text(const Repeatability& repeatability, const std::vector<std::string>& joints) {
+  const auto text = [](double rad) { return widgets::short_text(1e3 * rad); };
+  const std::vector<double>& of_joint = repeatability.of_joint;
+  if (of_joint.empty() || of_joint.size() != joints.size())
+    return QObject::tr("%1 mrad").arg(text(repeatability.joints));
+  const auto worst = std::ranges::max_element(of_joint);
+  return QObject::tr("%1 mrad (%2: %3 mrad)")
+      .arg(text(repeatability.joints),
+           QString::fromStdString(joints[static_cast<std::size_t>(worst - of_joint.begin())]),
+           text(repeatability.joints * *worst));
+}
+
+QString repeatability_sentence(const Diagnosis& d) {
   if (!d.repeatability.is_any())
     return QObject::tr(
-               "What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was "
-               "measured. No effect can remove it.")
-        .arg(t.error, t.noise);
+        "What is left is more than noise, differs from pose to pose and follows nothing that was measured. No effect "
+        "can remove it.");
   const QString place = widgets::short_text(1e3 * d.repeatability.place);
   if (d.repeatability.joints == 0)
-    return QObject::
-        tr("What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat "
-           "better than %3 mm. No effect can remove it.")
-            .arg(t.error, t.noise, place);
+    return QObject::tr(
+               "What is left differs from pose to pose without a pattern: the hand's place does not repeat better than "
+               "%1 mm. No effect can remove it.")
+        .arg(place);
+  const QString joints = joints_text(d.repeatability, d.model.session.joints);
   if (d.repeatability.place >= least_reported_place)
     return QObject::tr(
-               "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat "
-               "better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.")
-        .arg(t.error, t.noise, widgets::short_text(1e3 * d.repeatability.joints), place);
+               "What is left differs from pose to pose without a pattern: the joints do not repeat better than %1, nor "
+               "the hand's place better than %2 mm. No effect can remove it.")
+        .arg(joints, place);
   return QObject::tr(
-             "What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better "
-             "than %3 mrad. No effect can remove it.")
-      .arg(t.error, t.noise, widgets::short_text(1e3 * d.repeatability.joints));
+             "What is left differs from pose to pose without a pattern: the joints do not repeat better than %1. No "
+             "effect can remove it.")
+      .arg(joints);
 }
 
 QString what_is_left_follows(const Diagnosis& d) {
@@ -163,37 +178,41 @@ QString advice(const Story& story, const Diagnosis& d) {
   return what_is_left_follows(d);
 }
 
-QString unexplained_sentence(const Story& story, const Diagnosis& d, const Told& t) {
+QString unexplained_sentence(const Story& story, const Diagnosis& d) {
   if (const StoryCause* lead = story.lead(); lead && !lead->unnamed)
     return QObject::tr(
-               "Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the "
-               "catalogue explains the rest. %4")
-        .arg(t.error, t.noise, display_name(d.candidates[lead->candidate], d.model.session), advice(story, d))
+               "Something real is left: %1 explains a part of it, and nothing in the catalogue explains the rest. %2")
+        .arg(display_name(d.candidates[lead->candidate], d.model.session), advice(story, d))
         .trimmed();
-  return QObject::tr("Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3")
-      .arg(t.error, t.noise, advice(story, d))
+  return QObject::tr("Something real is left, and nothing in the catalogue explains it. %1")
+      .arg(advice(story, d))
       .trimmed();
 }
 
-/// What, where, how much, whose: names first, so that they are read where there is little room.
+/// "; with it the error would be down at the noise": what the cause would bring.
+QString brings_text(const Story& story, const StoryCause& lead) {
+  if (!lead.left || !story.error.error || !(*story.error.error > 0)) return {};
+  if (story.error.noise && *lead.left < most_beside_repeatability * *story.error.noise)
+    return QObject::tr("; with it the error would be down at the noise");
+  const double share = *lead.left / *story.error.error;
+  return share < 1 ? QObject::tr("; with it %1 % of the error would be left").arg(std::lround(100 * share)) : QString();
+}
+
+/// What, where, what it would bring, whose: names first, so that they are read where there is little room.
 QString missing_sentence(const ModelVersion& model, const Story& story, const Diagnosis& d, widgets::SizeUnit unit) {
-  const Told t = reported(list_sizes(model, model.fit->noise), unit);
-  // How many mm that is at the hand stands beside it.
-  QString misses = story.error.error && story.error.noise
-                       ? QObject::tr("The model misses by %1 where the noise is %2.").arg(t.error, t.noise)
-                       : comparison_sentence(model, unit);
-  const QString whose = attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels);
-  if (!whose.isEmpty()) misses += ' ' + whose;
+  const QString misses =
+      QStringList{hand_sentence(model, unit),
+                  attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)}
+          .join(' ');
   const StoryCause& lead = story.causes.front();
   const QString name = display_name(d.candidates[lead.candidate], d.model.session);
+  QString text = QObject::tr("Most likely missing: %1%2.").arg(name, brings_text(story, lead));
   if (story.state == StoryState::implausible)
-    return QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name) + ' ' +
-           misses;
+    text = QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name);
   if (story.state == StoryState::ambiguous)
-    return QObject::tr("%1 or %2: on these poses they look the same.")
-               .arg(name.left(1).toUpper() + name.mid(1), effect_text(lead.indistinguishable_from.front(), {})) +
-           ' ' + misses;
-  return QObject::tr("Most likely missing: %1.").arg(name) + ' ' + misses;
+    text = QObject::tr("%1 or %2: on these poses they look the same.")
+               .arg(name.left(1).toUpper() + name.mid(1), effect_text(lead.indistinguishable_from.front(), {}));
+  return (text + ' ' + misses).simplified();
 }
 
 SessionState shown_state(const Story& story, bool is_running) {
@@ -225,36 +244,34 @@ SessionState shown_state(const Story& story, bool is_running) {
 }
 
 QString sentence_of(const ModelVersion& model, const Story& story, const Diagnosis* d, widgets::SizeUnit unit) {
-  const Told t = reported(list_sizes(model, model.fit->noise), unit);
   if (!d || story.state == StoryState::not_looked) {
-    const QString whose =
-        story.error.ratio().value_or(0) >= most_beside_repeatability
-            ? attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)
-            : QString();
-    return (comparison_sentence(model, unit) + ' ' + whose).trimmed();
+    if (story.error.ratio().value_or(0) < most_beside_repeatability) return comparison_sentence(model);
+    return QStringList{comparison_sentence(model), hand_sentence(model, unit),
+                       attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)}
+        .join(' ')
+        .simplified();
   }
   switch (story.state) {
     case StoryState::too_few_observations:
       return translated(d->reason);
     case StoryState::at_the_noise:
-      return adequate_sentence(*d, t);
+      return adequate_sentence(*d);
     case StoryState::unnamed_at_the_noise:
-      return curves_sentence(model, *d, t);
+      return curves_sentence(model, *d);
     case StoryState::repeatability:
-      return repeatability_sentence(*d, t);
+      return repeatability_sentence(*d);
     case StoryState::missing:
     case StoryState::ambiguous:
     case StoryState::implausible:
       return missing_sentence(model, story, *d, unit);
     case StoryState::unexplained:
-      return unexplained_sentence(story, *d, t);
+      return unexplained_sentence(story, *d);
     case StoryState::refused:
       return QObject::tr(
-                 "Something is left (%1), and what would explain it does not lower the error on observations "
-                 "that the fit has not seen: it was not added.")
-          .arg(t.both);
+          "Something is left, and what would explain it does not lower the error on observations that the fit has not "
+          "seen: it was not added.");
     default:
-      return comparison_sentence(model, unit);
+      return comparison_sentence(model);
   }
 }
 
@@ -263,8 +280,9 @@ QString sentence_of(const ModelVersion& model, const Story& story, const Diagnos
 widgets::SessionVerdict session_verdict(const ModelVersion& model, const Story& story, const Diagnosis* d,
                                         bool is_running, widgets::SizeUnit unit) {
   widgets::SessionVerdict v;
-  v.sentence = comparison_sentence(model, unit);
+  v.sentence = comparison_sentence(model);
   if (!model.fit) return v;
+  v.figures = figures_sentence(model, unit);
   const VersionSizes sizes = list_sizes(model, model.fit->noise);
   v.unit = unit;
   v.error_px = sizes.error().pixel;
@@ -305,6 +323,7 @@ widgets::SessionVerdict session_verdict(const Workbench& workbench, const ModelV
   if (workbench.blunders().empty()) return v;
   // What a wrong session shows is neither the robot's fault nor anybody's.
   v.state = widgets::SessionState::mistake;
+  v.figures.clear();
   v.sentence = mistake_sentence(workbench.blunders()) + ' ' +
                QObject::tr("Put that right first: until then no other number tells anything.");
   v.attribution.reset();

@@ -11,8 +11,12 @@
 
 namespace handsight::app {
 
-/// "The model misses by 9.1 px (12 mm at the hand) where the cameras' noise is 0.2 px."
-QString comparison_sentence(const ModelVersion& model, widgets::SizeUnit unit = widgets::SizeUnit::pixel);
+/// "Error on observations that the fit has not seen: 9.1 px (12 mm); noise: 0.20 px.": what the window's header shows,
+/// for pages without one. Empty where no error is known.
+QString figures_sentence(const ModelVersion& model, widgets::SizeUnit unit);
+
+/// "The model misses by more than the noise.": how error and noise compare; their figures stand in the header.
+QString comparison_sentence(const ModelVersion& model);
 
 /// The whole session in a sentence, as its story says. `diagnosis` is what the story goes by; null: only what the fit
 /// says.

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "document/sample_titles.h"
 #include "start/session_places.h"
 #include "widgets/base/cells.h"
 #include "widgets/base/icons.h"
@@ -263,7 +264,7 @@ void StartPage::make_lists(QWidget* column) {
     QGridLayout* grid = make_grid();
     for (std::size_t i = 0; i < recent.size() && i < 6; ++i) {
       const QString path = QString::fromStdString(recent[i].file.string());
-      auto* row = new PlaceButton(recent[i].title, path, column);
+      auto* row = new PlaceButton(shown_title(recent[i].title), path, column);
       row->setObjectName("recent_" + QString::number(i));
       const QPixmap picture = thumbnail_of(recent[i].file.parent_path(), devicePixelRatioF());
       row->set_picture(picture, picture, "calibrate");

@@ -45,7 +45,7 @@ QString excluded_note(const Workbench& workbench) {
   QStringList left_out;
   if (excluded > 0) left_out << QObject::tr("%1 excluded").arg(excluded);
   if (wrong > 0) left_out << QObject::tr("%1 set aside").arg(counted(wrong, "%n point(s)"));
-  return QObject::tr("with %1: %2")
+  return QObject::tr("%1; with all %2")
       .arg(left_out.join(QObject::tr(" and ")), widgets::size_text({std::sqrt(squares / weights), unit}));
 }
 
@@ -148,14 +148,22 @@ Header::Header(Workbench& workbench, const Actions& actions, QMenu* session_menu
   refresh_job();
 }
 
-/// On a small screen the arrows alone say undo and redo: words would push the window beyond it.
 void Header::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int roomy = 1200;
-  const bool is_narrow = width() < roomy;
-  for (QToolButton* b : {undo_, redo_})
-    b->setToolButtonStyle(is_narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-  progress_->setFixedWidth(is_narrow ? 48 : 120);
+  share_room();
+}
+
+/// Where there is little room the arrows alone say undo and redo: words would push the window beyond a small screen,
+/// or cut the session's title.
+void Header::share_room() {
+  constexpr int small_screen = 1200, between = 64;  // px: margins and what parts the widgets
+  for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  progress_->setFixedWidth(width() < small_screen ? 48 : 120);
+  int wanted = session_->sizeHint().width() + numbers_->minimumSizeHint().width() + between;
+  for (const QWidget* w : std::initializer_list<QWidget*>{undo_, redo_, progress_, cancel_})
+    if (!w->isHidden()) wanted += w->sizeHint().width();
+  if (width() >= small_screen && wanted <= width()) return;
+  for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void Header::refresh_session() {
@@ -175,6 +183,7 @@ void Header::refresh_session() {
                                     : tr("Nothing to redo"));
   for (QWidget* w : {static_cast<QWidget*>(undo_), static_cast<QWidget*>(redo_), static_cast<QWidget*>(numbers_)})
     w->setVisible(d.is_open());
+  share_room();
 }
 
 Jobs& Header::shown_jobs() const { return workbench_.jobs.is_busy() ? workbench_.jobs : workbench_.explaining; }
@@ -186,8 +195,10 @@ void Header::refresh_job() {
   constexpr double moment = 0.4;  // s
   const bool shown =
       state.is_running && (cancel_->isVisible() || state.seconds_left || state.share > 0.02 || state.seconds > moment);
+  const bool changes = shown == progress_->isHidden();
   progress_->setVisible(shown);
   cancel_->setVisible(shown);
+  if (changes) share_room();
   if (!shown) return job_->clear();
   const QString share = state.share > 0 ? tr("%1 %").arg(static_cast<int>(100 * state.share)) : QString();
   QString text = state.title;
@@ -244,6 +255,7 @@ void Header::refresh_numbers() {
     }
   }
   numbers_->set_numbers(std::move(n));
+  share_room();
 }
 
 }  // namespace handsight::app

@@ -30,6 +30,7 @@ class Header : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void share_room();
   void refresh_session();
   Jobs& shown_jobs() const;
   void refresh_job();

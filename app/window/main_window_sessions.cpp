@@ -218,7 +218,7 @@ void MainWindow::session_opened() {
     show_workspace(place_);
     return refresh_rail();
   }
-  remember_session(workbench_.document.file(), display_name(s));
+  remember_session(workbench_.document.file(), written_title(s));
   start_->set_refusal({});
   pages_->setCurrentIndex(1);
   strip_->set_selected(widgets::no_observation);

@@ -229,16 +229,16 @@
         <translation>Nichts, was hilft, ist übrig</translation>
     </message>
     <message>
-        <source>What is left (%1, noise %2) is more than noise, differs from pose to pose and follows nothing that was measured. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), ist mehr als Rauschen, wechselt von Pose zu Pose und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
+        <source>What is left is more than noise, differs from pose to pose and follows nothing that was measured. No effect can remove it.</source>
+        <translation>Was bleibt, ist mehr als Rauschen, wechselt von Pose zu Pose und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
         <source>No robot is built so, it stands in for another cause: %1.</source>
         <translation>So ist kein Roboter gebaut, es steht für eine andere Ursache: %1.</translation>
     </message>
     <message>
-        <source>Something real is left (%1 where the noise is %2): %3 explains a part of it, and nothing in the catalogue explains the rest. %4</source>
-        <translation>Etwas Wirkliches bleibt (%1 bei einem Rauschen von %2): %3 erklärt einen Teil davon, und nichts im Katalog erklärt den Rest. %4</translation>
+        <source>Something real is left: %1 explains a part of it, and nothing in the catalogue explains the rest. %2</source>
+        <translation>Etwas Wirkliches bleibt: %1 erklärt einen Teil davon, und nichts im Katalog erklärt den Rest. %2</translation>
     </message>
     <message>
         <source>No plausible cause explains it: %1 would help, but no robot is built so.</source>
@@ -369,8 +369,8 @@
         <translation>%1 der Posen lassen sich in den Grenzen der Gelenke nicht korrigieren.</translation>
     </message>
     <message>
-        <source> (%1 at the hand)</source>
-        <translation> (%1 an der Hand)</translation>
+        <source>; with it %1 % of the error would be left</source>
+        <translation>; damit blieben %1 % des Fehlers</translation>
     </message>
     <message>
         <source> (%1 → %2 %3)</source>
@@ -401,8 +401,8 @@
         <translation> oder </translation>
     </message>
     <message>
-        <source> at the hand (%1)</source>
-        <translation> an der Hand (%1)</translation>
+        <source>%1 at the hand (%2)</source>
+        <translation>%1 an der Hand (%2)</translation>
     </message>
     <message>
         <source> deg</source>
@@ -417,8 +417,60 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1 % of it comes from %2.</source>
-        <translation>%1 % davon kommen %2.</translation>
+        <source>Most of the error comes from %1.</source>
+        <translation>Der Fehler kommt zum größeren Teil %1.</translation>
+    </message>
+    <message>
+        <source>The error comes from %1.</source>
+        <translation>Der Fehler kommt %1.</translation>
+    </message>
+    <message>
+        <source>The largest part of the error comes from %1.</source>
+        <translation>Am meisten vom Fehler kommt %1.</translation>
+    </message>
+    <message>
+        <source>; with it the error would be down at the noise</source>
+        <translation>; damit wäre der Fehler unten beim Rauschen</translation>
+    </message>
+    <message>
+        <source>%1 mrad</source>
+        <translation>%1 mrad</translation>
+    </message>
+    <message>
+        <source>%1 mrad (%2: %3 mrad)</source>
+        <translation>%1 mrad (%2: %3 mrad)</translation>
+    </message>
+    <message>
+        <source>Error on observations that the fit has not seen: %1; noise: %2.</source>
+        <translation>Fehler auf ungesehenen Beobachtungen: %1; Rauschen: %2.</translation>
+    </message>
+    <message>
+        <source>Error on the observations that were fitted: %1; noise: %2.</source>
+        <translation>Fehler auf den angepassten Beobachtungen: %1; Rauschen: %2.</translation>
+    </message>
+    <message>
+        <source>It holds for poses like those that were measured, and perhaps for no others.</source>
+        <translation>Es gilt für Posen wie die gemessenen, und vielleicht für keine anderen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to add. Poses that are measured again tell how well the robot comes back to them.</source>
+        <translation>Es ist nichts hinzuzufügen. Posen, die noch einmal gemessen werden, sagen, wie gut der Roboter zu ihnen zurückkommt.</translation>
+    </message>
+    <message>
+        <source>Poses that differ from those there are tell the most.</source>
+        <translation>Posen, die anders sind als die vorhandenen, sagen am meisten.</translation>
+    </message>
+    <message>
+        <source>Look at the plots of what is left, and at the observations that it is largest in.</source>
+        <translation>Sieh dir die Diagramme dessen an, was bleibt, und die Beobachtungen, in denen es am größten ist.</translation>
+    </message>
+    <message>
+        <source>A curve shows what it follows; it has no name in the catalogue.</source>
+        <translation>Eine Kurve zeigt, wem es folgt; im Katalog hat sie keinen Namen.</translation>
+    </message>
+    <message>
+        <source>Why not ...? says of every effect why it was not added.</source>
+        <translation>Warum nicht ...? sagt von jedem Effekt, warum er nicht hinzugefügt wurde.</translation>
     </message>
     <message>
         <source>%1 %2: the size that the fit wants, against what is plausible (± %3).</source>
@@ -659,10 +711,6 @@
     <message>
         <source>%1, drawn %2 ×</source>
         <translation>%1, gezeichnet %2 ×</translation>
-    </message>
-    <message>
-        <source>%1, the noise being %2</source>
-        <translation>%1, bei einem Rauschen von %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1020,7 +1068,7 @@
     </message>
     <message>
         <source>along its normal</source>
-        <translation>entlang der Normalen</translation>
+        <translation>längs Normale</translation>
     </message>
     <message>
         <source>Where it stands on %1, estimated with the rest.</source>
@@ -1995,8 +2043,8 @@
         <translation>Größer, als Roboter gebaut sind. Wohl eine andere Ursache.</translation>
     </message>
     <message>
-        <source>Most likely missing: %1.</source>
-        <translation>Am wahrscheinlichsten fehlt: %1.</translation>
+        <source>Most likely missing: %1%2.</source>
+        <translation>Am wahrscheinlichsten fehlt: %1%2.</translation>
     </message>
     <message>
         <source>Move the pointer over the image.</source>
@@ -2651,16 +2699,16 @@
         <translation>Größen in σ, dem Rauschen einer Koordinate: was die Farben bedeuten (U)</translation>
     </message>
     <message>
-        <source>Something is left (%1), and what would explain it does not lower the error on observations that the fit has not seen: it was not added.</source>
-        <translation>Etwas bleibt (%1), und was es erklärte, senkt den Fehler auf ungesehenen Beobachtungen nicht: es wurde nicht hinzugefügt.</translation>
+        <source>Something is left, and what would explain it does not lower the error on observations that the fit has not seen: it was not added.</source>
+        <translation>Etwas bleibt, und was es erklärte, senkt den Fehler auf ungesehenen Beobachtungen nicht: es wurde nicht hinzugefügt.</translation>
     </message>
     <message>
         <source>Something moves</source>
         <translation>Etwas geht</translation>
     </message>
     <message>
-        <source>Something real is left (%1 where the noise is %2), and nothing in the catalogue explains it. %3</source>
-        <translation>Etwas Wirkliches bleibt (%1, wo das Rauschen %2 ist), und nichts im Katalog erklärt es. %3</translation>
+        <source>Something real is left, and nothing in the catalogue explains it. %1</source>
+        <translation>Etwas Wirkliches bleibt, und nichts im Katalog erklärt es. %1</translation>
     </message>
     <message>
         <source>Space, .</source>
@@ -2863,32 +2911,32 @@
         <translation>Das Netz %1 ist nicht im Ordner des Roboters. Das Glied wird ohne es gezeichnet.</translation>
     </message>
     <message>
-        <source>The model agrees with the measurements down to the noise (%1), but not all of it has a name: %2.</source>
-        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1), aber nicht alles hat einen Namen: %2.</translation>
+        <source>The model agrees with the measurements down to the noise, but not all of it has a name: %1.</source>
+        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein, aber nicht alles hat einen Namen: %1.</translation>
     </message>
     <message>
-        <source>The model agrees with the measurements down to the noise (%1).</source>
-        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein (%1).</translation>
+        <source>The model agrees with the measurements down to the noise.</source>
+        <translation>Das Modell stimmt mit den Messungen bis auf das Rauschen überein.</translation>
     </message>
     <message>
-        <source>The model comes near the noise (%1), but what is left is more than noise.</source>
-        <translation>Das Modell kommt dem Rauschen nahe (%1), aber was übrig ist, ist mehr als Rauschen.</translation>
+        <source>The model comes near the noise, but what is left is more than noise.</source>
+        <translation>Das Modell kommt dem Rauschen nahe, aber was übrig ist, ist mehr als Rauschen.</translation>
     </message>
     <message>
         <source>The model is being fitted.</source>
         <translation>Das Modell wird angepasst.</translation>
     </message>
     <message>
-        <source>The model misses by %1 where the noise is %2.</source>
-        <translation>Das Modell liegt um %1 daneben, wo das Rauschen %2 ist.</translation>
+        <source>The model misses by more than the noise.</source>
+        <translation>Das Modell liegt um mehr als das Rauschen daneben.</translation>
     </message>
     <message>
-        <source>The model misses by %1%2 where the noise is %3.</source>
-        <translation>Das Modell liegt um %1%2 daneben, wo das Rauschen %3 ist.</translation>
+        <source>The hand is off by %1.</source>
+        <translation>Die Hand liegt %1 daneben.</translation>
     </message>
     <message>
-        <source>The model misses by %1. The noise is not known, so that nobody can say whether that is much: declare it (sigma), or repeat some poses.</source>
-        <translation>Das Modell liegt um %1 daneben. Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob das viel ist: gib es an (sigma), oder wiederhole einige Posen.</translation>
+        <source>The noise is not known, so that nobody can say whether the error is much: declare it (sigma), or repeat some poses.</source>
+        <translation>Das Rauschen ist nicht bekannt, so dass niemand sagen kann, ob der Fehler groß ist: gib es an (sigma), oder wiederhole einige Posen.</translation>
     </message>
     <message>
         <source>The noise is not known, so nothing can be said about this observation.</source>
@@ -3003,8 +3051,8 @@
         <translation>Arbeit (4.19-4.23): die Marker bewegen sich als ein Körper</translation>
     </message>
     <message>
-        <source>This line says it all: by how much the model misses on poses that it has not seen, what the cameras' noise is, and whose fault the difference is.</source>
-        <translation>Diese Zeile sagt alles: um wie viel das Modell in ungesehenen Posen danebenliegt, wie groß das Rauschen ist und an wem der Unterschied liegt.</translation>
+        <source>This line says what is most likely missing, what it would bring, and whose fault the error is. How large the error is, on poses that the model has not seen, and the noise beside it stand above, at the right.</source>
+        <translation>Diese Zeile sagt, was am wahrscheinlichsten fehlt, was es brächte und an wem der Fehler liegt. Wie groß der Fehler in ungesehenen Posen ist, und daneben das Rauschen, steht oben rechts.</translation>
     </message>
     <message>
         <source>This session does not know its truth.</source>
@@ -3167,16 +3215,16 @@
         <translation>Was wäre: %1</translation>
     </message>
     <message>
-        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the hand's place does not repeat better than %3 mm. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: der Ort der Hand wiederholt nicht besser als %3 mm. Keine Ursache nimmt das weg.</translation>
+        <source>What is left differs from pose to pose without a pattern: the hand's place does not repeat better than %1 mm. No effect can remove it.</source>
+        <translation>Was übrig ist, ist von Pose zu Pose verschieden und ohne Muster: der Ort der Hand wiederholt sich nicht besser als auf %1 mm. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
-        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad, nor the hand's place better than %4 mm. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad, der Ort der Hand nicht besser als %4 mm. Keine Ursache nimmt das weg.</translation>
+        <source>What is left differs from pose to pose without a pattern: the joints do not repeat better than %1, nor the hand's place better than %2 mm. No effect can remove it.</source>
+        <translation>Was übrig ist, ist von Pose zu Pose verschieden und ohne Muster: die Gelenke wiederholen sich nicht besser als auf %1, der Ort der Hand nicht besser als auf %2 mm. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
-        <source>What is left (%1, noise %2) differs from pose to pose without a pattern: the joints do not repeat better than %3 mrad. No effect can remove it.</source>
-        <translation>Was bleibt (%1, Rauschen %2), wechselt von Pose zu Pose ohne Muster: die Gelenke wiederholen nicht besser als %3 mrad. Keine Ursache nimmt das weg.</translation>
+        <source>What is left differs from pose to pose without a pattern: the joints do not repeat better than %1. No effect can remove it.</source>
+        <translation>Was übrig ist, ist von Pose zu Pose verschieden und ohne Muster: die Gelenke wiederholen sich nicht besser als auf %1. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
         <source>What is missing</source>
@@ -3204,7 +3252,43 @@
     </message>
     <message>
         <source>Where it failed</source>
-        <translation>Wo es danebenlag</translation>
+        <translation>Wo es abwich</translation>
+    </message>
+    <message>
+        <source>A real Panda: a ball in four sockets</source>
+        <translation>Ein echter Panda: eine Kugel in vier Pfannen</translation>
+    </message>
+    <message>
+        <source>Hidden 1: the pedestal arm</source>
+        <translation>Versteckt 1: der Arm auf dem Sockel</translation>
+    </message>
+    <message>
+        <source>Hidden 2: the light arm</source>
+        <translation>Versteckt 2: der leichte Arm</translation>
+    </message>
+    <message>
+        <source>Hidden 3: Justin</source>
+        <translation>Versteckt 3: Justin</translation>
+    </message>
+    <message>
+        <source>Hidden 4: the pedestal arm</source>
+        <translation>Versteckt 4: der Arm auf dem Sockel</translation>
+    </message>
+    <message>
+        <source>Hidden 5: Justin</source>
+        <translation>Versteckt 5: Justin</translation>
+    </message>
+    <message>
+        <source>Hidden 6: the light arm</source>
+        <translation>Versteckt 6: der leichte Arm</translation>
+    </message>
+    <message>
+        <source>Hidden 7: the light arm</source>
+        <translation>Versteckt 7: der leichte Arm</translation>
+    </message>
+    <message>
+        <source>Hidden 8: the pedestal arm</source>
+        <translation>Versteckt 8: der Arm auf dem Sockel</translation>
     </message>
     <message>
         <source>Where it fails</source>
@@ -4139,8 +4223,8 @@
         <translation>mit %1</translation>
     </message>
     <message>
-        <source>with %1: %2</source>
-        <translation>mit %1: %2</translation>
+        <source>%1; with all %2</source>
+        <translation>%1; mit allen %2</translation>
     </message>
     <message>
         <source>x mm</source>
@@ -5313,6 +5397,10 @@
         <translation>nichts abzuspielen</translation>
     </message>
     <message>
+        <source>Nothing to play</source>
+        <translation>Nichts abzuspielen</translation>
+    </message>
+    <message>
         <source>Tour: the hand that hangs (Hidden 3)</source>
         <translation>Rundgang: die hängende Hand (Versteckt 3)</translation>
     </message>
@@ -5402,11 +5490,11 @@
     </message>
     <message>
         <source>change from final</source>
-        <translation>Abstand vom Endwert</translation>
+        <translation>zum Endwert</translation>
     </message>
     <message>
         <source>change from final (%1)</source>
-        <translation>Abstand vom Endwert (%1)</translation>
+        <translation>zum Endwert (%1)</translation>
     </message>
     <message>
         <source>Save the picture</source>
@@ -6252,6 +6340,10 @@
         <translation>Verbunden: %1. Diese Posen kommen zuerst; nichts hat sich bewegt.</translation>
     </message>
     <message>
+        <source>a simulated %1</source>
+        <translation>ein simulierter %1</translation>
+    </message>
+    <message>
         <source>told when it ends</source>
         <translation>wird am Ende gesagt</translation>
     </message>
@@ -6785,6 +6877,18 @@
     <message>
         <source>The angle sensor reads the same amount too much or too little in every pose: a zero position that was set a little wrong.</source>
         <translation>Der Winkelgeber liest in jeder Pose um denselben Betrag zu viel oder zu wenig: eine Nulllage, die etwas falsch gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>Joint offset changed between sessions</source>
+        <translation>Gelenkversatz zwischen Sitzungen geändert</translation>
+    </message>
+    <message>
+        <source>In one session this is another than in the others. The angle sensor reads the same amount too much or too little in every pose: a zero position that was set a little wrong.</source>
+        <translation>In einer Sitzung ist dies anders als in den anderen. Der Winkelgeber liest in jeder Pose um denselben Betrag zu viel oder zu wenig: eine Nulllage, die etwas falsch gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>Needs a session before and one after the change. Seen where the joint moves the hand against the cameras; not where it only turns the body (wrist roll) or the camera (head tilt) as a whole.</source>
+        <translation>Braucht eine Sitzung vor und eine nach der Änderung. Zu sehen, wo das Gelenk die Hand gegen die Kameras bewegt; nicht, wo es nur den Körper (Rollen des Handgelenks) oder die Kamera (Neigen des Kopfes) als Ganzes dreht.</translation>
     </message>
     <message>
         <source>The bearing, the housing or the link behind the joint bends across the axis under the moment of gravity: transversal elasticity.</source>

@@ -59,6 +59,22 @@ TEST(ImageView, NumbersOfMarkersThatLieCloseDoNotCoverEachOther) {
           << numbers[a].text.toStdString() << " and " << numbers[b].text.toStdString();
 }
 
+TEST(ImageView, TheNumbersOfABoardDoNotBuryIt) {
+  ImageView view;
+  view.set_image(checkers());
+  std::vector<ImageMark> marks;
+  for (int i = 0; i < 25; ++i)
+    marks.push_back({.marker = i, .position = Vector2(250 + 14 * (i % 5), 180 + 14 * (i / 5))});
+  view.set_marks(marks);
+  test::show(view, {640, 480});
+  std::vector<QRectF> numbers;
+  for (const test::PaintedText& text : test::texts_of(view))
+    if (bool is_number = false; text.text.toInt(&is_number), is_number) numbers.push_back(text.place);
+  EXPECT_LT(numbers.size(), 25U) << "where there is no room there is none";
+  for (std::size_t a = 0; a < numbers.size(); ++a)
+    for (std::size_t b = a + 1; b < numbers.size(); ++b) EXPECT_FALSE(numbers[a].intersects(numbers[b]));
+}
+
 TEST(ImageView, TheWheelKeepsWhatIsUnderThePointer) {
   ImageView view;
   view.set_image(checkers());

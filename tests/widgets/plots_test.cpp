@@ -75,6 +75,31 @@ TEST(PlotWidget, SavesPngSvgAndCsvWholeOrSaysWhyNot) {
   EXPECT_FALSE(plot.save("/nowhere/a.csv").isEmpty());
 }
 
+/// A picture is of the plot, not of who looks at it.
+TEST(PlotWidget, PicturesHoldNeitherSelectionNorPointer) {
+  ScatterPlot plot;
+  plot.set_points(line_of_points());
+  test::show(plot, {400, 300});
+  const QImage before = plot.picture(1);
+  plot.set_selected(103);
+  plot.set_hovered(105);
+  plot.set_highlighted({101, 102});
+  EXPECT_EQ(plot.picture(1), before);
+}
+
+TEST(ScatterPlot, OneOutlierDoesNotFlattenThePlot) {
+  std::vector<ScatterPoint> points;
+  for (int i = 0; i < 40; ++i) points.push_back({i, double(i), std::sin(i), 1.0, 2});
+  ScatterPlot plot;
+  plot.set_points(points);
+  test::show(plot, {500, 400});
+  const QCPRange without = plot.plot()->yAxis->range();
+  points[20].y = 1000;
+  plot.set_points(points);
+  plot.fit();
+  EXPECT_LT(plot.plot()->yAxis->range().size(), 1.5 * without.size());
+}
+
 TEST(ConvergencePlot, SettlesWhereItStaysWithinTwoSigma) {
   ConvergencePlot plot("position", "mm", {"x", "y", "z"});
   std::vector<ConvergencePlot::Sample> samples;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double outer_margin = 10, drawing_size = 96, size_row = 18, error_row = 20, least_card = 168;
 constexpr double field_height = 24, field_width = 116;
-constexpr int most_sizes = 4, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3,
+constexpr int most_sizes = 4, most_title_lines = 3, most_words_lines = 5, most_evidence_lines = 3, most_where_lines = 3,
               most_caution_lines = 3;
 
 QString card_text(const char* text) { return QCoreApplication::translate("handsight::widgets::CandidateCard", text); }
@@ -65,7 +65,7 @@ void paint_title(QPainter& painter, const CardState& state, const CardLayout& l)
   painter.setFont(text_font(TextRole::title));
   painter.setPen(colors().ink1);
   if (l.title.height() > 24)
-    draw_lines(painter, painter.font(), l.title, state.title, 2);
+    draw_lines(painter, painter.font(), l.title, state.title, most_title_lines);
   else
     draw_text(painter, l.title, Qt::AlignLeft | Qt::AlignVCenter, state.title);
   painter.setPen(colors().ink2);
@@ -206,7 +206,7 @@ CardLayout lay_out(const CardState& state, double width) {
   CardLayout l;
   l.drawing = {outer_margin, outer_margin, drawing_size, drawing_size};
   double left = l.drawing.right() + 12, wide = width - left - outer_margin;
-  const double title = lines_height(text_font(TextRole::title), state.title, wide, 2);
+  const double title = lines_height(text_font(TextRole::title), state.title, wide, most_title_lines);
   l.title = {left, outer_margin - 2, wide, std::max(title, 22.0)};
   double y = l.title.bottom() + 2;
   const auto text = [&](const QFont& font, const QString& said_text, int most_lines) {

@@ -74,7 +74,7 @@ void EffectTable::set_rows(std::vector<EffectRow> rows) {
   update_summary();
 }
 
-/// Name and verdict are whole; where it is has the rest, and its tool tip.
+/// Name and verdict are whole; where it is has the rest where all of it goes there.
 void EffectTable::fit_columns() {
   constexpr int where_column = 2;
   constexpr int least_name = 150, least_verdict = 120, beside_text = 2 * layout_gap, mark = 24;
@@ -82,16 +82,16 @@ void EffectTable::fit_columns() {
   const auto width = [&](int row, int column) {
     return metrics.horizontalAdvance(model_->index(row, column).data().toString()) + beside_text;
   };
-  int name = least_name, verdict = least_verdict;
+  int name = least_name, verdict = least_verdict, where = 0;
   for (int row = 0; row < model_->rowCount(); ++row) {
     name = std::max(name, width(row, 0));
     verdict = std::max(verdict, width(row, 1) + mark);
+    where = std::max(where, width(row, where_column));
   }
   view_->setColumnWidth(0, name);
   view_->setColumnWidth(1, verdict);
   // The beginnings of names tell nothing: they stand whole in the line below the table.
-  constexpr int least_where = 120;
-  const bool has_room = view_->viewport()->width() - name - verdict >= least_where;
+  const bool has_room = view_->viewport()->width() - name - verdict >= where;
   view_->setColumnHidden(where_column, !has_room);
   view_->horizontalHeader()->setSectionResizeMode(1, has_room ? QHeaderView::Interactive : QHeaderView::Stretch);
 }

@@ -124,8 +124,11 @@ void ResidualCloud::paint_pane(QPainter& painter, int index) const {
   draw_text(painter, QRectF(area.left(), area.top() - 20, area.width(), 18), Qt::AlignCenter, title);
   if (shown(index).empty()) {
     painter.setPen(c.ink2);
-    painter.drawText(area.adjusted(wide_gap, 0, -wide_gap, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     is_after ? after_empty_text_ : empty_text_);
+    const QRectF room = area.adjusted(wide_gap, 0, -wide_gap, 0);
+    constexpr int flags = Qt::AlignCenter | Qt::TextWordWrap;
+    const QString& text = is_after ? after_empty_text_ : empty_text_;
+    // In a small disc a sentence would go over its rim.
+    if (painter.boundingRect(room, flags, text).height() < 0.75 * area.height()) painter.drawText(room, flags, text);
     return;
   }
   paint_ring_names(painter, area);

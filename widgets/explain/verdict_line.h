@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict on the whole session in a sentence: how far off, against what noise, whose fault.
+// The verdict on the whole session in a sentence: what is missing, what it would bring, whose fault. How far off the
+// model is stands in the window's header (three_numbers.h).
 #pragma once
 
 #include <QWidget>
@@ -31,7 +32,8 @@ QString session_state_text(SessionState state);
 
 struct SessionVerdict {
   SessionState state = SessionState::waiting;
-  QString sentence;                             // at most two lines at 1056 px
+  QString sentence;                             // at most two lines at 1056 px, without the header's figures
+  QString figures;                              // those in a sentence, for pages without a header
   std::optional<double> error_px, noise_px;     // held out, per coordinate; absent with a tracker
   std::optional<double> error_mm, noise_mm;     // at the hand
   std::optional<double> error_sigma;            // in units of the noise

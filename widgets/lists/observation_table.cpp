@@ -68,7 +68,7 @@ void set_up_view(QTableView& view) {
 
 // The beginning of a reason tells little: without room for more the line below the table has it alone.
 void give_room_to_reason(QTableView& view, bool has_reasons) {
-  constexpr int least_width = 200;
+  constexpr int least_width = 420;
   const int state_needs = state_width(view);
   const int reason = static_cast<int>(TableColumn::reason), state = static_cast<int>(TableColumn::state);
   int room = view.viewport()->width() - state_needs;

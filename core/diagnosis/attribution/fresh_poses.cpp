@@ -27,7 +27,7 @@ std::vector<FreshPose> fresh_poses(const Inspection& inspection) {
     if (row.is_used || !row.tcp_from_tcp_est) continue;
     const Vector3& d = row.tcp_from_tcp_est->translation;
     const double squared = d.dot(inverse.solve(d));
-    FreshPose pose{.id = row.id, .distance = d.norm(), .is_hit = squared <= limit};
+    FreshPose pose{.id = row.id, .distance = row.hand_m.value_or(d.norm()), .is_hit = squared <= limit};
     pose.is_known_bad =
         row.at_second_look || row.attribution.cause == ErrorCause::cameras || row.attribution.cause == ErrorCause::body;
     if (squared > 0) pose.allowed = pose.distance * std::sqrt(limit / squared);

@@ -10,8 +10,9 @@ namespace handsight {
 
 struct FreshPose {
   std::int64_t id = 0;
-  double distance = 0;  // m, of TCPest from the TCP that the model predicts
-  double allowed = 0;   // m, how far the 95 % ellipsoid reaches in that direction
+  double distance = 0;  // m, of the hand from where the model predicts it, as Inspect tells it (InspectionRow::hand_m);
+                        // without cameras of TCPest from TCP
+  double allowed = 0;   // m, how far the 95 % ellipsoid reaches in that direction: of the same distance
   bool is_hit = false;
   bool is_known_bad = false;  // its measurement is wrong, or it was rejected for being off: no test of the model
 };

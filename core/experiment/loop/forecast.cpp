@@ -31,8 +31,8 @@ Message forecast(const Session& session, const ExperimentModel& model, const Kno
     const double information = std::pow(before, -2), added = (std::pow(after, -2) - information) / count;
     const double then = 1 / std::sqrt(information + in_an_hour * std::max(added, 0.0));
     return message(
-        "One more hour (about {} poses at {:.0f} s each) would bring the body's place on the hand from +-{:.3g} mm to "
-        "+-{:.3g} mm, as the model has it.",
+        "One more hour (about {} poses at {:.0f} s each) would bring the body's place on the hand from +-{:.2g} mm to "
+        "+-{:.2g} mm, as the model has it.",
         in_an_hour, seconds, 1e3 * before, 1e3 * then);
   } catch (const InputError&) {
     return {};

@@ -175,7 +175,7 @@ TEST_F(Explain, TheNumbersAreWithoutWrongPointsFromTheStartAndSaySo) {
   EXPECT_NEAR(*desk.find<widgets::Staircase>("staircase")->state().versions[0].held_out, *now.now, 1e-12);
   // The second figure stays, and says how much is left out.
   const QString count = QString::number(d["wrong_points"].size());
-  EXPECT_TRUE(now.excluded_note.startsWith("with " + count + " points set aside: ")) << now.excluded_note.toStdString();
+  EXPECT_TRUE(now.excluded_note.startsWith(count + " points set aside; with all ")) << now.excluded_note.toStdString();
   const double with_them = QString(now.excluded_note).replace(QChar(0x00A0), ' ').section(' ', -2, -2).toDouble();
   EXPECT_GT(with_them, 2 * *now.now);
 }

@@ -10,6 +10,8 @@
 #include "base/files.h"
 #include "export/export_texts.h"
 #include "findings/explain_texts.h"
+#include "session/session_xml.h"
+#include "widgets/base/number_text.h"
 #include "widgets/lists/model_panel.h"
 
 namespace handsight::test {
@@ -58,6 +60,43 @@ TEST_F(Export, NearTheNoiseIsNotDownToTheNoise) {
   const widgets::SessionVerdict verdict = app::session_verdict(model, story, nullptr, false, widgets::SizeUnit::pixel);
   EXPECT_TRUE(verdict.sentence.contains("comes near the noise")) << verdict.sentence.toStdString();
   EXPECT_TRUE(app::verdict_remark(verdict, model).is_warning);
+}
+
+/// What differs by a hair between two places is two truths to a reader.
+TEST_F(Export, HowFarAPoseIsOffIsTheFigureOfInspect) {
+  session = make_copy("hidden_3");
+  Session s = read_session(session);
+  s.observations[5].decision = Decision::rejected;
+  s.observations[5].reason = "a mark that is none";
+  replace_session(s);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  go();
+  const auto* table = desk.find<QTableWidget>("not_used");
+  ASSERT_EQ(table->rowCount(), 1);
+  const InspectionRow* row = desk.window.workbench().row(s.observations[5].id);
+  ASSERT_TRUE(row && row->hand_m);
+  EXPECT_TRUE(table->item(0, 1)->text().contains(": " + widgets::short_text(1e3 * *row->hand_m) + ","))
+      << table->item(0, 1)->text().toStdString();
+}
+
+/// A wrapped name makes its row higher: what stands below begins below it.
+TEST_F(Export, NothingOfTheColumnLiesOverTheNumbers) {
+  open("hidden_8");
+  explain.press_add();
+  ASSERT_TRUE(explain.is_settled());
+  const auto* motion = desk.find<QTableWidget>("motion");
+  for (const QSize& size : {QSize(1366, 768), QSize(1920, 1040), QSize(1280, 760)}) {
+    desk.window.resize(size);
+    go();
+    QTest::qWait(200);
+    int rows = motion->horizontalHeader()->height();
+    for (int r = 0; r < motion->rowCount(); ++r) rows += motion->rowHeight(r);
+    EXPECT_GE(motion->height(), rows) << size.width();
+    for (const QWidget* other : motion->parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+      if (other != motion && other->isVisible())
+        EXPECT_FALSE(other->geometry().intersects(motion->geometry())) << size.width();
+  }
 }
 
 TEST_F(Export, MarkersThatAreNeverSeenAreOneRemark) {

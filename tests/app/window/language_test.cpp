@@ -17,15 +17,20 @@
 #include <map>
 #include <set>
 
+#include "app/two_hands.h"
 #include "app/window/desk.h"
 #include "app/window/said_forms.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/xml.h"
+#include "chain/chain.h"
 #include "diagnosis/attribution/common.h"
 #include "diagnosis/verdict/robot_check.h"
+#include "document/document.h"
 #include "document/effect_words.h"
+#include "effects/part_effects.h"
 #include "print/target_xml.h"
+#include "temporary_folder.h"
 #include "widgets/base/number_text.h"
 #include "widgets/plots/convergence_plot.h"
 #include "widgets/plots/history_plot.h"
@@ -39,7 +44,8 @@ namespace {
 /// Every text that the sources hand to tr, said or translate, with the file that does.
 std::map<QString, std::string> texts_of_the_sources() {
   static const QRegularExpression call(
-      "\\b(?:(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"workspaces\",\\s*)?|translate\\(\\s*\"[A-Za-z:]+\",\\s*)"
+      "\\b(?:(?:tr|said|QT_TRANSLATE_NOOP)\\(\\s*(?:\"(?:workspaces|titles)\",\\s*)?|translate\\(\\s*\"[A-Za-z:]+\","
+      "\\s*)"
       "((?:\"(?:[^\"\\\\]|\\\\.)*\"\\s*)+)");
   std::map<QString, std::string> texts;
   for (const char* folder : {"app", "widgets"})
@@ -90,7 +96,12 @@ TEST(Language, EveryTextOfTheCatalogueIsTranslated) {
   const auto is_there = [&](const std::string& text) { return table.contains(QString::fromStdString(text)); };
   // Symbols and units of physics stay what they are: x, ry, tu, xx, k; rad, kg m.
   static const QRegularExpression symbol("^([a-z]|r[a-z]|t[a-z]|xx|xy|yy)$");
-  for (const Effect& effect : catalogue()) {
+  std::vector<Effect> effects = catalogue();
+  const TemporaryFolder folder;
+  app::Document both;  // between sessions an offset may change
+  both.open(two_hands(folder.path, 8));
+  for (const auto& effect : part_effects(make_chain(both.session()))) effects.push_back(*effect);
+  for (const Effect& effect : effects) {
     for (const std::string& text : {effect.title, effect.cause, effect.visibility, effect.check})
       EXPECT_TRUE(text.empty() || is_there(text)) << effect.id << ": " << text;
     for (const EffectParameter& p : effect.parameters)

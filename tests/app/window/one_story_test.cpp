@@ -2,8 +2,10 @@
 // In every state of the window badge, sentence, header, cards, actions, blame, Inspect and rail tell one story.
 #include <gtest/gtest.h>
 
+#include "app/two_hands.h"
 #include "app/window/explain_fixture.h"
 #include "app/window/reported_story.h"
+#include "diagnosis/verdict/finding.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 #include "simulation/simulated_session.h"
@@ -91,6 +93,31 @@ TEST_F(OneStory, ACurveAddedIsNotGreenAndNobodyIsToBlameForNoise) {
   EXPECT_EQ(explain.verdict().state, widgets::SessionState::unnamed);
   EXPECT_NE(explain.first().kind, widgets::CardKind::adequate);
   EXPECT_NE(reported.rail("rail_explain").state, app::WorkState::done);
+}
+
+/// Everything that the search names was tried and did not lower the error on what the fit has not seen.
+TEST_F(OneStory, WhereEverythingWasRefusedNothingLeads) {
+  open("hidden_3");
+  app::Workbench& workbench = desk.window.workbench();
+  const auto diagnosis = workbench.diagnosing.diagnosis();
+  ASSERT_TRUE(diagnosis);
+  for (const DiagnosisCandidate& c : diagnosis->candidates)
+    workbench.refused.push_back({find_id(c), c.where, "It would fit noise.", "", desk.document().undo_stack().index(),
+                                 desk.document().revision()});
+  for (const auto unit : {widgets::SizeUnit::millimetre, widgets::SizeUnit::pixel}) workbench.units.choose(unit);
+  EXPECT_EQ(reported.story().state, StoryState::refused);
+  EXPECT_EQ(reported.story().lead(), nullptr);
+  reported.expect_one_story("refused");
+  EXPECT_FALSE(explain.cards()->add_button()->isEnabled()) << "what was refused is not added by a second click";
+}
+
+TEST_F(OneStory, WithACollection) {
+  session = two_hands(folder.path);
+  open_simulated();
+  reported.expect_one_story("collection");
+  desk.click(explain.cards()->add_button());
+  ASSERT_TRUE(explain.is_settled());
+  reported.expect_one_story("collection, added");
 }
 
 TEST_F(OneStory, WithATracker) {

@@ -135,6 +135,19 @@ TEST_F(ReportTest, NoLastPageIsHalfEmpty) {
       << "nothing below the middle of the last page";
 }
 
+TEST_F(ReportTest, NoNumberOfTheMatrixIsTornOnPaper) {
+  const QString reader = QStandardPaths::findExecutable("pdftotext");
+  ASSERT_FALSE(reader.isEmpty()) << "pdftotext is missing: install poppler-utils, as ./test does.";
+  open("hidden_8");
+  QProcess read;
+  read.start(reader, {QString::fromStdString(written("report_pdf", "out.pdf").string()), "-"});
+  ASSERT_TRUE(read.waitForFinished());
+  static const QRegularExpression whole("(?<![\\d.])\\d\\.\\d{8}(?!\\d)");
+  int numbers = 0;
+  for (auto i = whole.globalMatch(QString::fromUtf8(read.readAllStandardOutput())); i.hasNext(); i.next()) ++numbers;
+  EXPECT_EQ(numbers, 12);
+}
+
 /// The certificate is made in the background and stands beside the XML.
 TEST_F(ReportTest, TheCertificateStandsBesideTheReport) {
   open("hidden_3");

@@ -66,6 +66,10 @@ struct Told {
       EXPECT_TRUE(v.sentence.contains(reported, Qt::CaseInsensitive)) << v.sentence.toStdString();
     }
     if (!lead) EXPECT_FALSE(v.sentence.contains("Most likely missing")) << v.sentence.toStdString();
+    for (const auto& figure : {header().now, header().noise}) {
+      const QString text = widgets::with_unit_text(figure, header().unit);
+      if (figure) EXPECT_FALSE(v.sentence.contains(text)) << "the header says " << text.toStdString();
+    }
     for (const StandIn& one : story().stands_in)
       EXPECT_TRUE(v.sentence.contains(app::effect_text(one.id, one.where))) << v.sentence.toStdString();
   }

@@ -32,15 +32,30 @@ struct Stranger {
   }
   QWidget* verdict_line() { return desk.find<QWidget>("verdict"); }
 
-  /// How far off: error and noise, with their unit, in the verdict's sentence.
+  QWidget* header() { return desk.find<QWidget>("three_numbers"); }
+
+  /// How far off: error and noise with their unit, and how many times, in the header. The verdict's sentence, which
+  /// stands below it, says none of them again.
   bool reads_how_far_off() {
-    static const QRegularExpression misses("[0-9.]+.(px|mm).*noise.*[0-9.]+.(px|mm)");
-    return is_whole_in_sight(verdict_line()) && painted(verdict_line()).contains(misses);
+    static const QRegularExpression numbers(
+        "^[0-9.]+.(px|mm) (error now|held out).* [0-9.]+.(px|mm) noise.* [0-9.]+.\u00D7 ratio$");
+    return is_whole_in_sight(header()) && painted(header()).contains(numbers) && is_whole_in_sight(verdict_line()) &&
+           repeated_figures().isEmpty();
   }
-  /// Whose fault: the shares, in per cent with their names' letters.
+  /// What the header says and the verdict's sentence says again.
+  QStringList repeated_figures() {
+    static const QRegularExpression figure("[0-9.]+.(px|mm|\u00D7)");
+    QStringList repeated;
+    for (auto i = figure.globalMatch(painted(header())); i.hasNext();)
+      if (const QString one = i.next().captured(); explain.verdict().sentence.contains(one)) repeated << one;
+    return repeated;
+  }
+  /// Whose fault: the shares, in per cent with their names' letters; of one marker alone, that nobody can say.
   bool reads_whose_fault() {
-    const auto& attribution = explain.verdict().attribution;
-    return attribution && painted(verdict_line()).contains(QRegularExpression("[CBR].*[0-9]+.%"));
+    const widgets::SessionVerdict& verdict = explain.verdict();
+    if (desk.document().session().marker_count == 1)
+      return !verdict.attribution && painted(verdict_line()).contains("Cannot be split with one marker");
+    return verdict.attribution && painted(verdict_line()).contains(QRegularExpression("[CBR].*[0-9]+.%"));
   }
   /// What is missing: the first card's own title, in the card.
   QString reads_what_is_missing() {

@@ -2,6 +2,7 @@
 // Sessions of touches: fixtures and residuals in 3D, sizes in mm along what was read, and words that speak of touches.
 #include <gtest/gtest.h>
 
+#include <QTableWidget>
 #include <QToolButton>
 #include <set>
 
@@ -123,6 +124,22 @@ TEST_F(Touches, OfEveryKindAreDrawnAndExplained) {
   ExplainPage explain{desk};
   ASSERT_TRUE(explain.open());
   EXPECT_NE(explain.verdict().state, widgets::SessionState::waiting);
+}
+
+/// Where a plane stands is a long text: on a small screen it takes two lines.
+TEST_F(Touches, WhereTheFixturesStandIsWholeOnASmallScreen) {
+  open(copy_of_sample(folder.path, "probe_and_plate"));
+  desk.window.resize(1200, 700);
+  go(2);
+  const auto* table = desk.find<QTableWidget>("fixtures_table");
+  QTest::qWait(50);
+  const QFontMetrics metrics(table->item(0, 4)->font());
+  for (int row = 0; row < table->rowCount(); ++row) {
+    const QRect cell = table->visualItemRect(table->item(row, 4));
+    const QRect text =
+        metrics.boundingRect(QRect(0, 0, cell.width() - 8, 1000), Qt::TextWordWrap, table->item(row, 4)->text());
+    EXPECT_LE(text.height(), cell.height()) << table->item(row, 4)->text().toStdString();
+  }
 }
 
 TEST_F(Touches, NothingIsLabelledOrPlayed) {

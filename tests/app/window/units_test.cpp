@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
+#include <QRegularExpression>
 #include <QToolButton>
 
 #include "app/window/pages.h"
@@ -154,11 +155,15 @@ TEST_F(Units, ExplainTellsTheVerdictTheStaircaseAndThePatternsInIt) {
   const auto in_px = page->plots();
   const double step = *stairs->state().versions.back().held_out;
   ASSERT_EQ(stairs->state().unit, "px");
-  EXPECT_TRUE(explain.verdict().sentence.contains("px"));
+  EXPECT_TRUE(explain.verdict().figures.contains(QRegularExpression(": [0-9.]+.px \\([0-9.]+.mm at the hand\\)")))
+      << explain.verdict().figures.toStdString();
+  EXPECT_TRUE(explain.verdict().sentence.contains("mm")) << "of the hand, which the header does not say in px";
   desk.key(Qt::Key_U);
   EXPECT_EQ(stairs->state().unit, "mm");
   EXPECT_NEAR(*stairs->state().versions.back().held_out, 1e3 * *desk.document().model()->report->held_out.hand_m, 1e-9);
-  EXPECT_TRUE(explain.verdict().sentence.contains("mm")) << explain.verdict().sentence.toStdString();
+  EXPECT_TRUE(explain.verdict().figures.contains(QRegularExpression(": [0-9.]+.mm at the hand \\([0-9.]+.px\\)")))
+      << explain.verdict().figures.toStdString();
+  EXPECT_FALSE(explain.verdict().sentence.contains("mm")) << "the header says it";
   ASSERT_EQ(page->plots().size(), in_px.size());
   EXPECT_EQ(page->plots()[0].y_unit, in_px[0].y_unit) << "a motion of the hand has its own unit";
   desk.key(Qt::Key_U);

@@ -42,13 +42,18 @@ TEST(FreshPoses, AMissSaysHowFarTheEllipsoidReachesThatWay) {
   bad.tcp_from_tcp_est = Rigid{};
   bad.tcp_from_tcp_est->translation = Vector3(0.02, 0, 0);
   inspection.rows.push_back(bad);
+  bad.id = 1002;
+  bad.hand_m = 0.021;  // so Inspect tells it: turned about its markers the hand is elsewhere
+  inspection.rows.push_back(bad);
   InspectionRow unseen{.id = 1001};
   inspection.rows.push_back(unseen);
   const auto poses = fresh_poses(inspection);
-  ASSERT_EQ(poses.size(), 1U) << "where no hand was seen nothing can be said";
+  ASSERT_EQ(poses.size(), 2U) << "where no hand was seen nothing can be said";
   EXPECT_FALSE(poses[0].is_hit);
   EXPECT_DOUBLE_EQ(poses[0].distance, 0.02);
   EXPECT_NEAR(poses[0].allowed, 2.8e-3, 0.4e-3) << "1 mm times the root of chi-squared's 95 % with 3 degrees, 7.81";
+  EXPECT_DOUBLE_EQ(poses[1].distance, 0.021) << "one figure, whoever tells it";
+  EXPECT_DOUBLE_EQ(poses[1].allowed / poses[1].distance, poses[0].allowed / poses[0].distance);
 }
 
 TEST(FreshPoses, WhatIsKnownToBeWrongTestsNoModel) {

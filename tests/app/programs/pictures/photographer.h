@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all parts of take_pictures share.
+// What all parts of take_pictures share: of every picture of the window the texts are held against the story.
 #pragma once
 
-#include "app/window/pages.h"
+#include "app/window/painted_story.h"
 
 namespace handsight::test {
 
@@ -19,10 +19,13 @@ struct Photographer {
   Desk& desk;
   void take(const std::string& name) {
     desk.settle();
+    // Of what is looked for the end is shown, not a moment on the way.
+    desk.wait([this] { return !desk.window.workbench().explaining.is_busy(); });
     take_now(name);
   }
   void take_now(const std::string& name) {
     QTest::qWait(250);
+    expect_painted_story(desk, name);
     desk.window.grab().save(folder_of_pictures + "/" + QString::fromStdString(name) + suffix + ".png");
   }
 };
