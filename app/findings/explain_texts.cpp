@@ -38,6 +38,16 @@ QString figures_sentence(const ModelVersion& model, widgets::SizeUnit unit) {
       .arg(error, noise);
 }
 
+namespace {
+
+QString unknown_noise_sentence() {
+  return QObject::tr(
+      "The noise is not known, so that nobody can say whether the error is much: declare it (sigma), or repeat some "
+      "poses.");
+}
+
+}  // namespace
+
 QString comparison_sentence(const ModelVersion& model) {
   if (!model.fit) return model.refusal;
   const StoryError e = error_and_noise(model);
@@ -45,10 +55,7 @@ QString comparison_sentence(const ModelVersion& model) {
     return QObject::tr("%1 alone cannot show an error: label or play more.")
         .arg(counted(model.report->used, "%n observation(s)"));
   if (!e.error) return QObject::tr("The error is not known.");
-  if (!e.noise)
-    return QObject::tr(
-        "The noise is not known, so that nobody can say whether the error is much: declare it (sigma), or repeat some "
-        "poses.");
+  if (!e.noise) return unknown_noise_sentence();
   // So many observations may show that it is not the noise alone, however near it comes.
   if (*e.ratio() < most_beside_repeatability && model.fit->covariance_kind == CovarianceKind::repeatability)
     return QObject::tr("The model comes near the noise, but what is left is more than noise.");
@@ -202,7 +209,8 @@ QString brings_text(const Story& story, const StoryCause& lead) {
 QString missing_sentence(const ModelVersion& model, const Story& story, const Diagnosis& d, widgets::SizeUnit unit) {
   const QString misses =
       QStringList{hand_sentence(model, unit),
-                  attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)}
+                  attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels),
+                  story.error.noise ? QString() : unknown_noise_sentence()}
           .join(' ');
   const StoryCause& lead = story.causes.front();
   const QString name = display_name(d.candidates[lead.candidate], d.model.session);

@@ -51,8 +51,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& [name, frame] : contents.frames)
       for (const Rigid& pose : frame.series.poses)
         demand(pose.translation.allFinite() && pose.rotation.allFinite(), "poses are finite");
-    for (const std::string& note : contents.notes)
+    for (const Message& message : contents.notes) {
+      const std::string note = message;
       demand(is_utf8(note) && note.size() < 700, "notes are sentences", note);
+    }
   } catch (const InputError& error) {
     const std::string sentence = error.what();
     demand(sentence.size() >= 20 && sentence.size() <= 600 && is_utf8(sentence), "a refusal is a sentence", sentence);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/elsewhere.h"

@@ -9,9 +9,8 @@
 
 namespace handsight {
 
-/// Anderson's mixing (D. G. Anderson 1965; H. F. Walker and P. Ni 2011, SIAM J. Numer. Anal. 49) of steps, in the
-/// metric of the information: how the equations' steps changed over the steps that were taken tells where none would be
-/// left.
+/// Anderson's mixing (D. G. Anderson 1965; H. F. Walker and P. Ni 2011) of steps, in the metric of the information: how
+/// the equations' steps changed over the steps that were taken tells where none would be left.
 class LearnedStep {
  public:
   /// The step to take from a place where the equations say `plain`; all steps have n numbers. `information` (n x n) and

@@ -51,7 +51,7 @@ TEST(LearnedStep, IsPlainWhereTheEquationsAreRight) {
 
 TEST(LearnedStep, GoesTheWholeWayWhereStepsAreTooShort) {
   const Bowl bowl({1, 1, 0.05, 1, 1, 1, 1, 1});
-  EXPECT_GT(bowl.steps_down(false), 300);
+  EXPECT_GT(bowl.steps_down(false), 200);
   EXPECT_LE(bowl.steps_down(true), 4);
 }
 
