@@ -8,6 +8,7 @@
 #include <QStyleOptionToolButton>
 #include <QStylePainter>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/base/icons.h"
 #include "widgets/base/number_text.h"
@@ -157,12 +158,15 @@ void Header::resizeEvent(QResizeEvent* event) {
 /// or cut the session's title.
 void Header::share_room() {
   constexpr int small_screen = 1200, between = 64;  // px: margins and what parts the widgets
-  for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  progress_->setFixedWidth(width() < small_screen ? 48 : 120);
+  const bool is_small = width() < small_screen;
+  progress_->setFixedWidth(is_small ? 48 : 120);
+  for (QToolButton* b : {undo_, redo_})
+    b->setToolButtonStyle(is_small ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+  if (is_small) return;
   int wanted = session_->sizeHint().width() + numbers_->minimumSizeHint().width() + between;
   for (const QWidget* w : std::initializer_list<QWidget*>{undo_, redo_, progress_, cancel_})
     if (!w->isHidden()) wanted += w->sizeHint().width();
-  if (width() >= small_screen && wanted <= width()) return;
+  if (wanted <= width()) return;
   for (QToolButton* b : {undo_, redo_}) b->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
@@ -205,12 +209,12 @@ void Header::refresh_job() {
   if (!share.isEmpty()) text += ": " + share;
   const QString titled = text;
   if (state.seconds_left) text += tr(", %1 left").arg(widgets::duration_text(*state.seconds_left));
-  // Where there is no room the name stays with its tool tip: a word cut in its middle says nothing.
-  const int room = std::max(job_->width() - 4, 40);
+  // Where there is no room the name stays with its tool tip, and the share with the bar: what is cut says nothing.
+  const int room = job_->width() - 4;
   const QFontMetrics metrics = job_->fontMetrics();
-  job_->setText(metrics.horizontalAdvance(text) <= room     ? text
-                : metrics.horizontalAdvance(titled) <= room ? titled
-                                                            : share);
+  const QString texts[] = {text, titled, share, QString()};
+  job_->setText(*std::ranges::find_if(
+      texts, [&](const QString& one) { return one.isEmpty() || metrics.horizontalAdvance(one) <= room; }));
   job_->setToolTip(text);
   progress_->setRange(0, state.share > 0 ? 1000 : 0);
   progress_->setValue(static_cast<int>(1000 * state.share));
