@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/fuller_models.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <set>
 
@@ -11,11 +8,11 @@
 #include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/slips.h"
-#include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_search.h"
-#include "diagnosis/selection/pruning.h"
+#include "diagnosis/selection/model_space.h"
 #include "diagnosis/verdict/stand_in.h"
-#include "estimation/fit/sure_fit.h"
+#include "estimation/fit/fit.h"
 
 namespace handsight {
 namespace {
@@ -28,14 +25,11 @@ std::set<std::string> names_that_may_be(const std::vector<EffectTerm>& in_model,
   return ids;
 }
 
-/// One form at each place, and no moment.
-bool is_simple(const CandidateEffect& effect, const Problem& model) {
+/// A name of the robot, hand or cameras that may sit everywhere at once.
+bool can_be_everywhere(const CandidateEffect& effect, const Problem& model) {
   const EffectTerm& one = effect.units.front().term;
-  if (effect.effect->is_unnamed() || follows_time(one) || is_change_between_sessions(one)) return false;
-  if (one.id == "target_scale" && !model.rig) return false;
-  std::set<int> places;
-  return std::all_of(effect.units.begin(), effect.units.end(),
-                     [&](const CandidateUnit& u) { return places.insert(u.term.place).second; });
+  return !effect.effect->is_unnamed() && !is_change_between_sessions(one) && !is_judged_elsewhere(one, model) &&
+         has_one_form(effect);
 }
 
 /// The terms of a name stand together. With curves: those of the model; nothing else of it is left out.
@@ -46,7 +40,7 @@ std::vector<EffectTerm> with_every_place(const Diagnosis& model, std::size_t fir
   if (!with_curves)
     terms.erase(std::remove_if(terms.begin() + static_cast<std::ptrdiff_t>(first), terms.end(), is_curve), terms.end());
   for (const CandidateEffect& effect : candidates.effects) {
-    if (!ids.contains(effect.effect->id) || !is_simple(effect, model.model.fit.problem)) continue;
+    if (!ids.contains(effect.effect->id) || !can_be_everywhere(effect, model.model.fit.problem)) continue;
     std::size_t at = terms.size();
     while (at > first && terms[at - 1].id != effect.effect->id) --at;
     if (at == first) at = terms.size();  // a new name
@@ -113,19 +107,8 @@ ModelChange seek_fuller_model(const Session& session, const ImprovementOptions& 
   std::stable_sort(found.begin(), found.end(),
                    [](const ModelAlternative& a, const ModelAlternative& b) { return a.ln_gained > b.ln_gained; });
   for (const ModelAlternative& other : found) {
-    const double most = as_good_as_reported * held_out_error(model);
-    Message refused;
-    ++change.models;
-    auto next = in_the_place_of(model, session, options, other.options.estimated, other.options.start, most, refused);
-    change.stopped = next && next->stopped;
-    if (change.stopped) return change;
-    if (!next) continue;
-    ImprovementStep step = find_step(*next);
-    step.removed = fmt::format("{}", fmt::join(other.gone, ", "));
-    step.exchanged = other.come;
-    change.steps.push_back(std::move(step));
-    change.model = std::move(*next);
-    return change;
+    put_in_place(session, options, model, other, change);
+    if (change.stopped || change.model) break;
   }
   return change;
 }

@@ -200,6 +200,20 @@ ModelChange add_best(const Session& session, const ImprovementOptions& options, 
   return all;
 }
 
+void put_in_place(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                  const ModelAlternative& other, ModelChange& change) {
+  const double most = as_good_as_reported * held_out_error(model);
+  ++change.models;
+  auto next = in_the_place_of(model, session, options, other.options.estimated, other.options.start, most);
+  change.stopped = next && next->stopped;
+  if (!next || change.stopped) return;
+  ImprovementStep step = find_step(*next);
+  step.removed = fmt::format("{}", fmt::join(other.gone, ", "));
+  step.exchanged = other.come;
+  change.steps.push_back(std::move(step));
+  change.model = std::move(*next);
+}
+
 ModelChange search_models(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
   ModelChange change;
   const auto goes_on = [&] {
@@ -207,18 +221,7 @@ ModelChange search_models(const Session& session, const ImprovementOptions& opti
     return !change.stopped;
   };
   const auto other = search_models(model, options.estimated.size(), goes_on);
-  if (!other || change.stopped) return change;
-  const double most = as_good_as_reported * held_out_error(model);
-  Message refused;
-  change.models = 1;
-  auto next = in_the_place_of(model, session, options, other->options.estimated, other->options.start, most, refused);
-  change.stopped = next && next->stopped;
-  if (!next || change.stopped) return change;
-  ImprovementStep step = find_step(*next);
-  step.removed = fmt::format("{}", fmt::join(other->gone, ", "));
-  step.exchanged = other->come;
-  change.steps.push_back(std::move(step));
-  change.model = std::move(*next);
+  if (other && !change.stopped) put_in_place(session, options, model, *other, change);
   return change;
 }
 

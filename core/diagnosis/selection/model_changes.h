@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnosis/selection/improvement_result.h"
+#include "diagnosis/selection/model_search.h"
 
 namespace handsight {
 
@@ -19,6 +20,11 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
 std::vector<const DiagnosisCandidate*> candidates_to_try(const Diagnosis& model, bool with_curves);
 /// The first of those that is not refused.
 ModelChange add_best(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
+
+/// An alternative in the place of the model, where the held-out error does not rise beyond its third digit, nor
+/// elsewhere; as a step of its own.
+void put_in_place(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                  const ModelAlternative& other, ModelChange& change);
 
 /// Once nothing is left to add: other names, and other places of the same, for what stands, where they are clearly
 /// likelier and the held-out error does not rise beyond its third digit (search_models.h).

@@ -209,7 +209,7 @@ Chosen units_of(const Diagnosis& model, const ModelSpace& space, std::size_t fir
   return chosen;
 }
 
-/// What curves of a model cost that are not among the units of a space: nothing else but names is left out of one.
+/// What the curves of a model cost that are not among the units of a space; nothing else of it is missing there.
 double cost_of_curves_beside(const ModelSpace& space, const Diagnosis& model, std::size_t first) {
   std::set<std::string> beside;
   const std::vector<EffectTerm>& all = model.model_options.estimated;

@@ -59,10 +59,14 @@ std::size_t ModelSpace::display_name(const EffectTerm& term, double cost) {
   return n;
 }
 
-/// What follows time, and what scales the measurements themselves (the target's size where a sensor tells its poses),
-/// is judged otherwise than by what is left (slips.h, diagnosis.cpp).
-static bool is_judged_elsewhere(const EffectTerm& term, const Problem& model) {
+bool is_judged_elsewhere(const EffectTerm& term, const Problem& model) {
   return follows_time(term) || (term.id == "target_scale" && !model.rig);
+}
+
+bool has_one_form(const CandidateEffect& effect) {
+  std::set<int> places;
+  return std::all_of(effect.units.begin(), effect.units.end(),
+                     [&](const CandidateUnit& u) { return places.insert(u.term.place).second; });
 }
 
 /// Units of one name stand together. What is judged elsewhere can go, but does not come.

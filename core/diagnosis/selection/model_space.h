@@ -77,6 +77,13 @@ class ModelSpace {
   Score score_;
 };
 
+/// What follows time, and what scales the measurements themselves (the target's size where a sensor tells its poses),
+/// is judged otherwise than by what is left (slips.h, full_fits.cpp).
+bool is_judged_elsewhere(const EffectTerm& term, const Problem& model);
+
+/// Has it one form at each of its places?
+bool has_one_form(const CandidateEffect& effect);
+
 /// With one unit more.
 Chosen with_unit(Chosen chosen, std::size_t unit);
 /// Without the i-th.

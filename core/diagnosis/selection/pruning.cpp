@@ -335,16 +335,12 @@ Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options
 
 std::optional<Diagnosis> in_the_place_of(const Diagnosis& model, const Session& session,
                                          const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
-                                         const std::optional<Unknowns>& start, double most, Message& refused) {
+                                         const std::optional<Unknowns>& start, double most) {
   Diagnosis next = model_from(session, options, estimated, start, most);
   if (next.stopped) return next;
-  if (held_out_error(next) > most)
-    refused = "the held-out error does not fall";
-  else
-    refused = worse_elsewhere(model, next);
-  if (!refused.empty()) return std::nullopt;
+  if (held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return std::nullopt;
   next = diagnosed_on(session, options, std::move(next));
-  set_errors_elsewhere(next);
+  if (!next.stopped) set_errors_elsewhere(next);
   return next;
 }
 

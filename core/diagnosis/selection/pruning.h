@@ -30,10 +30,10 @@ Diagnosis model_from(const Session& session, const ImprovementOptions& options,
 Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options, Diagnosis model);
 
 /// A model with these estimated terms in the place of `model`, diagnosed: none where its held-out error is above
-/// `most`, or elsewhere clearly larger, which `refused` then says. One that was stopped says so.
+/// `most`, or elsewhere clearly larger. One that was stopped says so.
 std::optional<Diagnosis> in_the_place_of(const Diagnosis& model, const Session& session,
                                          const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
-                                         const std::optional<Unknowns>& start, double most, Message& refused);
+                                         const std::optional<Unknowns>& start, double most);
 
 /// The terms of one effect that stand together, from `first` on, end there.
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first);

@@ -17,8 +17,8 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/ranking/slips.h"
-#include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
+#include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/candidate_report.h"
 
@@ -62,16 +62,6 @@ std::vector<EffectTerm> everywhere(const CandidateEffect& effect) {
   return terms;
 }
 
-/// Effects that have a moment, or several forms at one place, are no simple models.
-bool is_simple(const CandidateEffect& effect, const Problem& model) {
-  const EffectTerm& one = effect.units.front().term;
-  if (follows_time(one) || (one.id == "target_scale" && !model.rig)) return false;
-  std::set<int> joints;
-  for (const CandidateUnit& u : effect.units)
-    if (!joints.insert(u.term.place).second) return false;
-  return true;
-}
-
 /// A fit that is still far from what it must reach when it has nearly come to rest.
 class HopelessFit {
  public:
@@ -113,7 +103,8 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
 
   std::vector<const CandidateEffect*> simple;
   for (const CandidateEffect& effect : candidates.effects)
-    if (is_simple(effect, plain.fit.problem)) simple.push_back(&effect);
+    if (!is_judged_elsewhere(effect.units.front().term, plain.fit.problem) && has_one_form(effect))
+      simple.push_back(&effect);
   std::vector<std::optional<SimpleModel>> made(simple.size());
   std::mutex one_at_a_time;
   each_part(static_cast<int>(simple.size()), true, [&](int i) {
@@ -162,8 +153,7 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {
     const double most = (simple.ln_gained > clear_gain ? as_good_as_reported : clearly_less) * held_out_error(model);
     ++change.models;
-    Message refused;
-    auto next = in_the_place_of(model, session, options, simple.options.estimated, simple.options.start, most, refused);
+    auto next = in_the_place_of(model, session, options, simple.options.estimated, simple.options.start, most);
     change.stopped = change.stopped || (next && next->stopped);
     if (change.stopped) return change;
     if (!next) continue;

@@ -70,8 +70,9 @@ TEST(TrustRegion, AgreesWithTheNormalEquations) {
     EXPECT_TRUE(ours.converged) << c.name;
     EXPECT_TRUE(ceres.converged) << c.name;
     // Of Cauchy's loss Ceres leaves a step of 1.4e-9 m, ours one of 6e-11.
+    const double most = c.name == "cauchy" ? 2e-9 : 1e-9;
     for (std::size_t m = 0; m < start.markers_in_tcp.size(); ++m)
-      EXPECT_LT((ours.unknowns.markers_in_tcp[m] - ceres.unknowns.markers_in_tcp[m]).norm(), 2e-9) << c.name;
+      EXPECT_LT((ours.unknowns.markers_in_tcp[m] - ceres.unknowns.markers_in_tcp[m]).norm(), most) << c.name;
     EXPECT_LT(small_motion_between(ours.unknowns.mount_from_sensor, ceres.unknowns.mount_from_sensor).norm(), 1e-9)
         << c.name;
     for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
