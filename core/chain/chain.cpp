@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robot/posture_memory.h"
+
 namespace handsight {
 namespace {
 
@@ -63,7 +65,7 @@ Chain make_chain(const Session& session) {
 
 ChainEnds chain_ends(const Chain& chain, const Eigen::VectorXd& position, const Sites& sites) {
   const Eigen::VectorXd sensor = joint_values(chain.robot, chain.joints, position);
-  const Posture posture = solve_posture<double>(chain.robot, sensor, sites.robot, chain.gravity, false);
+  const Posture posture = solve_equilibrium(chain.robot, sensor, sites.robot, chain.gravity, false);
   return {posture.root_from_link[chain.tcp_link], posture.root_from_link[chain.mount_link], posture.converged};
 }
 

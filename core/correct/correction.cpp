@@ -8,6 +8,7 @@
 #include <random>
 
 #include "base/median.h"
+#include "robot/posture_memory.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {
@@ -45,7 +46,7 @@ struct MovedHand {
 MovedHand moved_hand(const ObservationState& c, const std::vector<EffectTerm>& effects) {
   const Chain& chain = *c.chain;
   const Sites sites = moved_sites(c, effects);
-  const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, true);
+  const Posture posture = solve_equilibrium(chain.robot, c.sensor, sites.robot, chain.gravity, true);
   const PostureTangent tangent(chain.robot, sites.robot, chain.gravity, posture, chain.tcp_link, 0);
   MovedHand hand;
   hand.root_from_hand =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot/posture_memory.h"
 #include "session/by_time.h"
 
 namespace handsight {
@@ -100,7 +101,7 @@ std::vector<ObservationState> states_at(const Chain& chain, const std::vector<Dr
 
 ObservedEnds observed_ends(const ObservationState& c, const Sites& sites) {
   const Chain& chain = *c.chain;
-  const Posture posture = solve_posture<double>(chain.robot, c.sensor, sites.robot, chain.gravity, false);
+  const Posture posture = solve_equilibrium(chain.robot, c.sensor, sites.robot, chain.gravity, false);
   return {{posture.root_from_link[static_cast<std::size_t>(chain.tcp_link)] * small_motion<double>(sites.hand),
            posture.root_from_link[static_cast<std::size_t>(chain.mount_link)], posture.converged},
           small_motion<double>(sites.mount) * small_motion<double>(sites.drift)};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/posture_memory.h"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
+
 namespace handsight {
 namespace {
 
@@ -27,21 +30,29 @@ void unflatten(const Eigen::VectorXd& flat, Deflection& d) {
 
 }  // namespace
 
-void EquilibriumSecant::lead_on(const Deflection& now, Deflection& next, double step) {
-  constexpr double fast = 0.5;  // of the pass before
-  flatten(next, to_);
-  flatten(now, by_);
-  by_ = to_ - by_;
-  const bool closes_in = step_ > 0 && step < fast * step_;
-  step_ = step;
-  if (closes_in) {
-    last_by_ -= by_;
-    const double share = -by_.dot(last_by_) / last_by_.squaredNorm();
-    last_to_ = to_ + share * (last_to_ - to_);
-    unflatten(last_to_, next);
+void EquilibriumMixing::lead_on(const Deflection& now, Deflection& next) {
+  constexpr double leads_away = 0.99;     // of the pass before, and the same way
+  constexpr double next_to_none = 1e-12;  // of the squares: where passes say the same again
+  constexpr double farthest = 0.5;        // rad, m: beyond, passes that say nearly the same are believed too much
+  flatten(next, new_to_);
+  flatten(now, new_by_);
+  new_by_ = new_to_ - new_by_;
+  if (count_ > 0 && new_by_.dot(by_) > leads_away * by_.squaredNorm()) count_ = 0;
+  if (count_ > 0) {
+    const int last = (count_ - 1) % most, mixed = std::min(count_, most);
+    by_to_.resize(new_to_.size(), most);
+    by_by_.resize(new_by_.size(), most);
+    by_to_.col(last) = new_to_ - to_;
+    by_by_.col(last) = new_by_ - by_;
+    SmallMatrix squares = by_by_.leftCols(mixed).transpose() * by_by_.leftCols(mixed);
+    squares.diagonal() *= 1 + next_to_none;
+    const SmallVector shares = squares.ldlt().solve(by_by_.leftCols(mixed).transpose() * new_by_);
+    const Eigen::VectorXd farther = by_to_.leftCols(mixed) * shares;
+    if (farther.lpNorm<Eigen::Infinity>() < farthest) unflatten(new_to_ - farther, next);
   }
-  std::swap(to_, last_to_);
-  std::swap(by_, last_by_);
+  std::swap(to_, new_to_);
+  std::swap(by_, new_by_);
+  ++count_;
 }
 
 void PostureMemory::place_joints(const Robot& robot, const RobotChange& change) {
@@ -89,12 +100,14 @@ const Posture& PostureMemory::solve(const Robot& robot, const Eigen::VectorXd& s
         joints);
   clear(robot);
   place_joints(robot, change);
-  secant_.begin();
+  mixing_.begin();
   const bool elastic = detail::is_elastic(robot, change);
   const Vector3 gravity_in_root = detail::tilted_gravity(gravity, change);
   Deflection& deflection = posture_.deflection;
   if (elastic && start && start->angle.size() == joints) deflection = *start;
-  constexpr int most_passes = 500;
+  constexpr int most_passes = 500, most_in_vain = 40;
+  double shortest = 10;  // rad, m
+  int in_vain = 0;       // passes since it was halved
   for (posture_.iterations = 0; posture_.iterations <= most_passes; ++posture_.iterations) {
     detail::set_values(robot, sensor, change, deflection, *passes_, posture_);
     detail::set_frames(robot, deflection, elastic, *passes_, posture_);
@@ -104,12 +117,19 @@ const Posture& PostureMemory::solve(const Robot& robot, const Eigen::VectorXd& s
     detail::set_deflections(robot, change, posture_, root_moment, *passes_);
     const double step = detail::largest_change(passes_->next, deflection);
     if (step < 1e-11) return posture_;
-    if (!(step < 10)) break;  // unstable: springs too soft for the load
-    secant_.lead_on(deflection, passes_->next, step);
+    in_vain = step < 0.5 * shortest ? 0 : in_vain + 1;
+    if (in_vain == 0) shortest = step;
+    if (!(step < 10) || in_vain > most_in_vain) break;  // unstable: springs too soft for the load
+    mixing_.lead_on(deflection, passes_->next);
     std::swap(deflection, passes_->next);
   }
   posture_.converged = false;
   return posture_;
+}
+
+Posture solve_equilibrium(const Robot& robot, const Eigen::VectorXd& sensor, const RobotChange& change,
+                          const Vector3& gravity, bool with_loads) {
+  return PostureMemory().solve(robot, sensor, change, gravity, with_loads);
 }
 
 }  // namespace handsight

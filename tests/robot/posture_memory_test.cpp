@@ -73,6 +73,41 @@ TEST(PostureMemory, SpringsThatCannotHoldHaveNoEquilibrium) {
   EXPECT_LT(largest_difference(memory.solve(robot, q, change, down_z), expected), 1e-8);
 }
 
+/// A joint that gravity hardly turns rests between the flanks of its play, where plain passes throw it from one to the
+/// other for ever.
+TEST(PostureMemory, PlayThatThrowsPassesToAndFroHasItsEquilibrium) {
+  const Robot robot = fixture::six_axis_arm();
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  PostureMemory memory;
+  int thrown = 0;
+  for (const double gap : {3e-3, 1e-2, 3e-2})
+    for (int trial = 0; trial < 2000; ++trial) {
+      RobotChange change;
+      change.joints.resize(robot.joints.size());
+      change.joints[1].gap = gap;
+      const Eigen::VectorXd q = Eigen::VectorXd::NullaryExpr(6, [&] { return uniform(random); });
+      const Posture& p = memory.solve(robot, q, change, down_z);
+      ASSERT_TRUE(p.converged) << gap << ' ' << trial;
+      EXPECT_NEAR(p.value[1] - q[1], gap * std::tanh(p.torque[1] / posture_detail::backlash_torque), 1e-9) << trial;
+      thrown += solve_posture<double>(robot, q, change, down_z).converged ? 0 : 1;
+    }
+  EXPECT_GT(thrown, 20);
+}
+
+TEST(PostureMemory, WhatHasNoEquilibriumIsSoonGivenUp) {
+  const Robot robot = fixture::six_axis_arm();
+  std::mt19937_64 random(10);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  PostureMemory memory;
+  for (int trial = 0; trial < 60; ++trial) {
+    const RobotChange change = random_change(robot, 0.3, random);
+    const Eigen::VectorXd q = Eigen::VectorXd::NullaryExpr(6, [&] { return uniform(random); });
+    const Posture& p = memory.solve(robot, q, change, down_z);
+    if (!p.converged) EXPECT_LT(p.iterations, 200) << trial;
+  }
+}
+
 /// One memory for robots in turn: the other's joints are not taken for its own.
 TEST(PostureMemory, ServesOneRobotAfterAnother) {
   const Robot robot = fixture::six_axis_arm();

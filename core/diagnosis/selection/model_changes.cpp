@@ -23,6 +23,8 @@
 namespace handsight {
 namespace {
 
+constexpr double surely_there = 0.95;  // from here on the held-out error need not fall: it knows less than the evidence
+
 /// "mass -6 kg" and the like: numbers that no robot has.
 std::vector<std::string> implausible_numbers(const std::vector<EffectTerm>& terms, const Chain& chain) {
   std::vector<std::string> list;
@@ -234,13 +236,15 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
   if (!has_names) return change;
   const double before = held_out_error(model);
   for (const LikelyName& likely : inclusion_probabilities.likely) {
+    const bool is_sure = likely.name.probability >= surely_there;
+    const double most = is_sure ? as_good_as_reported * before : before;
     std::vector<EffectTerm> estimated(options.estimated);
     estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
     ++change.models;
-    Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), before);
+    Diagnosis next = diagnosed_from(session, options, estimated, estimate(model.model.fit), most);
     change.stopped = next.stopped;
     if (next.stopped) return change;
-    if (has_no_answer(next.model.fit) || held_out_error(next) >= before) {
+    if (has_no_answer(next.model.fit) || held_out_error(next) >= most) {
       change.refused.push_back({likely.name.id, likely.name.where, "the held-out error does not fall"});
       continue;
     }

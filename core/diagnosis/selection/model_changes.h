@@ -33,8 +33,8 @@ ModelChange search_models(const Session& session, const ImprovementOptions& opti
 inline constexpr int most_times_sought = 4;
 
 /// Where nothing else is to be found: the likeliest name that is not in a model with names, where the held-out error
-/// falls with it (Barbieri and Berger 2004: for predictions the model of what is likely, not the likeliest model).
-/// `inclusion_probabilities`: of the model.
+/// falls with it, or stays as it is to its third digit with one of 95 % and more (Barbieri and Berger 2004: for
+/// predictions the model of what is likely, not the likeliest model). `inclusion_probabilities`: of the model.
 ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                        const InclusionProbabilities& inclusion_probabilities);
 

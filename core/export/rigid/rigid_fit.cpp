@@ -7,6 +7,7 @@
 
 #include "export/rigid/export_poses.h"
 #include "export/rigid/held_sites.h"
+#include "robot/posture_memory.h"
 #include "robot/posture_tangent.h"
 
 namespace handsight {
@@ -87,7 +88,7 @@ Task task_of(const CalibratedRobot& robot, const ExportPoses& poses, const Rigid
 }
 
 Posture posture_of(const Task& task, const RobotChange& change, std::size_t pose) {
-  return solve_posture<double>(task.robot, task.sensors[pose], change, task.gravity, true);
+  return solve_equilibrium(task.robot, task.sensors[pose], change, task.gravity, true);
 }
 
 Rigid hand_of(const End& end, const Posture& posture) {

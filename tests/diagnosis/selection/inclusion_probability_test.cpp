@@ -9,6 +9,7 @@
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_posterior.h"
+#include "diagnosis/selection/pruning.h"
 #include "diagnosis/simulated_stand.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "effects/term_numbers.h"
@@ -215,6 +216,25 @@ TEST(Improve, ALikelyNameIsTakenWhereTheHeldOutErrorFalls) {
   // A model without names takes nothing for being likely.
   std::erase_if(c.names, [](const InclusionProbability& n) { return n.is_in_model; });
   EXPECT_FALSE(add_likely(session, {}, model, c).model);
+}
+
+/// What is sure by all measurements is not left out for a held-out error that stays as it was to its third digit.
+TEST(Improve, ASureNameNeedNotLowerTheHeldOutError) {
+  const Session session = simulated({sure}, 26, 60);
+  const Diagnosis model = diagnosed_with(session, {sure});
+  InclusionProbabilities c = inclusion_probability_of(model);
+  std::vector<EffectTerm> estimated = model.model_options.estimated;
+  estimated.push_back({"joint_scale", 2, {0}});
+  const InclusionProbability name{"joint_scale", {"q3"}, 0.9, false};
+  c.likely = {{name, estimated}};
+  const ModelChange likely = add_likely(session, {}, model, c);
+  EXPECT_FALSE(likely.model);
+  ASSERT_EQ(likely.refused.size(), 1U);
+  c.likely.front().name.probability = 0.96;
+  const ModelChange surely = add_likely(session, {}, model, c);
+  ASSERT_TRUE(surely.model);
+  EXPECT_GE(held_out_error(*surely.model), held_out_error(model));
+  EXPECT_LE(held_out_error(*surely.model), as_good_as_reported * held_out_error(model));
 }
 
 }  // namespace
