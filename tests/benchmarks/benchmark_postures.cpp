@@ -9,6 +9,7 @@
 #include "estimation/problem/column_products.h"
 #include "estimation/problem/problem.h"
 #include "fixtures/arms.h"
+#include "robot/posture_memory.h"
 #include "session/session_xml.h"
 #include "simulation/random.h"
 #include "simulation/simulated_session.h"
@@ -137,6 +138,43 @@ void print_products(const MeasuredRuns& runs, const trials::TableOutput& output)
   print("A^T B, 1500 x 90 and 300", "products", "/1500/90/300");
 }
 
+/// Passes to the equilibrium of random postures of a six-axis arm with springs and play at every joint.
+void print_passes(const trials::TableOutput& output) {
+  constexpr int postures = 400;
+  const Robot robot = fixture::six_axis_arm();
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> angle(-2.5, 2.5);
+  trials::Table table({{.heading = "springs of rad/(N m), play of rad", .width = 34},
+                       {"ours", 1},
+                       {"plain", 1},
+                       {"without an end, ours", 0},
+                       {"plain", 0}},
+                      output);
+  for (const double softness : {3e-5, 3e-4, 1e-3, 4e-3})
+    for (const double gap : {1e-3, 1e-2}) {
+      PostureMemory memory;
+      double ours = 0, plain = 0, never = 0, plain_never = 0;
+      for (int i = 0; i < postures; ++i) {
+        RobotChange change;
+        change.joints.resize(robot.joints.size());
+        for (JointChange& c : change.joints) {
+          c.compliance = softness * std::abs(normal(random));
+          c.lateral_compliance = 0.3 * softness * std::abs(normal(random));
+          c.gap = gap * normal(random);
+        }
+        const Eigen::VectorXd q = Eigen::VectorXd::NullaryExpr(6, [&] { return angle(random); });
+        const Vector3 down(0, 0, -9.81);
+        const Posture& p = memory.solve(robot, q, change, down);
+        const Posture beside = solve_posture<double>(robot, q, change, down);
+        ours += p.iterations, plain += beside.iterations;
+        never += p.converged ? 0 : 1, plain_never += beside.converged ? 0 : 1;
+      }
+      table.print(
+          {fmt::format("{:.0e}, {:.0e}", softness, gap), ours / postures, plain / postures, never, plain_never});
+    }
+}
+
 }  // namespace
 }  // namespace handsight
 
@@ -150,4 +188,5 @@ int main(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&runs);
   print_postures(runs, sessions, output);
   print_products(runs, output);
+  print_passes(output);
 }
