@@ -225,6 +225,29 @@ const char* const cpp_engine = R"cpp(
     return largest;
   }
 
+  inline double& number(Deflection& d, int i) {
+    if (i < count) return d.angle[i];
+    return i < 4 * count ? d.lateral[(i - count) / 3][(i - count) % 3] : d.base[i - 4 * count];
+  }
+
+  /// Play may throw the passes to and fro: then the equilibrium is between where this one and the last one led.
+  inline void lead_between(Deflection& now, Deflection& next, Deflection& last_next, Deflection& last_by) {
+    double alike = 0, along = 0, differ = 0;
+    for (int i = 0; i < 4 * count + 3; ++i) {
+      const double by = number(next, i) - number(now, i), change = by - number(last_by, i);
+      alike += by * number(last_by, i);
+      along += by * change;
+      differ += change * change;
+    }
+    const double share = alike < 0 ? along / differ : 0;
+    for (int i = 0; i < 4 * count + 3; ++i) {
+      const double led = number(next, i);
+      number(last_by, i) = led - number(now, i);
+      number(next, i) = led - share * (led - number(last_next, i));
+      number(last_next, i) = led;
+    }
+  }
+
   /// Static equilibrium: springs give way to loads, which change with them, until nothing moves by 1e-11 any more.
   inline void solve(const double* reading, const Change& change, bool elastic, bool with_loads, Posture& p) {
     double tilt[3] = {change.whole.tilt[0], change.whole.tilt[1], 0}, turn[3][3], gravity_here[3], root_turning[3];
@@ -232,7 +255,7 @@ const char* const cpp_engine = R"cpp(
     rotate(turn, gravity, gravity_here);
     Rest rest;
     set_rest(change, rest);
-    Deflection next;
+    Deflection next, last_next, last_by;
     for (int pass = 0; pass <= 500; ++pass) {
       set_values(reading, change, p);
       set_frames(rest, p);
@@ -243,6 +266,7 @@ const char* const cpp_engine = R"cpp(
       const double step = largest_difference(next, p.deflection);
       if (step < 1e-11) return;
       if (!(step < 10)) break;
+      lead_between(p.deflection, next, last_next, last_by);
       p.deflection = next;
     }
     p.converged = false;

@@ -93,6 +93,20 @@ class _Deflection:
     def numbers(self):
         return self.angle + [x for v in self.lateral for x in v] + self.base
 
+    def set_numbers(self, numbers):
+        joints = len(_JOINTS)
+        self.angle, self.base = numbers[:joints], numbers[4 * joints:]
+        self.lateral = [numbers[i:i + 3] for i in range(joints, 4 * joints, 3)]
+
+
+def _lead_between(by, led, last_by, last_led):
+    """Play may throw the passes to and fro: then the equilibrium is between where this one and the last one led."""
+    if not sum(a * b for a, b in zip(by, last_by)) < 0:
+        return led
+    change = [a - b for a, b in zip(by, last_by)]
+    share = sum(a * c for a, c in zip(by, change)) / sum(c * c for c in change)
+    return [a - share * (a - b) for a, b in zip(led, last_led)]
+
 
 class _Posture:
     """Where everything is at static equilibrium."""
@@ -104,6 +118,7 @@ class _Posture:
         self.rest = [_chained(j.parent_from_joint, _small_motion(c.before)) for j, c in zip(_JOINTS, joint_changes)]
         self.after = [_chained(_small_motion(c.after), j.joint_from_child) for j, c in zip(_JOINTS, joint_changes)]
         gravity = _rotated(_turn_by_vector(whole.tilt + [0.0]), _GRAVITY)
+        last_by, last_led = [], []
         for _ in range(501):
             self._set_values()
             self._set_frames()
@@ -113,12 +128,15 @@ class _Posture:
             if not elastic:
                 return
             following = self._deflection(root_turning)
-            step = max(abs(a - b) for a, b in zip(following.numbers(), self.deflection.numbers()))
+            led = following.numbers()
+            by = [a - b for a, b in zip(led, self.deflection.numbers())]
+            step = max(abs(x) for x in by)
             if step < 1e-11:
                 return
             if not step < 10:
                 break
-            self.deflection = following
+            following.set_numbers(_lead_between(by, led, last_by, last_led))
+            self.deflection, last_by, last_led = following, by, led
         self.converged = False
 
     def _set_values(self):

@@ -29,10 +29,9 @@ void expect_hands(const CalibratedRobot& robot, const std::vector<Eigen::VectorX
 }
 
 /// Compiled as a user would, and run by python3 alone.
-void expect_programs_agree(const CalibratedRobot& robot, std::mt19937_64& random, const std::string& what) {
+void expect_programs_agree_at(const CalibratedRobot& robot, const std::vector<Eigen::VectorXd>& positions,
+                              const std::string& what) {
   const TemporaryFolder folder;
-  std::vector<Eigen::VectorXd> positions;
-  for (int i = 0; i < 12; ++i) positions.push_back(fixture::random_position(robot.chain, random));
   write(folder.path / "hand.cpp", exported_file(robot, "cpp").text);
   write(folder.path / "hand.py", exported_file(robot, "python").text);
   ASSERT_EQ(fixture::compiled(folder.path / "hand.cpp", folder.path / "hand"), "") << what;
@@ -43,6 +42,12 @@ void expect_programs_agree(const CalibratedRobot& robot, std::mt19937_64& random
       robot, positions,
       fixture::answers(folder.path, "env -i python3 -I '" + (folder.path / "hand.py").string() + "'", positions),
       what + ", Python");
+}
+
+void expect_programs_agree(const CalibratedRobot& robot, std::mt19937_64& random, const std::string& what) {
+  std::vector<Eigen::VectorXd> positions;
+  for (int i = 0; i < 12; ++i) positions.push_back(fixture::random_position(robot.chain, random));
+  expect_programs_agree_at(robot, positions, what);
 }
 
 /// How far the effects move the hand: what the files would miss without them.
@@ -117,6 +122,25 @@ TEST(Programs, AreRightWhereTheHandIsTheRootOrTheJointIsElsewhere) {
 }
 
 /// Velocity, the pose before, time and order, through the functions that a user calls.
+/// Postures in which play throws plain passes from one flank to the other.
+TEST(Programs, FindTheEquilibriumBetweenTheFlanksOfPlay) {
+  std::mt19937_64 random(9);
+  const Session session = fixture::stand_session();
+  const CalibratedRobot robot = fixture::robot_with(session, {{"backlash", 2, {0.03}}}, random);
+  RobotChange change;
+  change.joints.resize(robot.chain.robot.joints.size());
+  change.joints[static_cast<std::size_t>(robot.chain.joints[2])].gap = 0.03;
+  std::vector<Eigen::VectorXd> positions;
+  for (int i = 0; i < 20000 && positions.size() < 6; ++i) {
+    const Eigen::VectorXd position = fixture::random_position(robot.chain, random);
+    const Eigen::VectorXd sensor = joint_values(robot.chain.robot, robot.chain.joints, position);
+    if (!solve_posture<double>(robot.chain.robot, sensor, change, robot.chain.gravity).converged)
+      positions.push_back(position);
+  }
+  ASSERT_EQ(positions.size(), 6U);
+  expect_programs_agree_at(robot, positions, "play");
+}
+
 TEST(Programs, KnowHowTheRobotComesThere) {
   std::mt19937_64 random(8);
   const Session session = fixture::torso_with_all_kinds();
