@@ -28,6 +28,7 @@ struct BagImages {
 struct BagFrame {
   std::string parent;
   PoseSeries series;
+  bool must_be_named = false;  // by the user: it may be another thing from message to message (bag_poses.h)
 };
 
 struct BagContents {
@@ -35,6 +36,7 @@ struct BagContents {
   std::vector<BagImages> images;
   std::map<std::string, RosCamera> cameras;  // by topic
   std::map<std::string, BagFrame> frames;    // by child of /tf, or by topic
+  std::vector<Message> ambiguous;            // topics of poses of which nothing tells what they are of, and why
   std::vector<Message> notes;                // what was taken, and what not
 };
 

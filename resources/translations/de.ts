@@ -11035,8 +11035,16 @@
         <translation>%1: so werden die Ziele der Hände unterschieden (--target-frame sagt es anders).</translation>
     </message>
     <message>
-        <source>The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is read (PoseStamped, TransformStamped); one camera needs --target, what its images show. It has: %1.</source>
-        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, keine Koordinatensysteme in /tf und kein Thema von Posen, das gelesen wird (PoseStamped, TransformStamped); eine Kamera braucht --target, das, was ihre Bilder zeigen. Es hat: %1.</translation>
+        <source>%1: topic %2 (PoseArray) holds %3 to %4 poses a message, which have no names, so that nothing tells which is which; it is left out. Record a topic that names them (/tf, or tags with their numbers), or with one target in view.</source>
+        <translation>%1: Das Thema %2 (PoseArray) hat %3 bis %4 Posen je Nachricht, die keine Namen haben, sodass nichts sagt, welche welche ist; es wird ausgelassen. Zeichnen Sie ein Thema auf, das sie nennt (/tf, oder Marken mit ihren Nummern), oder mit nur einem Ziel im Bild.</translation>
+    </message>
+    <message>
+        <source>%1: topic %2 (PoseArray) holds %3 poses a message, which have no names; with --target-frame "%4[0]" (or [1] ...) one of them is taken, as if their order were the same in every message.</source>
+        <translation>%1: Das Thema %2 (PoseArray) hat %3 Posen je Nachricht, die keine Namen haben; mit --target-frame „%4[0]“ (oder [1] ...) wird eine davon genommen, als wäre ihre Reihenfolge in jeder Nachricht dieselbe.</translation>
+    </message>
+    <message>
+        <source>The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is read (PoseStamped, TransformStamped, PoseArray, ArucoMarkers); one camera needs --target, what its images show. It has: %1.</source>
+        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, keine Koordinatensysteme in /tf und kein Thema von Posen, das gelesen wird (PoseStamped, TransformStamped, PoseArray, ArucoMarkers); eine Kamera braucht --target, das, was ihre Bilder zeigen. Es hat: %1.</translation>
     </message>
     <message>
         <source>a camera by its numbers' names</source>

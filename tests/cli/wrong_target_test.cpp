@@ -86,5 +86,12 @@ TEST_F(WrongTarget, WhereNoneIsNamedConvertSaysWhatTheImagesShow) {
       << refused.errors;
 }
 
+TEST_F(WrongTarget, WhereNoneIsNamedCamerasSaysWhatTheImagesShow) {
+  const CliResult board = test::run_cli(folder_, {"cameras", (images_ / "plain").string()});
+  EXPECT_EQ(board.exit_code, 2);
+  EXPECT_NE(board.errors.find("--target \"charuco columns=8 rows=6 square=?mm marker=?mm"), std::string::npos)
+      << board.errors;
+}
+
 }  // namespace
 }  // namespace handsight
