@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "readers/bag_joints.h"
-#include "readers/bag_poses.h"
 
 namespace handsight {
 namespace {
@@ -59,7 +58,7 @@ class ContentsTaker {
     }
     contents_.joints = joints_.series();
     for (auto& [topic, images] : images_) contents_.images.push_back(in_order(std::move(images)));
-    poses_.finish(bag_.name, contents_);
+    poses_.finish(bag_.name, contents_.frames, contents_.ambiguous, contents_.notes);
     for (auto& [child, frame] : contents_.frames) put_in_order(frame.series);
     if (joints_.unknown() > 0)
       contents_.notes.push_back(

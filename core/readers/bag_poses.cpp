@@ -32,15 +32,14 @@ bool tells(const BagFrame& frame, const std::string& parent, double time, const 
 }
 
 /// Detectors publish what they see in more ways than one.
-bool is_told_already(const BagFrame& frame, const BagContents& contents) {
-  return !frame.series.poses.empty() &&
-         std::any_of(contents.frames.begin(), contents.frames.end(), [&](const auto& other) {
-           return tells(other.second, frame.parent, frame.series.times.front(), frame.series.poses.front());
-         });
+bool is_told_already(const BagFrame& frame, const BagFrames& frames) {
+  return !frame.series.poses.empty() && std::any_of(frames.begin(), frames.end(), [&](const auto& other) {
+    return tells(other.second, frame.parent, frame.series.times.front(), frame.series.poses.front());
+  });
 }
 
-void add_frame(const std::string& name, BagFrame frame, BagContents& contents) {
-  if (!frame.series.poses.empty() && !is_told_already(frame, contents)) contents.frames[name] = std::move(frame);
+void add_frame(const std::string& name, BagFrame frame, BagFrames& frames) {
+  if (!frame.series.poses.empty() && !is_told_already(frame, frames)) frames[name] = std::move(frame);
 }
 
 }  // namespace
@@ -58,51 +57,55 @@ void PosesTaker::take(const BagTopic& topic, const ros::Message& message, std::i
   (is_array(topic) ? arrays_ : named_)[topic.name].push_back(std::move(one));
 }
 
-void PosesTaker::finish(const std::string& bag, BagContents& contents) {
-  for (const auto& [topic, instants] : named_) add_named(topic, instants, contents);
-  for (const auto& [topic, instants] : arrays_) add_array(bag, topic, instants, contents);
+void PosesTaker::finish(const std::string& bag, BagFrames& frames, std::vector<Message>& ambiguous,
+                        std::vector<Message>& notes) {
+  for (const auto& [topic, instants] : named_) add_named(topic, instants, frames);
+  for (const auto& [topic, instants] : arrays_)
+    if (Message note = add_array(bag, topic, instants, frames, ambiguous); !note.empty())
+      notes.push_back(std::move(note));
 }
 
-void PosesTaker::add_named(const std::string& topic, const std::vector<Instant>& instants,
-                           BagContents& contents) const {
-  std::map<std::string, BagFrame> frames;
+void PosesTaker::add_named(const std::string& topic, const std::vector<Instant>& instants, BagFrames& frames) {
+  BagFrames named;
   for (const Instant& one : instants)
     for (std::size_t i = 0; i < one.poses.poses.size(); ++i)
-      add_pose(frames[topic + "/" + one.poses.names[i]], one.poses.header.frame, one.time, one.poses.poses[i]);
-  for (auto& [name, frame] : frames) add_frame(name, std::move(frame), contents);
+      add_pose(named[topic + "/" + one.poses.names[i]], one.poses.header.frame, one.time, one.poses.poses[i]);
+  for (auto& [name, frame] : named) add_frame(name, std::move(frame), frames);
 }
 
-void PosesTaker::add_array(const std::string& bag, const std::string& topic, const std::vector<Instant>& instants,
-                           BagContents& contents) const {
+Message PosesTaker::add_array(const std::string& bag, const std::string& topic, const std::vector<Instant>& instants,
+                              BagFrames& frames, std::vector<Message>& ambiguous) {
   std::size_t fewest = 0, most = 0;  // of messages that hold any
-  std::vector<BagFrame> frames;
+  std::vector<BagFrame> places;
   for (const Instant& one : instants) {
     const std::size_t count = one.poses.poses.size();
     if (count == 0) continue;  // nothing was seen
     fewest = most == 0 ? count : std::min(fewest, count);
     most = std::max(most, count);
-    frames.resize(most);
-    for (std::size_t i = 0; i < count; ++i) add_pose(frames[i], one.poses.header.frame, one.time, one.poses.poses[i]);
+    places.resize(most);
+    for (std::size_t i = 0; i < count; ++i) add_pose(places[i], one.poses.header.frame, one.time, one.poses.poses[i]);
   }
-  if (most == 0 || is_told_already(frames.front(), contents)) return;
+  if (most == 0 || is_told_already(places.front(), frames)) return {};
   if (fewest < most) {
-    contents.ambiguous.push_back(
+    ambiguous.push_back(
         message("{}: topic {} (PoseArray) holds {} to {} poses a message, which have no names, so that nothing tells "
                 "which is which; it is left out. Record a topic that names them (/tf, or tags with their numbers), or "
                 "with one target in view.",
                 bag, topic, fewest, most));
-    contents.notes.push_back(contents.ambiguous.back());
-    return;
+    return ambiguous.back();
   }
-  if (most == 1) return add_frame(topic, std::move(frames.front()), contents);
+  if (most == 1) {
+    add_frame(topic, std::move(places.front()), frames);
+    return {};
+  }
   for (std::size_t i = 0; i < most; ++i) {
-    frames[i].must_be_named = true;
-    contents.frames[topic + "[" + std::to_string(i) + "]"] = std::move(frames[i]);
+    places[i].must_be_named = true;
+    frames[topic + "[" + std::to_string(i) + "]"] = std::move(places[i]);
   }
-  contents.notes.push_back(
-      message("{}: topic {} (PoseArray) holds {} poses a message, which have no names; with --target-frame \"{}[0]\" "
-              "(or [1] ...) one of them is taken, as if their order were the same in every message.",
-              bag, topic, most, topic));
+  return message(
+      "{}: topic {} (PoseArray) holds {} poses a message, which have no names; with --target-frame \"{}[0]\" (or [1] "
+      "...) one of them is taken, as if their order were the same in every message.",
+      bag, topic, most, topic);
 }
 
 }  // namespace handsight

@@ -6,10 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "readers/bag_contents.h"
+#include "base/message.h"
+#include "readers/bags/bag.h"
 #include "readers/bags/messages.h"
+#include "readers/series.h"
 
 namespace handsight {
+
+/// Transforms of one child frame of /tf, or poses of one topic.
+struct BagFrame {
+  std::string parent;
+  PoseSeries series;
+  bool must_be_named = false;  // by the user: it may be another thing from message to message
+};
+
+/// Frames by child of /tf, or by topic.
+using BagFrames = std::map<std::string, BagFrame>;
 
 /// Collects such messages as they come in.
 class PosesTaker {
@@ -20,20 +32,21 @@ class PosesTaker {
 
   void take(const BagTopic& topic, const ros::Message& message, std::int64_t nanoseconds);
 
-  /// Adds their poses to `contents` as frames: a tag or board that is named as TOPIC/NAME; the only pose of a
+  /// Adds their poses to `frames`: a tag or board that is named as TOPIC/NAME; the only pose of a
   /// PoseArray as TOPIC. Of arrays of several, always as many, TOPIC[0], TOPIC[1] ... are frames that must be asked
   /// for, since nothing says that the order stays; where they are not always as many the topic is left out and why
-  /// stands in BagContents::ambiguous. What another frame tells already is left out.
-  void finish(const std::string& bag, BagContents& contents);
+  /// stands in `ambiguous`. What another frame tells already is left out.
+  void finish(const std::string& bag, BagFrames& frames, std::vector<Message>& ambiguous, std::vector<Message>& notes);
 
  private:
   struct Instant {
     double time = 0;  // s
     ros::Poses poses;
   };
-  void add_named(const std::string& topic, const std::vector<Instant>& instants, BagContents& contents) const;
-  void add_array(const std::string& bag, const std::string& topic, const std::vector<Instant>& instants,
-                 BagContents& contents) const;
+  static void add_named(const std::string& topic, const std::vector<Instant>& instants, BagFrames& frames);
+  /// What is to be said of it.
+  static Message add_array(const std::string& bag, const std::string& topic, const std::vector<Instant>& instants,
+                           BagFrames& frames, std::vector<Message>& ambiguous);
 
   std::map<std::string, std::vector<Instant>> named_, arrays_;  // by topic
 };
