@@ -154,6 +154,7 @@ QWidget* ComparePage::make_patterns() {
     patterns_[i] = new widgets::PatternPage(page);
     patterns_[i]->setObjectName(QString("compare_patterns_%1").arg(i));
     patterns_[i]->set_rows(1);
+    patterns_[i]->show_numbers();
     connect(patterns_[i], &widgets::PatternPage::read_out, &workbench_, &Workbench::pointed_at);
     column->addWidget(sides_[i]);
     column->addWidget(patterns_[i], 1);

@@ -11,7 +11,9 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QPlainTextEdit>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
 #include <QTabBar>
@@ -34,6 +36,21 @@ bool swallows(const QObject* watched, const QKeyEvent& key) {
     return text->isReadOnly() ||
            (is_undo ? !text->document()->isUndoAvailable() : !text->document()->isRedoAvailable());
   return false;
+}
+
+/// Has the widget nothing that is moved to the left and to the right? Boxes and rows are chosen from by up and down,
+/// and Tab goes from button to button; of a group of buttons one is chosen by the arrows, as everywhere.
+bool leaves_left_and_right(const QObject* watched, const QKeyEvent& key) {
+  if (key.key() != Qt::Key_Left && key.key() != Qt::Key_Right) return false;
+  if (key.modifiers() != Qt::NoModifier && key.modifiers() != Qt::KeypadModifier) return false;
+  const auto* widget = qobject_cast<const QWidget*>(watched);
+  if (!widget || !qobject_cast<const QMainWindow*>(widget->window())) return false;
+  if (const auto* box = qobject_cast<const QComboBox*>(widget)) return !box->isEditable();
+  if (const auto* table = qobject_cast<const QTableView*>(widget))
+    return table->selectionBehavior() == QAbstractItemView::SelectRows;
+  if (qobject_cast<const QScrollArea*>(widget)) return true;  // pages scroll up and down
+  const auto* button = qobject_cast<const QAbstractButton*>(widget);
+  return button && !button->group() && !button->autoExclusive();
 }
 
 bool turns_by_wheel(const QObject* watched) {
@@ -104,6 +121,10 @@ InputManners::InputManners(QObject* parent) : QObject(parent) { qApp->installEve
 bool InputManners::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && swallows(watched, *static_cast<QKeyEvent*>(event))) {
     event->ignore();
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress && leaves_left_and_right(watched, *static_cast<QKeyEvent*>(event))) {
+    event->ignore();  // it goes on to the window, which steps through the observations
     return true;
   }
   if (event->type() == QEvent::Wheel && turns_by_wheel(watched) && !static_cast<QWidget*>(watched)->hasFocus()) {

@@ -42,14 +42,16 @@ void add_poses(std::vector<ReadPoses> read, const std::string& file, Brought& b)
     b.poses.push_back({file, std::move(one.role), std::move(one.series), std::move(one.turns)});
 }
 
-void require_new(bool is_new, const std::string& file, FileKind kind) {
-  if (!is_new && kind == FileKind::joints)
+void require_new(bool is_new, const std::string& file, FileKind kind, const Brought& b) {
+  if (is_new) return;
+  const auto at = b.first_of_kind.find(kind);
+  const Message other = at == b.first_of_kind.end() ? Message("another file") : verbatim(at->second);
+  if (kind == FileKind::joints)
     throw InputError(message(
-        "{} is a table of joint readings, and another file is one too; name one of them. (Tables of touches, one "
-        "for each fixture: say what each is, --fixture \"plane {}\".)",
-        file, shortened(std::filesystem::path(file).stem().string(), 40)));
-  if (!is_new)
-    throw InputError(message("{} is {}, and another file is one too; name one of them.", file, kind_text(kind)));
+        "{} is a table of joint readings, and {} is one too; name one of them. (Tables of touches, one for each "
+        "fixture: say what each is, --fixture \"plane {}\".)",
+        file, other, shortened(std::filesystem::path(file).stem().string(), 40)));
+  throw InputError(message("{} is {}, and {} is one too; name one of them.", file, kind_text(kind), other));
 }
 
 Table without_columns(Table t, const std::vector<std::size_t>& columns) {
@@ -170,7 +172,7 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
   bool degrees = o.poses.degrees;
   b.notes.insert(b.notes.end(), table.notes.begin(), table.notes.end());
   if (kind == FileKind::joints) {
-    require_new(!b.joints, file, kind);
+    require_new(!b.joints, file, kind, b);
     auto taken = list_joint_columns(table, *robot);
     if (const auto column = find_column(table, {"marker", "smr", "reflector", "marker_id"})) {
       for (const auto& row : table.rows) b.markers.push_back(row[*column]);
@@ -188,7 +190,7 @@ void bring_table(const fs::path& path, const std::string& file, FileKind kind, c
       return;
     }
     auto both = with_more_markers(*b.points, points);
-    require_new(both.has_value(), file, kind);
+    require_new(both.has_value(), file, kind, b);
     b.points = std::move(*both);
     b.notes.push_back(
         message("{}: its points keep their distances from those of the files before it: they are taken "
@@ -206,7 +208,7 @@ void bring_mocap(const fs::path& path, const std::string& file, const PoseTableO
     add_poses(std::move(read), file, b);
   }
   if (all.markers.columns.empty()) return;
-  require_new(!b.points, file, FileKind::points);
+  require_new(!b.points, file, FileKind::points, b);
   b.points = read_point_table(std::move(all.markers), b.notes);
 }
 
@@ -247,11 +249,11 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
       waiting.storages.push_back({*camera_entries(read_text(path), path.stem().string()), file});
       return;
     case FileKind::bag:
-      require_new(b.bag.empty(), file, kind);
+      require_new(b.bag.empty(), file, kind, b);
       b.bag = path;
       return;
     case FileKind::camchain:
-      require_new(!b.rig, file, kind);
+      require_new(!b.rig, file, kind, b);
       b.rig = read_camchain(parse_yaml(read_text(path), file), file, b.notes);
       return;
     case FileKind::camera_info:
@@ -261,12 +263,12 @@ void bring_one(const fs::path& path, const std::string& file, FileKind kind, con
     case FileKind::named:
       return bring_cameras(path, file, kind, b);
     case FileKind::target:
-      require_new(!b.target, file, kind);
+      require_new(!b.target, file, kind, b);
       b.target = read_kalibr_target(parse_yaml(read_text(path), file), file);
       b.notes.push_back(message("{}: {}.", file, describe_target(*b.target)));
       return;
     case FileKind::samples:
-      require_new(!b.samples, file, kind);
+      require_new(!b.samples, file, kind, b);
       b.samples = read_hand_eye_samples(parse_yaml(read_text(path), file), file, b.notes);
       return;
     case FileKind::poses:
@@ -303,6 +305,7 @@ Brought bring(const std::vector<fs::path>& files, const Robot* robot, bool degre
     const std::string file = shown_path(path.filename().empty() ? path.parent_path().filename() : path.filename());
     if (kind != FileKind::pose) b.took.push_back(message("{}: {}", file, kind_text(kind)));
     bring_one(path, file, kind, robot, {{angles, degrees}, columns}, b, waiting);
+    b.first_of_kind.try_emplace(kind, file);
   }
   for (const auto& [folder, poses] : waiting.single_poses) {
     b.took.push_back(message("{}: {} files with a pose each", shown_path(folder.filename()), poses.size()));

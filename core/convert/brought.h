@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/message.h"
+#include "convert/file_kind.h"
 #include "print/target.h"
 #include "readers/camera_files.h"
 #include "readers/pose_files.h"
@@ -35,9 +37,10 @@ struct Brought {
   std::vector<std::filesystem::path> image_folders;
   std::filesystem::path bag;
   std::optional<Target> target;
-  std::vector<Servo> servos;         // what the readings of joints mean
-  std::vector<Message> took, notes;  // what each was taken for; what else is to be said
-  Message unnamed_columns;           // of a table without a header: what it has; empty: there is none
+  std::vector<Servo> servos;                      // what the readings of joints mean
+  std::vector<Message> took, notes;               // what each was taken for; what else is to be said
+  std::map<FileKind, std::string> first_of_kind;  // files, by what they were taken for
+  Message unnamed_columns;                        // of a table without a header: what it has; empty: there is none
 };
 
 /// Reads all files; `robot` null: none was named. `columns` are the names of those of a table without a header

@@ -35,7 +35,7 @@ std::vector<Image> some_images(const std::vector<InstantImages>& instants) {
 /// "charuco columns=8 rows=6 square=?mm marker=?mm dictionary=DICT_5X5_100", as --target takes it once the lengths are
 /// put in.
 std::string words_without_lengths(const Target& target) {
-  constexpr std::array lengths{"square", "marker", "tag", "size"};
+  constexpr std::array lengths{"square", "marker", "separation", "tag", "size"};
   std::string text;
   for (const auto& [name, value] : target_words(target)) {
     const bool is_length = std::find(lengths.begin(), lengths.end(), name) != lengths.end();
@@ -52,8 +52,9 @@ Message shown_target_text(const std::vector<InstantImages>& instants) {
   const std::vector<Image> images = some_images(instants);
   const auto shown = shown_target(images);
   if (!shown) return {};
-  const Message sizes = shown->kind == TargetKind::charuco
-                            ? message("; a marker is {:.2f} of a square", shown->tag / shown->square)
+  const Message sizes =
+      shown->kind == TargetKind::charuco ? message("; a marker is {:.2f} of a square", shown->tag / shown->square)
+      : is_tag_grid(*shown) ? message("; the separation is {:.2f} of a marker", shown->separation / shown->tag)
                             : Message();
   return message("The images show one: say what with --target \"{}\", the measured lengths in place of ?{}.",
                  words_without_lengths(*shown), sizes);

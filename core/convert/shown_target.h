@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What images show where no target was named, in the words that name it. Internal to convert.
+// What images show where no target was named, in the words that name it.
 #pragma once
 
 #include "base/message.h"

@@ -11,11 +11,6 @@
 namespace handsight {
 namespace {
 
-/// When a message was made; when it was recorded where it does not say. s
-double stamp_of(const ros::Header& header, std::int64_t nanoseconds) {
-  return header.stamp != 0 ? header.stamp : 1e-9 * static_cast<double>(nanoseconds);
-}
-
 /// The topic's messages, and those of them that are damaged.
 struct TopicCount {
   std::size_t all = 0, damaged = 0;
@@ -31,10 +26,14 @@ class ContentsTaker {
   /// Is something read from it?
   static bool wants(const BagTopic& t) {
     if (t.encoding != "cdr" && t.encoding != "ros1") return false;
-    static const char* const types[] = {"sensor_msgs/JointState",    "sensor_msgs/CameraInfo",
-                                        "sensor_msgs/Image",         "sensor_msgs/CompressedImage",
-                                        "geometry_msgs/PoseStamped", "geometry_msgs/TransformStamped"};
-    if (std::find(std::begin(types), std::end(types), t.type) != std::end(types)) return true;
+    static const char* const types[] = {"sensor_msgs/JointState",
+                                        "sensor_msgs/CameraInfo",
+                                        "sensor_msgs/Image",
+                                        "sensor_msgs/CompressedImage",
+                                        "geometry_msgs/PoseStamped",
+                                        "geometry_msgs/TransformStamped",
+                                        "geometry_msgs/PoseWithCovarianceStamped"};
+    if (PosesTaker::wants(t) || std::find(std::begin(types), std::end(types), t.type) != std::end(types)) return true;
     return (t.type == "tf2_msgs/TFMessage" || t.type == "tf/tfMessage") &&
            (t.name.ends_with("tf") || t.name.ends_with("tf_static"));
   }
@@ -59,6 +58,7 @@ class ContentsTaker {
     }
     contents_.joints = joints_.series();
     for (auto& [topic, images] : images_) contents_.images.push_back(in_order(std::move(images)));
+    poses_.finish(bag_.name, contents_.frames, contents_.ambiguous, contents_.notes);
     for (auto& [child, frame] : contents_.frames) put_in_order(frame.series);
     if (joints_.unknown() > 0)
       contents_.notes.push_back(
@@ -72,15 +72,17 @@ class ContentsTaker {
     const std::string kind = topic.type.substr(topic.type.find('/') + 1);
     if (kind == "JointState") {
       const ros::JointState s = ros::read_joint_state(message);
-      joints_.see(s, stamp_of(s.header, nanoseconds));
+      joints_.see(s, ros::time_of(s.header, nanoseconds));
     } else if (kind == "CameraInfo") {
       if (!contents_.cameras.contains(topic.name))
         contents_.cameras.emplace(topic.name, camera_from_message(ros::read_camera_info(message), message.what));
     } else if (kind == "Image") {
-      take_image(topic.name, stamp_of(ros::read_image(message).header, nanoseconds), place);
+      take_image(topic.name, ros::time_of(ros::read_image(message).header, nanoseconds), place);
     } else if (kind == "CompressedImage") {
-      take_image(topic.name, stamp_of(ros::read_compressed_image(message).header, nanoseconds), place);
-    } else if (kind == "PoseStamped") {
+      take_image(topic.name, ros::time_of(ros::read_compressed_image(message).header, nanoseconds), place);
+    } else if (PosesTaker::wants(topic)) {
+      poses_.take(topic, message, nanoseconds);
+    } else if (kind == "PoseStamped" || kind == "PoseWithCovarianceStamped") {
       take_frame(topic.name, ros::read_pose(message), nanoseconds);
     } else if (kind == "TransformStamped") {
       const ros::Transform t = ros::read_transform(message);
@@ -101,7 +103,7 @@ class ContentsTaker {
     BagFrame& frame = contents_.frames[child];
     if (frame.series.poses.empty()) frame.parent = t.header.frame;
     if (frame.parent != t.header.frame) return;
-    frame.series.times.push_back(stamp_of(t.header, nanoseconds));
+    frame.series.times.push_back(ros::time_of(t.header, nanoseconds));
     frame.series.poses.push_back(t.parent_from_child);
   }
 
@@ -134,6 +136,7 @@ class ContentsTaker {
 
   const Bag& bag_;
   JointTaker joints_;
+  PosesTaker poses_;
   BagContents& contents_;
   std::map<std::string, BagImages> images_;
   std::map<std::string, TopicCount> counts_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "readers/bag_poses.h"
 #include "readers/bags/bag.h"
 #include "readers/camera_files.h"
 #include "readers/series.h"
@@ -24,18 +25,13 @@ struct BagImages {
   std::vector<std::size_t> places;
 };
 
-/// Transforms of one child frame of /tf, or poses of one topic.
-struct BagFrame {
-  std::string parent;
-  PoseSeries series;
-};
-
 struct BagContents {
   JointSeries joints;  // of the robot's joints that were published
   std::vector<BagImages> images;
   std::map<std::string, RosCamera> cameras;  // by topic
-  std::map<std::string, BagFrame> frames;    // by child of /tf, or by topic
-  std::vector<Message> notes;                // what was taken, and what not
+  BagFrames frames;
+  std::vector<Message> ambiguous;  // topics of poses of which nothing tells what they are of, and why
+  std::vector<Message> notes;      // what was taken, and what not
 };
 
 /// The robot's URDF as published, empty where it was not.

@@ -237,6 +237,10 @@ Message why_no_corner(const Search& search, const Placed& placed) {
 
 }  // namespace
 
+Message lies_otherwise() {
+  return "its tags were read, but lie otherwise than on this board: another layout, or several boards";
+}
+
 TargetSighting detect_board(const Image& image, const PreparedTarget& target) {
   TargetSighting sighting;
   std::size_t most_read = 0;
@@ -250,7 +254,7 @@ TargetSighting detect_board(const Image& image, const PreparedTarget& target) {
   sighting.dropped_tags = static_cast<int>(placed->board.readings.size() - placed->agreement.members.size());
   // One wrong tag may be read; where a third of them lies elsewhere the board is another one, of the other layout say.
   if (3 * placed->agreement.members.size() < 2 * placed->board.readings.size()) {
-    sighting.reason = "its tags were read, but lie otherwise than on this board: another layout, or several boards";
+    sighting.reason = lies_otherwise();
     return sighting;
   }
   Search search{image, target, placed->agreement.map, pairs_of(placed->board, placed->agreement.members), {}, {}, 0};

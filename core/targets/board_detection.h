@@ -10,6 +10,9 @@
 
 namespace handsight {
 
+/// Why tags that were read are none of the target.
+Message lies_otherwise();
+
 /// ChArUco boards and grids: tags that agree on where the board is, then every corner where it should be.
 TargetSighting detect_board(const Image& image, const PreparedTarget& target);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace handsight {
 namespace {
@@ -30,6 +31,7 @@ struct Hypothesis {
   int agreeing = 0, columns = 0, columns_before = 0, rows_above = 0, first = 0;
   bool begins_white = false;  // of a ChArUco board
   bool is_turned = false;     // the tags stand on their heads, as AprilTag prints those that OpenCV has too
+  bool counts_down = false;   // of a grid: from the top left on, as OpenCV's grid boards; else from the bottom left
 };
 
 /// The number that most tags have before the first, and how many do.
@@ -64,21 +66,25 @@ std::vector<Hypothesis> charuco_hypotheses(const std::vector<LatticeTag>& tags, 
   return all;
 }
 
-int grid_index(const LatticeTag& tag, const Span& span, int columns, int before, bool is_turned) {
-  const int column = is_turned ? span.most_x - tag.x : tag.x - span.least_x,
-            row = is_turned ? tag.y - span.least_y : span.most_y - tag.y;
-  return row * columns + column + before;
+int grid_index(const LatticeTag& tag, const Span& span, const Hypothesis& h) {
+  const int column = h.is_turned ? span.most_x - tag.x : tag.x - span.least_x,
+            row = h.is_turned || h.counts_down ? tag.y - span.least_y : span.most_y - tag.y;
+  return row * h.columns + column + h.columns_before;
 }
 
 std::vector<Hypothesis> grid_hypotheses(const std::vector<LatticeTag>& tags, const Span& span) {
   std::vector<Hypothesis> all;
   for (int columns = span.columns(); columns <= most_columns; ++columns)
     for (int before = 0; before + span.columns() <= columns; ++before)
-      for (const bool is_turned : {false, true}) {
-        const auto [first, agreeing] = most_common_first(
-            tags, [&](const LatticeTag& tag) { return grid_index(tag, span, columns, before, is_turned); });
-        if (first >= 0) all.push_back({agreeing, columns, before, 0, first, false, is_turned});
-      }
+      for (const bool is_turned : {false, true})
+        for (const bool counts_down : {false, true}) {
+          Hypothesis h{.columns = columns, .columns_before = before};
+          h.is_turned = is_turned, h.counts_down = counts_down;
+          if (is_turned && counts_down) continue;
+          std::tie(h.first, h.agreeing) =
+              most_common_first(tags, [&](const LatticeTag& tag) { return grid_index(tag, span, h); });
+          if (h.first >= 0) all.push_back(h);
+        }
   return all;
 }
 
@@ -92,7 +98,8 @@ std::vector<int> differences(const Hypothesis& h, const Target& described, int r
           h.rows_above + rows_seen > described.rows,
           is_other_layout,
           h.rows_above,
-          h.columns};
+          h.columns,
+          h.counts_down != is_tag_grid(described)};
 }
 
 /// Of whole rows above what is seen nothing tells: they are taken to be there where the number described says so.
@@ -122,7 +129,7 @@ std::vector<LatticeTag> agreeing_tags(const TagLattice& lattice, const Hypothesi
     const int index = lattice.is_checkered
                           ? charuco_index(tag.x - span.least_x + h.columns_before, tag.y - span.least_y + h.rows_above,
                                           h.columns, h.begins_white)
-                          : grid_index(tag, span, h.columns, h.columns_before, h.is_turned);
+                          : grid_index(tag, span, h);
     if (tag.id - index == h.first) agreeing.push_back(tag);
   }
   return agreeing;
@@ -141,7 +148,10 @@ std::optional<Target> board_with(const TagLattice& lattice, const Target& descri
   const int rows_seen = span_of(tags).rows();
   Target board = described;
   board.ids.clear();
-  board.kind = lattice.is_checkered ? TargetKind::charuco : TargetKind::aprilgrid;
+  board.places.clear();
+  board.kind = lattice.is_checkered ? TargetKind::charuco
+               : best->counts_down  ? TargetKind::tags
+                                    : TargetKind::aprilgrid;
   board.columns = best->columns;
   const int at_once = lattice.is_checkered ? 2 : 1;
   const int added = rows_added(*best, best->columns, at_once, described, rows_seen);

@@ -9,7 +9,8 @@
 
 namespace handsight {
 
-/// The ChArUco board or grid that has these tags where they stand, as near to what was described as they allow: its
+/// The ChArUco board, Kalibr's grid or OpenCV's grid (of kind tags, to be laid out by lay_out_grid once its
+/// lengths are known) that has these tags where they stand, as near to what was described as they allow: its
 /// columns and rows, its first tag, its layout. Sizes and dictionary are those of `described`. Nothing where most of
 /// the tags fit no board.
 std::optional<Target> board_with(const TagLattice& lattice, const Target& described);

@@ -8,6 +8,7 @@
 #include "targets/board_detection.h"
 #include "targets/circle_detection.h"
 #include "targets/drawn_over.h"
+#include "targets/grid_layout.h"
 #include "targets/tag_fit.h"
 #include "vision/corners/corner_noise.h"
 
@@ -66,6 +67,10 @@ TargetSighting detect_single_tags(const Image& image, const PreparedTarget& targ
   for (const auto& [tag, found] : fits)
     if (found.size() > 1) sighting.repeated.push_back(target.tags[static_cast<std::size_t>(tag)].id);
   if (sighting.points.empty()) sighting.reason = why_no_tag(target, times);
+  if (!lies_as_described(sighting, target)) {
+    sighting.points.clear();
+    sighting.reason = lies_otherwise();
+  }
   return sighting;
 }
 

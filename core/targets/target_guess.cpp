@@ -187,6 +187,11 @@ void set_sizes(Target& board, const TagLattice& lattice, const Target& described
     if (!(board.square > 0)) board.square = lattice.pitch * board.tag;
     if (std::abs(board.square / board.tag / lattice.pitch - 1) > as_described || described.kind != board.kind)
       board.tag = round_length(board.square / lattice.pitch);
+  } else if (board.kind == TargetKind::tags) {
+    const double pitch = 1 + board.separation / board.tag;
+    if (described.kind != board.kind || std::abs(pitch / lattice.pitch - 1) > as_described)
+      board.separation = round_length(std::max(0.02, lattice.pitch - 1) * board.tag);
+    lay_out_grid(board);
   } else if (described.kind != board.kind || std::abs((1 + board.spacing) / lattice.pitch - 1) > as_described) {
     board.spacing = std::max(0.02, 0.01 * std::round(100 * (lattice.pitch - 1)));
   }

@@ -89,6 +89,10 @@
         <translation>; ein Marker ist das %1-fache eines Felds</translation>
     </message>
     <message>
+        <source>; the separation is %1 of a marker</source>
+        <translation>; der Abstand ist das %1-fache eines Markers</translation>
+    </message>
+    <message>
         <source>No target is named. %1</source>
         <translation>Kein Ziel ist genannt. %1</translation>
     </message>
@@ -2420,7 +2424,7 @@
     </message>
     <message>
         <source>Poses that would tell</source>
-        <translation>Posen, die es sagten</translation>
+        <translation>Posen, die es zeigen würden</translation>
     </message>
     <message>
         <source>Predicted</source>
@@ -4292,7 +4296,7 @@
     </message>
     <message>
         <source>Dictionary</source>
-        <translation>Verzeichnis</translation>
+        <translation>Wörterbuch</translation>
     </message>
     <message>
         <source>Numbers of the tags</source>
@@ -5142,7 +5146,7 @@
     </message>
     <message>
         <source>A ROS 2 bag, samples of easy_handeye, tables of points: each is known by its content</source>
-        <translation>Ein ROS-2-Bag, Proben von easy_handeye, Tabellen von Punkten: jede wird an ihrem Inhalt erkannt</translation>
+        <translation>Ein ROS-2-Bag, Messungen von easy_handeye, Tabellen von Punkten: jede wird an ihrem Inhalt erkannt</translation>
     </message>
     <message>
         <source>of OpenCV, Kalibr or ROS; several by ;</source>
@@ -5246,7 +5250,7 @@
     </message>
     <message>
         <source>Drop here what there is, or add it: a ROS 2 bag, images, camera_info or a camchain of Kalibr, samples of easy_handeye, tables of joints, poses, points or touches, the robot's URDF. Each is known by its content.</source>
-        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Proben von easy_handeye, Tabellen von Gelenken, Posen, Punkten oder Berührungen, die URDF des Roboters. Jede Datei wird an ihrem Inhalt erkannt.</translation>
+        <translation>Hierher ziehen, was da ist, oder hinzufügen: ein ROS-2-Bag, Bilder, camera_info oder eine camchain von Kalibr, Messungen von easy_handeye, Tabellen von Gelenken, Posen, Punkten oder Berührungen, die URDF des Roboters. Jede Datei wird an ihrem Inhalt erkannt.</translation>
     </message>
     <message>
         <source>Files of the new session</source>
@@ -5602,7 +5606,7 @@
     </message>
     <message>
         <source>The hand: the same markers or board on the same TCP</source>
-        <translation>Die Hand: dieselben Marker oder dieselbe Tafel am selben TCP</translation>
+        <translation>Die Hand: dieselben Marker oder dasselbe Brett am selben TCP</translation>
     </message>
     <message>
         <source>One TCP→Body. What was taken off and put on again is another one.</source>
@@ -6177,11 +6181,11 @@
     </message>
     <message>
         <source>poses, at most</source>
-        <translation>höchstens Posen</translation>
+        <translation>Posen, höchstens</translation>
     </message>
     <message>
         <source>time, at most</source>
-        <translation>höchstens Zeit</translation>
+        <translation>Zeit, höchstens</translation>
     </message>
     <message>
         <source>everywhere</source>
@@ -6556,7 +6560,7 @@
     </message>
     <message>
         <source>Calibrate the cameras again with a board.</source>
-        <translation>Die Kameras mit einer Tafel neu kalibrieren.</translation>
+        <translation>Die Kameras mit einem Brett neu kalibrieren.</translation>
     </message>
     <message>
         <source>Camera intrinsics</source>
@@ -7528,15 +7532,15 @@
     </message>
     <message>
         <source>it has no image, and no point of the target is given</source>
-        <translation>sie hat kein Bild, und kein Punkt der Tafel ist angegeben</translation>
+        <translation>sie hat kein Bild, und kein Punkt des Bretts ist angegeben</translation>
     </message>
     <message>
         <source>its target was not found</source>
-        <translation>ihre Tafel wurde nicht gefunden</translation>
+        <translation>ihr Brett wurde nicht gefunden</translation>
     </message>
     <message>
         <source>its target was not measured</source>
-        <translation>ihre Tafel wurde nicht gemessen</translation>
+        <translation>ihr Brett wurde nicht gemessen</translation>
     </message>
     <message>
         <source>joints moved %1 deg since observation %2; %3 deg count as new</source>
@@ -10799,8 +10803,12 @@
         <translation>ist ein Text einer unbekannten Art</translation>
     </message>
     <message>
-        <source>%1 is %2, and another file is one too; name one of them.</source>
-        <translation>%1 ist %2, und eine andere Datei ist es auch; nenne eine davon.</translation>
+        <source>%1 is %2, and %3 is one too; name one of them.</source>
+        <translation>%1 ist %2, und %3 ist es auch; nenne eine davon.</translation>
+    </message>
+    <message>
+        <source>another file</source>
+        <translation>eine andere Datei</translation>
     </message>
     <message>
         <source>the robot's URDF</source>
@@ -10824,7 +10832,7 @@
     </message>
     <message>
         <source>samples of easy_handeye</source>
-        <translation>Proben von easy_handeye</translation>
+        <translation>Messungen von easy_handeye</translation>
     </message>
     <message>
         <source>a calibration of OpenCV</source>
@@ -11035,8 +11043,16 @@
         <translation>%1: so werden die Ziele der Hände unterschieden (--target-frame sagt es anders).</translation>
     </message>
     <message>
-        <source>The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is read (PoseStamped, TransformStamped); one camera needs --target, what its images show. It has: %1.</source>
-        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, keine Koordinatensysteme in /tf und kein Thema von Posen, das gelesen wird (PoseStamped, TransformStamped); eine Kamera braucht --target, das, was ihre Bilder zeigen. Es hat: %1.</translation>
+        <source>%1: topic %2 (PoseArray) holds %3 to %4 poses a message, which have no names, so that nothing tells which is which; it is left out. Record a topic that names them (/tf, or tags with their numbers), or with one target in view.</source>
+        <translation>%1: Das Thema %2 (PoseArray) hat %3 bis %4 Posen je Nachricht, die keine Namen haben, sodass nichts sagt, welche welche ist; es wird ausgelassen. Zeichne ein Thema auf, das sie nennt (/tf, oder Tags mit ihren Nummern), oder mit nur einem Ziel im Bild.</translation>
+    </message>
+    <message>
+        <source>%1: topic %2 (PoseArray) holds %3 poses a message, which have no names; with --target-frame "%4[0]" (or [1] ...) one of them is taken, as if their order were the same in every message.</source>
+        <translation>%1: Das Thema %2 (PoseArray) hat %3 Posen je Nachricht, die keine Namen haben; mit --target-frame „%4[0]“ (oder [1] ...) wird eine davon genommen, als wäre ihre Reihenfolge in jeder Nachricht dieselbe.</translation>
+    </message>
+    <message>
+        <source>The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is read (PoseStamped, TransformStamped, PoseArray, ArucoMarkers); one camera needs --target, what its images show. It has: %1.</source>
+        <translation>Das Bag hat kein Paar von Kamerabildern mit Kalibrierung, keine Koordinatensysteme in /tf und kein Thema von Posen, das gelesen wird (PoseStamped, TransformStamped, PoseArray, ArucoMarkers); eine Kamera braucht --target, das, was ihre Bilder zeigen. Es hat: %1.</translation>
     </message>
     <message>
         <source>a camera by its numbers' names</source>
@@ -11676,7 +11692,7 @@
     </message>
     <message>
         <source>%1: %2; expected a URDF, a folder of images, a table (CSV) of joints, poses or points, a calibration of OpenCV, ROS or Kalibr, samples of easy_handeye, or a bag of ROS.</source>
-        <translation>%1: %2; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Proben von easy_handeye oder ein Bag von ROS.</translation>
+        <translation>%1: %2; erwartet wird eine URDF, ein Ordner mit Bildern, eine Tabelle (CSV) von Gelenken, Posen oder Punkten, eine Kalibrierung von OpenCV, ROS oder Kalibr, Messungen von easy_handeye oder ein Bag von ROS.</translation>
     </message>
     <message>
         <source>%1: is not there; name a file or folder.</source>
@@ -13527,8 +13543,8 @@
         <translation>die Spitze kommt nicht zu %1</translation>
     </message>
     <message>
-        <source>%1 is a table of joint readings, and another file is one too; name one of them. (Tables of touches, one for each fixture: say what each is, --fixture "plane %2".)</source>
-        <translation>%1 ist eine Tabelle von Gelenkwerten, und eine andere Datei ist auch eine; nenne eine davon. (Tabellen von Berührungen, eine je Vorrichtung: sage, was jede ist, --fixture "plane %2".)</translation>
+        <source>%1 is a table of joint readings, and %2 is one too; name one of them. (Tables of touches, one for each fixture: say what each is, --fixture "plane %3".)</source>
+        <translation>%1 ist eine Tabelle von Gelenkwerten, und %2 ist auch eine; nenne eine davon. (Tabellen von Berührungen, eine je Vorrichtung: sage, was jede ist, --fixture "plane %3".)</translation>
     </message>
     <message>
         <source>%1: %2 is no NAME=VALUE such as sigma=2e-5; a fixture's name is one word ("socket 1" of a table is socket_1 here).</source>

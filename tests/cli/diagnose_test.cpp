@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "cli/hidden_sessions.h"
+#include "fixtures/hand_eye.h"
+#include "session/session_xml.h"
 #include "temporary_folder.h"
 
 namespace handsight {
@@ -388,6 +390,23 @@ TEST_F(Diagnose, WrongUseIsOneSentence) {
     EXPECT_GE(result.errors.size(), 20u) << arguments.back();
     EXPECT_LE(result.errors.size(), 600u) << result.errors;
   }
+}
+
+/// A robot of poses that errs before a camera that hardly does: `fit` weighs that, a diagnosis counts each pixel alike.
+TEST_F(Diagnose, TheFigureOfFitIsNamedWhereTheRobotErrs) {
+  fixture::HandEye h = fixture::hand_eye({.poses = 24, .seed = 3});
+  h.session.file = folder.path / "erring" / "session.xml";
+  std::filesystem::create_directories(h.session.file.parent_path());
+  save_session(h.session);
+  const Json fitted = run_cli(folder.path, {"fit", h.session.file.string(), "--json", "-"}).json();
+  const Json d = run(h.session.file).json();
+  ASSERT_TRUE(d.contains("left_by_fit"));
+  EXPECT_EQ(d["left_by_fit"]["held_out_rms_pixel"], fitted["held_out_rms_pixel"]);
+  const std::string said = run_cli(folder.path, {"diagnose", h.session.file.string()}).output;
+  EXPECT_NE(said.find("fit weighs the robot's own error from pose to pose, and leaves"), std::string::npos) << said;
+  // Where the two are one figure there is nothing to name.
+  const std::string one = run_cli(folder.path, {"diagnose", sample_session("hidden_3").string()}).output;
+  EXPECT_EQ(one.find("fit weighs"), std::string::npos) << one;
 }
 
 }  // namespace

@@ -86,5 +86,29 @@ TEST_F(WrongTarget, WhereNoneIsNamedConvertSaysWhatTheImagesShow) {
       << refused.errors;
 }
 
+TEST_F(WrongTarget, WhereNoneIsNamedCamerasSaysWhatTheImagesShow) {
+  const CliResult board = test::run_cli(folder_, {"cameras", (images_ / "plain").string()});
+  EXPECT_EQ(board.exit_code, 2);
+  EXPECT_NE(board.errors.find("--target \"charuco columns=8 rows=6 square=?mm marker=?mm"), std::string::npos)
+      << board.errors;
+  const CliResult grid =
+      test::run_cli(folder_, {"cameras", (images_.parent_path() / "aruco_gridboard" / "images").string()});
+  EXPECT_NE(grid.errors.find("--target \"grid columns=4 rows=5 marker=?mm"), std::string::npos) << grid.errors;
+}
+
+/// The numbers alone would be found on any grid: where they lie is looked at, too.
+TEST_F(WrongTarget, AGridOfOtherColumnsIsFoundOut) {
+  const auto seen = [&](const std::string& columns, const std::string& rows, const std::string& dictionary) {
+    return test::run_cli(folder_, {"cameras", (images_.parent_path() / "aruco_gridboard" / "images").string(), "--kind",
+                                   "grid", "--columns", columns, "--rows", rows, "--marker", "0.035", "--separation",
+                                   "0.015", "--dictionary", dictionary});
+  };
+  EXPECT_EQ(seen("4", "5", "DICT_6X6_250").exit_code, 0);
+  const CliResult exchanged = seen("5", "4", "DICT_6X6_250");
+  EXPECT_EQ(exchanged.exit_code, 2) << exchanged.output;
+  EXPECT_NE(exchanged.errors.find("`--columns 4 --rows 5`"), std::string::npos) << exchanged.errors;
+  EXPECT_NE(seen("4", "5", "DICT_4X4_50").errors.find("`--dictionary DICT_6X6_50`"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace handsight

@@ -44,7 +44,7 @@ TEST_F(OneByOne, FilesOfDifferentThingsAreRefused) {
   std::string first, other;
   for (std::size_t i = 0; i < count(); ++i) first += point(i, 0), other += point(count() - 1 - i, 1);
   EXPECT_THAT(refusal({write("joints.txt", readings(false)), write("a.txt", first), write("b.txt", other)}),
-              HasSubstr("another file is one too"));
+              HasSubstr("b.txt is a table of points, and a.txt is one too"));
 }
 
 TEST_F(OneByOne, SeveralLinesForEachPose) {

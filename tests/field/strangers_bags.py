@@ -177,14 +177,31 @@ def poses_of_aruco_ros():
     return topic_of_poses("/aruco_single/pose", message), HAND
 
 
-def arrays_of_poses():
-    """Not read: the topics are named with their types."""
-    def message(seconds, p):
-        one = Pose()
+def array(seconds, poses):
+    m = stamped(PoseArray(poses=[Pose() for _ in poses]), seconds, "camera")
+    for one, p in zip(m.poses, poses):
         fill(one.position, one.orientation, p)
-        return stamped(PoseArray(poses=[one]), seconds, "camera")
+    return m
+
+
+def arrays_of_one_pose():
+    """A detector's PoseArray with the one tag that is there, and empty ones where it is not seen."""
+    return topic_of_poses("/aruco_poses", lambda seconds, p: array(seconds, [p])), HAND
+
+
+def arrays_of_two_poses():
+    """Nothing says that their order stays: asked for by its place it is taken."""
+    aside = motion((0, 0, 0.4), (0.3, 0, 0))
+    named = topic_of_poses("/aruco_poses", lambda seconds, p: array(seconds, [aside, p]))
+    return [*named, "--target-frame", "/aruco_poses[1]"], HAND
+
+
+def arrays_of_one_or_two_poses():
+    """Which is which nothing tells: the sentence says so, and what to record."""
+    def message(seconds, p):
+        return array(seconds, [p, motion((0, 0, 0.4), (0.3, 0, 0))][:1 + int(seconds) % 2])
     return (topic_of_poses("/aruco_poses", message),
-            lambda made: (made.returncode == 2 and "/aruco_poses (geometry_msgs/PoseArray)" in made.stderr, made.stderr.strip()))
+            lambda made: (made.returncode == 2 and "holds 1 to 2 poses a message" in made.stderr, made.stderr.strip()))
 
 
 def compressed_images_of_a_wrist_camera():
@@ -200,6 +217,7 @@ def compressed_images_of_a_wrist_camera():
 
 
 CASES = [realsense_with_its_board, realsense_without_a_target, two_hands_whose_tags_are_numbers, two_hands_of_which_nobody_can_tell,
-         poses_of_aruco_ros, arrays_of_poses, compressed_images_of_a_wrist_camera]
+         poses_of_aruco_ros, arrays_of_one_pose, arrays_of_two_poses,
+         arrays_of_one_or_two_poses, compressed_images_of_a_wrist_camera]
 
 sys.exit(run_cases(CASES))

@@ -45,6 +45,36 @@ TEST(WholeTexts, OfTheEffectsThatShowSomeAreNamedInFull) {
   EXPECT_TRUE(are_reported);
 }
 
+/// German at 1280 px: a long variable beside an effect that shows.
+TEST(WholeTexts, AVariableIsWholeBeforeAnEffectIsNamed) {
+  PatternPage page;
+  PatternPlot plot{.id = "a", .what = "Fehler von right_arm_1", .against = "Schweremoment an right_arm_3"};
+  plot.points = {{1, 0, 0, 1.0, 2}, {2, 1, 1, 1.0, 2}};
+  plot.shows = "Gelenkelastizität";
+  page.set_plots({plot});
+  test::show(page, {600, 240});
+  const QStringList texts = painted(page);
+  EXPECT_TRUE(texts.join(' ').contains("Schweremoment an right_arm_3")) << texts.join('|').toStdString();
+  for (const QString& text : texts) EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
+}
+
+/// Beside no large plot: numbers along both axes, and units.
+TEST(WholeTexts, SmallPlotsByThemselvesHaveNumbersAndUnits) {
+  PatternPage page;
+  PatternPlot plot{.id = "a", .what = "error", .against = "torque", .x_unit = "N m", .y_unit = "mrad"};
+  plot.points = {{1, -21, -1.4, 1.0, 2}, {2, 34, 2.6, 1.0, 2}};
+  page.set_plots({plot, plot});
+  page.show_numbers();
+  for (const QSize size : {QSize(600, 110), QSize(1200, 300)}) {
+    page.set_rows(1);
+    test::show(page, size);
+    const QStringList texts = painted(page);
+    for (const QString& one : {QString("error (mrad)"), QString("against torque (N m)"), QString("0"), QString("2"),
+                               QString("20"), QChar(0x2212) + QString("20")})
+      EXPECT_TRUE(texts.contains(one)) << one.toStdString() << " in " << texts.join('|').toStdString();
+  }
+}
+
 TEST(WholeTexts, AWholeHundredPerCentKeepsAwayFromTheNextLetter) {
   for (const ErrorAttribution& attribution :
        {ErrorAttribution{1, 0, 0}, ErrorAttribution{0, 1, 0}, ErrorAttribution{0, 0, 1}}) {

@@ -17,11 +17,11 @@ namespace {
 constexpr int column_count = 3, reach_px = 8;
 constexpr double gap_between = 4;
 
-QString with_unit(const QString& quantity, const QString& unit) {
+}  // namespace
+
+QString PatternPage::with_unit(const QString& quantity, const QString& unit) {
   return unit.isEmpty() ? quantity : QStringLiteral("%1 (%2)").arg(quantity, unit);
 }
-
-}  // namespace
 
 PatternPage::PatternPage(QWidget* parent)
     : QWidget(parent), empty_text_(tr("Nine views of the residual appear here once there is a fit.")) {
@@ -30,8 +30,16 @@ PatternPage::PatternPage(QWidget* parent)
   setAccessibleName(tr("Nine patterns of the residual"));
 }
 
-QSize PatternPage::sizeHint() const { return {592, 84 * rows_}; }
-QSize PatternPage::minimumSizeHint() const { return {480, rows_ * 80 + (rows_ - 1) * static_cast<int>(gap_between)}; }
+QSize PatternPage::sizeHint() const { return {592, (has_numbers_ ? 110 : 84) * rows_}; }
+QSize PatternPage::minimumSizeHint() const {
+  return {480, rows_ * (has_numbers_ ? 100 : 80) + (rows_ - 1) * static_cast<int>(gap_between)};
+}
+
+void PatternPage::show_numbers() {
+  has_numbers_ = true;
+  updateGeometry();
+  update();
+}
 
 void PatternPage::set_rows(int rows) {
   if (rows == rows_) return;
@@ -152,7 +160,9 @@ QRectF PatternPage::plot_rect(int place) const {
           std::floor(tall)};
 }
 
-QRectF PatternPage::canvas(int place) const { return plot_rect(place).adjusted(6, 18, -6, -30); }
+QRectF PatternPage::canvas(int place) const {
+  return has_numbers_ ? plot_rect(place).adjusted(44, 22, -6, -46) : plot_rect(place).adjusted(6, 18, -6, -30);
+}
 
 QPointF PatternPage::on_screen(int place, double x, double y) const {
   const Range& r = ranges_[static_cast<std::size_t>(place)];

@@ -39,6 +39,8 @@ class PatternPage : public QWidget {
   /// `fit` gives a plot the axes that also hold the other page's plot of the same id. Null: none. It must live as long.
   void set_companion(const PatternPage* other) { companion_ = other; }
   int rows() const { return rows_; }
+  /// Each plot has numbers along its axes, and units; where no large plot beside the page has them.
+  void show_numbers();
   explicit PatternPage(QWidget* parent = nullptr);
   void set_plots(std::vector<PatternPlot> plots);     // at most nine, as read; axes are fitted
   void update_plots(std::vector<PatternPlot> plots);  // the same places: axes stay
@@ -80,12 +82,14 @@ class PatternPage : public QWidget {
   static Range find_range(const PatternPlot& plot);
   static bool outgrows(const Range& wanted, const Range& present);
   static bool is_filled_by_noise(const PatternPlot& plot, const Range& present);
+  static QString with_unit(const QString& quantity, const QString& unit);
   QRectF canvas(int place) const;  // where the points are
   int place_at(const QPointF& position) const;
   const ScatterPoint* point_at(int place, const QPointF& position) const;
   QString make_text(int place, const ScatterPoint* point) const;
   void paint_ground(QPainter& painter, int place) const;
   void paint_head(QPainter& painter, int place) const;
+  void paint_numbers(QPainter& painter, int place) const;
   void paint_curves(QPainter& painter, int place) const;
   void paint_points(QImage& image, int place, const std::vector<DotStamp>& stamps, const DotStamp& plain) const;
   void paint_rings(QPainter& painter, int place) const;
@@ -94,6 +98,7 @@ class PatternPage : public QWidget {
   std::vector<PatternPlot> plots_;
   std::array<Range, plot_count> ranges_{};
   int rows_ = 3;
+  bool has_numbers_ = false;
   const PatternPage* companion_ = nullptr;
   int count() const { return std::min(static_cast<int>(plots_.size()), 3 * rows_); }
   std::vector<ObservationId> highlighted_;

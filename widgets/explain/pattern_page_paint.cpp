@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the nine small plots are painted.
 #include <algorithm>
+#include <cmath>
 
+#include "widgets/base/number_text.h"
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 #include "widgets/explain/pattern_page.h"
@@ -11,6 +13,30 @@ namespace {
 
 bool contains(const std::vector<ObservationId>& sorted, ObservationId id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
+struct RoundMarks {
+  std::vector<double> values;
+  int decimals = 0;  // that tell them apart
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten within a range: at most `most`, and two where any power has two.
+RoundMarks round_marks(double low, double high, int most) {
+  RoundMarks finer;
+  const double power = std::pow(10, std::floor(std::log10((high - low) / most)));
+  for (const double times : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0}) {
+    const double step = times * power, first = std::ceil(low / step), last = std::floor(high / step);
+    const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+    if (last - first + 1 > most) {
+      finer = {{first * step, last * step}, decimals};
+      continue;
+    }
+    if (last <= first) break;
+    RoundMarks marks{{}, decimals};
+    for (double i = first; i <= last; ++i) marks.values.push_back(i * step);
+    return marks;
+  }
+  return finer;
 }
 
 /// As many names of a list as there is room for, none of them cut; the first alone is cut at worst.
@@ -45,11 +71,13 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   // The strength: a bar that is filled as far as the residual follows; beside the variable where that leaves it whole,
   // so that the names of effects have their line.
   constexpr double of_mark = 34;
-  const QString against = tr("against %1").arg(plot.against);
+  const QString what = has_numbers_ ? with_unit(plot.what, plot.y_unit) : plot.what,
+                variable = has_numbers_ ? with_unit(plot.against, plot.x_unit) : plot.against,
+                against = tr("against %1").arg(variable);
   const bool is_at_foot = metrics.horizontalAdvance(against) <= foot.width() - of_mark;
   const QRectF mark(last.right() - 30, (is_at_foot ? foot : last).top() + 4, 30, 7);
   painter.setPen(c.ink1);
-  worded(plot.what, plot.what, head, Qt::ElideMiddle);
+  worded(what, plot.what, head, Qt::ElideMiddle);
   painter.setPen(QPen(plot.is_chance ? c.hairline : c.control_edge, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(mark.adjusted(0.5, 0.5, -0.5, -0.5));
@@ -60,13 +88,42 @@ void PatternPage::paint_head(QPainter& painter, int place) const {
   const QRectF names = last.adjusted(0, 0, is_at_foot ? 0 : -of_mark, 0);
   const QString shown = whole_names(plot.shows, metrics, names.width());
   const qsizetype two_words = plot.against.lastIndexOf(' ', plot.against.lastIndexOf(' ') - 1);
-  if (metrics.horizontalAdvance(plot.against) > foot.width() && shown.isEmpty() && two_words > 0) {
+  // What it stands against is whole before effects are named: the tool tip names them, too.
+  if (metrics.horizontalAdvance(plot.against) > foot.width() && two_words > 0) {
     worded(plot.against.left(two_words), plot.against.left(two_words), foot, Qt::ElideMiddle);
     return worded(plot.against.mid(two_words + 1), plot.against.mid(two_words + 1), names, Qt::ElideMiddle);
   }
-  worded(against, plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
+  worded(metrics.horizontalAdvance(against) <= foot.width() ? against : tr("against %1").arg(plot.against),
+         plot.against, foot, Qt::ElideMiddle);  // joints differ at their ends
   painter.setPen(c.ink3);
   if (!shown.isEmpty()) worded(tr("shows %1").arg(shown), shown, names, Qt::ElideRight);
+}
+
+/// Two or three numbers along each axis; the units stand beside the quantities.
+void PatternPage::paint_numbers(QPainter& painter, int place) const {
+  const Colors& c = colors();
+  const Range& r = ranges_[static_cast<std::size_t>(place)];
+  const QRectF area = canvas(place), cell = plot_rect(place);
+  painter.setFont(text_font(TextRole::small));
+  const QFontMetricsF metrics(painter.font());
+  const double high = metrics.height();
+  const auto most = [](double room, double each) { return std::clamp(static_cast<int>(room / each), 2, 5); };
+  painter.setPen(QPen(c.ink2, 1));
+  const RoundMarks ys = round_marks(r.low, r.high, most(area.height(), 1.3 * high)),
+                   xs = round_marks(r.left, r.right, most(area.width(), 45));
+  for (const double y : ys.values) {
+    const double at = std::round(on_screen(place, r.left, y).y()) + 0.5;
+    painter.drawLine(QPointF(area.left() - 3, at), QPointF(area.left(), at));
+    draw_text(painter, {cell.left() + 2, at - high / 2, area.left() - cell.left() - 7, high},
+              Qt::AlignRight | Qt::AlignVCenter, fixed_text(y, ys.decimals));
+  }
+  for (const double x : xs.values) {
+    const QString text = fixed_text(x, xs.decimals);
+    const double at = std::round(on_screen(place, x, r.low).x()) + 0.5, wide = metrics.horizontalAdvance(text) + 4;
+    painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + 3));
+    const double left = std::clamp(at - wide / 2, cell.left() + 2, cell.right() - wide - 2);
+    draw_text(painter, {left, area.bottom() + 3, wide, high}, Qt::AlignHCenter | Qt::AlignTop, text);
+  }
 }
 
 void PatternPage::paint_curves(QPainter& painter, int place) const {
@@ -194,6 +251,7 @@ void PatternPage::paintEvent(QPaintEvent*) {
     paint_rings(painter, i);
     painter.setClipping(false);
     paint_head(painter, i);
+    if (has_numbers_) paint_numbers(painter, i);
     const QRectF cell = plot_rect(i);
     if (i == selected_plot_)
       draw_focus(painter, cell);

@@ -21,6 +21,7 @@
 #include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_table_model.h"
+#include "widgets/lists/whole_rows.h"
 
 namespace handsight::widgets {
 namespace {
@@ -120,7 +121,8 @@ ObservationTable::ObservationTable(QWidget* parent) : QWidget(parent) {
   text_->setMinimumWidth(60);
   bar->addWidget(text_, 1);
   layout->addLayout(bar);
-  layout->addWidget(view_, 1);
+  rows_ = new WholeRows(view_, row_height_px, this);
+  layout->addWidget(rows_, 1);
 
   empty_ = new QLabel(this);
   empty_->setWordWrap(true);
@@ -258,7 +260,7 @@ void ObservationTable::set_hovered(ObservationId id) {
 
 /// Of the row that is pointed at, else of the chosen one. Where any row has one, its lines are kept for it.
 void ObservationTable::show_reason() {
-  reason_->setVisible(!view_->isHidden() && has_reasons_);
+  reason_->setVisible(!rows_->isHidden() && has_reasons_);
   QString text;
   for (const ObservationId id : {hovered_, selected_}) {
     const int at = model_->find_row(id);
@@ -352,7 +354,7 @@ void ObservationTable::update_summary() {
   summary_->setText(text);
   const bool is_empty = shown_rows == 0;
   const bool is_filtered = all > 0;
-  view_->setVisible(!is_empty);
+  rows_->setVisible(!is_empty);
   empty_->setVisible(is_empty);
   const QString nothing_odd = QObject::tr("No observation stands out of the noise.");
   const QString nothing_found = QObject::tr("No observation is like that.");

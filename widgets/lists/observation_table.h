@@ -68,6 +68,7 @@ class ObservationTable : public QWidget {
   ObservationTableModel* model_;
   ObservationTableFilter* filter_;
   QTableView* view_ = nullptr;
+  QWidget* rows_ = nullptr;  // the view's room, in which no row is cut
   QButtonGroup* filter_buttons_;
   QLineEdit* text_;
   QLabel *summary_, *empty_, *reason_ = nullptr;

@@ -9,6 +9,7 @@
 #include "camera_calibration/board_report.h"
 #include "camera_calibration/camera_calibration.h"
 #include "command.h"
+#include "convert/shown_target.h"
 #include "options/target_option.h"
 #include "print/target_xml.h"
 #include "printing/json_values.h"
@@ -220,9 +221,18 @@ void print(const CamerasArguments& o, const CameraCalibration& c, const BoardRep
   for (const Message& warning : c.warnings) out.line("! " + warning);
 }
 
+/// Nothing was said of the target: what the images show, in the words that say it.
+Message shown_text(const GroupedImages& grouped) {
+  std::vector<InstantImages> instants;
+  for (const auto& file : grouped.cameras.front().files) instants.push_back({0, {file}});
+  return shown_target_text(instants);
+}
+
 int run(const CamerasArguments& o) {
-  const Target target = target_from(o.target);
   const GroupedImages grouped = group_images(std::vector<std::filesystem::path>(o.images.begin(), o.images.end()));
+  if (!is_given(o.target))
+    if (const Message shown = shown_text(grouped); !shown.empty()) throw InputError(shown);
+  const Target target = target_from(o.target);
   std::size_t count = 0;
   for (const CameraImages& camera : grouped.cameras) {
     count += camera.files.size();

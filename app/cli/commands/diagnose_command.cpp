@@ -3,6 +3,8 @@
 
 #include "command.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "estimation/fit/sure_fit.h"
+#include "estimation/report/fit_report.h"
 #include "options/named_effects.h"
 #include "printing/bill_output.h"
 #include "printing/blunder_output.h"
@@ -27,6 +29,18 @@ bool is_size_alone(const Diagnosis& d) {
   return best.id == "target_scale" && best.ln_bayes_factor >= d.threshold && best.explained.value_or(0) > nearly_all;
 }
 
+/// What `fit` leaves held out of the same session, where it weighs the robot's own error from pose to pose: a diagnosis
+/// counts each pixel alike, so that what is missing does not pass for such an error. Absent where nothing is weighed.
+std::optional<ErrorSummary> left_by_fit(const Session& session, const DiagnosisOptions& o, const Diagnosis& d) {
+  if (!session.rig || d.sample || d.verdict == Verdict::adequate || has_no_answer(d.model.fit)) return std::nullopt;
+  FitOptions as_fit;
+  as_fit.effects = o.effects;
+  as_fit.estimated = o.estimated;
+  const Fit weighed = fit(session, as_fit);
+  if (!weighed.converged() || !weighed.problem.flange_error.is_any()) return std::nullopt;
+  return report(session, weighed, as_fit).held_out;
+}
+
 int run(const DiagnoseArguments& o) {
   const Session session = open_searched_session(o.session, o.output);
   require_output(o.proof_file, "--proof");
@@ -40,7 +54,8 @@ int run(const DiagnoseArguments& o) {
   const Diagnosis d = diagnose(session, options);
   const bool in_full = !o.output.json_file.empty() || !o.proof_file.empty();
   const Proofs proofs = make_proofs(session, d, in_full);
-  print_diagnosis(o.output, session, d);
+  const std::optional<ErrorSummary> by_fit = left_by_fit(session, options, d);
+  print_diagnosis(o.output, session, d, by_fit);
   print_proof(o.output, d, proofs);
   const std::vector<BillRow> bill = make_bill(d.model.fit);
   print_bill(o.output, bill);
@@ -53,6 +68,10 @@ int run(const DiagnoseArguments& o) {
   }
   if (!o.output.json_file.empty()) {
     Json result = diagnosis_json(session, d);
+    if (by_fit)
+      result["left_by_fit"] = {{"held_out_rms_pixel", number(by_fit->rms_pixel)},
+                               {"held_out_rms_m", number(by_fit->rms_m)},
+                               {"held_out_mean_m", number(by_fit->mean_m)}};
     add_proof(proofs, result);
     result["bill"] = bill_json(bill);
     result["blunders"] = blunders_json(blunders);

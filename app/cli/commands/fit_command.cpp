@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
@@ -45,6 +46,16 @@ void print_next(const FitArguments& o, const Session& session, const Fit& result
         fmt::format("Next: handsight-cli fit {} --export calibration.xml, for predict, correct and export.", path));
 }
 
+/// Those that are not said already: observations whose target's tilt flipped go with no others.
+std::vector<Blunder> without_said(std::vector<Blunder> blunders, const std::vector<FlippedTarget>& flipped) {
+  std::vector<std::int64_t> ids;
+  for (const FlippedTarget& one : flipped) ids.push_back(one.id);
+  std::sort(ids.begin(), ids.end());
+  const std::string said = fmt::format("{}", fmt::join(ids, ","));
+  std::erase_if(blunders, [&](const Blunder& b) { return b.id == "stray_poses" && b.where == said; });
+  return blunders;
+}
+
 int run(const FitArguments& o) {
   const Session session = open_joined_session(o.sessions, o.shared, o.output);
   FitOptions options;
@@ -82,7 +93,7 @@ int run(const FitArguments& o) {
   if (distance) o.output.line(distance->text);
   const std::vector<Blunder> blunders =
       settles_it(size) || distance ? std::vector<Blunder>() : list_blunders(clean.session, result);
-  print_blunders(o.output, o.sessions.front(), blunders);
+  print_blunders(o.output, o.sessions.front(), without_said(blunders, flipped));
   if (blunders.empty() && !size && !distance && flipped.empty()) print_next(o, session, result);
   Json json = fit_json(session, result, reported, options);
   json["target_size"] = target_size_json(size);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/percent.h"
 #include "diagnosis/evidence/repeatability_levels.h"
@@ -206,9 +207,16 @@ std::string sure(double ln_bayes_factor) {
   return ln_bayes_factor > 999 ? ">999" : fmt::format("{:.1f}", ln_bayes_factor);
 }
 
+/// Would both be read as one figure?
+bool is_about(const ErrorSummary& a, const ErrorSummary& b) {
+  constexpr double as_read = 0.03;  // two digits
+  return a.rms_pixel && b.rms_pixel && std::abs(*a.rms_pixel - *b.rms_pixel) < as_read * *b.rms_pixel;
+}
+
 }  // namespace
 
-void print_diagnosis(const Output& out, const Session& session, const Diagnosis& d) {
+void print_diagnosis(const Output& out, const Session& session, const Diagnosis& d,
+                     const std::optional<ErrorSummary>& left_by_fit) {
   const bool tracker = session.is_tracker();
   const Story story = find_story(d);
   out.line(fmt::format("{}: {}", session.title.empty() ? "Session" : session.title, verdict_text(d.verdict)));
@@ -219,6 +227,11 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
       d.verdict == Verdict::adequate ? repeatability_text(d.repeatability, d.model.session.joints) : "";
   out.line(fmt::format("Error     {}{}{}", error_line(story.error), story.error.noise ? "" : "; noise unknown",
                        repeatability.empty() ? "" : "; scatter as of " + repeatability));
+  if (left_by_fit && !is_about(*left_by_fit, d.report.held_out))
+    out.line(fmt::format(
+        "          each pixel counts alike here; fit weighs the robot's own error from pose to pose, and leaves "
+        "{} held out",
+        error_text(*left_by_fit)));
   if (d.attribution.cause != ErrorCause::none)
     out.line(fmt::format("Due to    robot {} %, marker body {} %, cameras {} % of what exceeds the noise",
                          whole_percent(d.attribution.robot), whole_percent(d.attribution.body),

@@ -97,15 +97,6 @@ char side_of(const std::string& name) {
   return 0;
 }
 
-/// Frames of /tf that sound like targets, by what they are called.
-std::vector<std::string> target_frames(const BagContents& bag) {
-  std::vector<std::string> frames;
-  for (const auto& [child, frame] : bag.frames)
-    if (frame.series.poses.size() > 1 && says(child, {"tag", "marker", "aruco", "target", "board", "charuco"}))
-      frames.push_back(child);
-  return frames;
-}
-
 /// Of the hand's own side; all where the robot has no other hand; none where nothing tells.
 std::vector<std::string> frames_of_hand(const ConvertOptions& o, const std::vector<std::string>& frames,
                                         bool has_one_hand) {
@@ -178,6 +169,15 @@ std::vector<ConvertOptions> sessions_of_bag(const std::vector<fs::path>& named, 
   if (list_sensors(topics, true).empty()) parted = parted_by_frames(bag, sessions, notes);
   if (parted.size() > sessions.size()) note_parted(parted, &ConvertOptions::target_frame, notes);
   return parted;
+}
+
+std::vector<std::string> target_frames(const BagContents& bag) {
+  std::vector<std::string> frames;
+  for (const auto& [child, frame] : bag.frames)
+    if (frame.series.poses.size() > 1 && !frame.must_be_named &&
+        says(child, {"tag", "marker", "aruco", "target", "board", "charuco"}))
+      frames.push_back(child);
+  return frames;
 }
 
 std::string link_of_frame(const BagContents& bag, const Robot& robot, std::string frame) {

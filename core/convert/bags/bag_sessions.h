@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "convert/conversion.h"
@@ -17,6 +18,9 @@ namespace handsight {
 /// there is no bag, or nothing to part. InputError where the bag cannot be read; ConversionStopped.
 std::vector<ConvertOptions> sessions_of_bag(const std::vector<std::filesystem::path>& files,
                                             std::vector<ConvertOptions> sessions, std::vector<Message>& notes);
+
+/// Frames of /tf, and topics of poses, that sound like targets by what they are called.
+std::vector<std::string> target_frames(const BagContents& bag);
 
 /// The link that carries a camera whose frame the bag tells: the robot's link of that name, or the one that the frame
 /// hangs from in /tf. Empty: none does.

@@ -17,21 +17,20 @@ std::string target_frame_of(const BagContents& bag, const Bag& file, const Conve
   const std::string& wanted = o.target_frame;
   std::string topics;
   for (const BagTopic& t : file.topics) topics += fmt::format("{}{} ({})", topics.empty() ? "" : ", ", t.name, t.type);
-  std::vector<std::string> likely, all;
-  for (const auto& [child, frame] : bag.frames) {
-    all.push_back(child);
-    if (frame.series.poses.size() > 1 && says(child, {"tag", "marker", "aruco", "target", "board", "charuco"}))
-      likely.push_back(child);
-  }
+  const std::vector<std::string> likely = target_frames(bag);
+  std::vector<std::string> all;
+  for (const auto& [child, frame] : bag.frames) all.push_back(child);
   if (!wanted.empty() && bag.frames.count(wanted)) return wanted;
   if (!wanted.empty())
     throw InputError(message("--target-frame {}: /tf of the bag has no such child; it has: {}.", in_quotes(wanted),
                              shortened(fmt::format("{}", fmt::join(all, " ")), 300)));
   if (likely.size() == 1) return likely.front();
+  if (likely.empty() && !bag.ambiguous.empty()) throw InputError(bag.ambiguous.front());
   if (all.empty())
     throw InputError(
         message("The bag has no pair of camera images with calibration, no frames in /tf and no topic of poses that is "
-                "read (PoseStamped, TransformStamped); one camera needs --target, what its images show. It has: {}.",
+                "read (PoseStamped, TransformStamped, PoseArray, ArucoMarkers); one camera needs --target, what its "
+                "images show. It has: {}.",
                 shortened(topics, 300)));
   throw InputError(
       message("The bag has no pair of camera images with calibration, and its /tf {} frames that sound like a "

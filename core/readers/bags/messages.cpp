@@ -110,6 +110,10 @@ Transform transform_of(Reader& in) {
 
 }  // namespace
 
+double time_of(const Header& header, std::int64_t recorded_nanoseconds) {
+  return header.stamp != 0 ? header.stamp : 1e-9 * static_cast<double>(recorded_nanoseconds);
+}
+
 JointState read_joint_state(const Message& message) {
   Reader in(message);
   JointState s;
@@ -177,6 +181,44 @@ Transform read_pose(const Message& message) {
   t.header = in.header();
   t.parent_from_child = make_motion(in, "pose");
   return t;
+}
+
+Poses read_pose_array(const Message& message) {
+  Reader in(message);
+  Poses all;
+  all.header = in.header();
+  all.poses.resize(in.count(56));
+  for (Rigid& pose : all.poses) pose = make_motion(in, "pose");
+  return all;
+}
+
+Poses read_aruco_markers(const Message& message) {
+  Reader in(message);
+  Poses all;
+  all.header = in.header();
+  all.names.resize(in.count(8));
+  for (std::string& name : all.names) name = std::to_string(in.number<std::int64_t>());
+  all.poses.resize(in.count(56));
+  for (Rigid& pose : all.poses) pose = make_motion(in, "pose");
+  if (all.names.size() != all.poses.size()) in.fail("it has not as many poses as numbers of tags");
+  return all;
+}
+
+Poses read_aruco_detection(const Message& message) {
+  Reader in(message);
+  Poses all;
+  all.header = in.header();
+  const std::uint32_t tags = in.count(58);
+  for (std::uint32_t i = 0; i < tags; ++i) {
+    all.names.push_back(std::to_string(in.number<std::uint16_t>()));
+    all.poses.push_back(make_motion(in, "pose"));
+  }
+  const std::uint32_t boards = in.count(60);
+  for (std::uint32_t i = 0; i < boards; ++i) {
+    all.names.push_back(in.text());
+    all.poses.push_back(make_motion(in, "pose"));
+  }
+  return all;
 }
 
 std::string read_string(const Message& message) { return Reader(message).text(); }

@@ -18,6 +18,9 @@ struct Header {
   std::string frame;
 };
 
+/// When a message was made; when it was recorded where it does not say. s
+double time_of(const Header& header, std::int64_t recorded_nanoseconds);
+
 struct JointState {
   Header header;
   std::vector<std::string> names;
@@ -52,6 +55,13 @@ struct Transform {
   Rigid parent_from_child;
 };
 
+/// Poses of several things in one frame.
+struct Poses {
+  Header header;
+  std::vector<Rigid> poses;
+  std::vector<std::string> names;  // what each is called by; empty where the message does not say
+};
+
 /// "sensor_msgs/JointState" of both ROS's names for a type: ROS 2 has "sensor_msgs/msg/JointState".
 std::string find_type(std::string_view name);
 
@@ -70,7 +80,11 @@ CompressedImage read_compressed_image(const Message& message);
 CameraInfo read_camera_info(const Message& message);
 std::vector<Transform> read_transforms(const Message& message);  // TFMessage
 Transform read_transform(const Message& message);                // TransformStamped
-Transform read_pose(const Message& message);  // PoseStamped: parent_from_child, without a child's name
+/// PoseStamped and PoseWithCovarianceStamped: parent_from_child, without a child's name.
+Transform read_pose(const Message& message);
+Poses read_pose_array(const Message& message);       // geometry_msgs/PoseArray: without names
+Poses read_aruco_markers(const Message& message);    // ArucoMarkers of ros2_aruco: the tags' numbers, then their poses
+Poses read_aruco_detection(const Message& message);  // aruco_opencv_msgs/ArucoDetection: tags by number, boards by name
 std::string read_string(const Message& message);
 
 }  // namespace handsight::ros

@@ -145,7 +145,7 @@ void select_forty(Desk& desk, const char* what) {
   std::vector<double> times;
   const auto chosen = [&] { return desk.window.workbench().selection.current().observation.value_or(-1); };
   const auto first = chosen();
-  desk.find<QWidget>("strip")->setFocus();  // a list or a box that has it keeps the arrows for itself
+  desk.find<QWidget>("strip")->setFocus();
   const double before = processor_seconds();
   for (int i = 0; i < 40; ++i) {
     QElapsedTimer timer;

@@ -9,11 +9,13 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <fstream>
 
 #include "app/window/pages.h"
+#include "app/window/painted_text.h"
 #include "base/files.h"
 #include "cli/cli_runner.h"
 #include "compare/compare_page.h"
@@ -125,6 +127,10 @@ TEST_F(Compare, AJointThatLostItsZeroIsNamedAndBothAreShownOnTheSameAxes) {
                           (second->on_screen(place, 0.1, 0.2) - second->plot_rect(place).topLeft());
     EXPECT_LT(apart.manhattanLength(), 2) << "the same axes";
   }
+  std::size_t numbers = 0;
+  for (const PaintedText& text : texts_of(*first))
+    numbers += text.text.contains(QRegularExpression("^[\\x{2212}0-9.]+$"));
+  EXPECT_GE(numbers, 3 * 4U) << "two along each axis of three plots at least: no large plot here has them";
   EXPECT_EQ(desk.document().undo_stack().count(), actions);
   EXPECT_EQ(read_file(before / "session.xml"), before_text);
   EXPECT_EQ(read_file(after / "session.xml"), after_text);

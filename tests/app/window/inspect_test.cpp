@@ -56,6 +56,17 @@ TEST_F(InspectTest, SeveralChosenRowsStayChosenAndDeleteTakesThemAll) {
   EXPECT_EQ(excluded(), 0U);
 }
 
+TEST_F(InspectTest, NoRowIsCutWhateverTheHeight) {
+  open("hundred_poses");
+  for (const int height : {728, 735, 741, 760}) {
+    desk.window.resize(1366, height);
+    QTest::qWait(30);
+    QTableView* view = inspect.table()->view();
+    ASSERT_TRUE(view->isVisible());
+    EXPECT_EQ(view->viewport()->height() % view->rowHeight(0), 0) << height;
+  }
+}
+
 TEST_F(InspectTest, WhyAnObservationIsNotUsedStandsThereWhole) {
   desk.window.resize(1366, 768);
   open("hidden_3");

@@ -46,6 +46,43 @@ TEST_F(Manners, UndoReachesTheDocumentFromAnEmptyTextField) {
   EXPECT_EQ(desk.document().find(2)->decision, Decision::excluded);
 }
 
+/// Presses a key and says which observation is chosen then.
+std::int64_t chosen_after(Desk& desk, Qt::Key key) {
+  desk.key(key);
+  return desk.window.workbench().selection.current().observation.value_or(-1);
+}
+
+TEST_F(Manners, LeftAndRightStepThroughTheObservationsFromBoxesRowsAndButtons) {
+  open("thesis_simulation");
+  desk.key(Qt::Key_2, Qt::ControlModifier);
+  desk.window.workbench().selection.select_observation(2);
+  auto* speed = desk.find<QComboBox>("speed");
+  const int before = speed->currentIndex();
+  speed->setFocus();
+  ASSERT_TRUE(speed->hasFocus());
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Right), 3);
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Left), 2);
+  EXPECT_EQ(speed->currentIndex(), before);
+  desk.key(Qt::Key_Up);
+  EXPECT_NE(speed->currentIndex(), before) << "the box is chosen from by up and down";
+  auto* play = desk.find<QAbstractButton>("play");
+  play->setFocus();
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Right), 3);
+  EXPECT_TRUE(play->hasFocus());
+
+  desk.key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(desk.settle());
+  auto* table = desk.find<widgets::ObservationTable>("inspect_table");
+  table->view()->setFocus();
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Right), 4);
+  EXPECT_EQ(table->selected(), 4);
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Left), 3);
+  auto* field = table->findChild<QLineEdit*>();
+  desk.type_into(field, "a");
+  EXPECT_EQ(chosen_after(desk, Qt::Key_Left), 3) << "in a text that is typed the arrows move in the text";
+  EXPECT_EQ(field->cursorPosition(), 0);
+}
+
 TEST_F(Manners, TheWheelOverABoxWithoutFocusChangesNothing) {
   open("thesis_simulation");
   desk.key(Qt::Key_2, Qt::ControlModifier);
