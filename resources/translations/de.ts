@@ -434,7 +434,7 @@
     </message>
     <message>
         <source>; with it the error would be down at the noise</source>
-        <translation>; damit wäre der Fehler unten beim Rauschen</translation>
+        <translation>; damit läge der Fehler beim Rauschen</translation>
     </message>
     <message>
         <source>%1 mrad</source>
