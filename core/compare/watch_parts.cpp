@@ -18,6 +18,8 @@ namespace {
 constexpr double same_pose = 5e-3;         // rad (m)
 constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
 
+double ln_weighed(const WatchParts::Start& s) { return s.ln_e_value + s.ln_weight; }
+
 }  // namespace
 
 PoseSums WatchParts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
@@ -74,6 +76,29 @@ std::size_t WatchParts::locate(const Eigen::VectorXd& position, const Matrix6& r
   return poses.size() - 1;
 }
 
+/// Of the poses only that of the new observation says anything else than before it.
+void WatchParts::keep(Recent observation) {
+  const std::size_t place = observation.pose;
+  WatchedPose& pose = poses[place];
+  pose.unchanged.add(observation.sums.unchanged(base));
+  pose.changed.add(observation.sums);
+  recent.push_back(std::move(observation));
+  if (recent.size() > options.window) recent.pop_front();
+  const auto settle = [&](const PoseSums& sums) { return without_pose(sums, coordinate, pose.repeatability); };
+  const auto settle_in = [](Normal& total, Normal& kept, Normal now) {
+    total.replace(kept, now);
+    kept = std::move(now);
+  };
+  settle_in(without_change, pose.without_change, settle(pose.unchanged));
+  settle_in(from_first, pose.with_change, settle(pose.changed));
+  PoseSums sums = pose.unchanged;
+  for (std::size_t i = recent.size(); i-- > 0;) {
+    if (recent[i].pose != place) continue;
+    sums.add_changes(recent[i].sums, base);
+    recent[i].of_pose = settle(sums);
+  }
+}
+
 /// By group, the mean over its places, with what it is likely beforehand.
 std::map<std::string, double> WatchParts::by_group(const std::vector<double>& evidence) const {
   std::map<std::string, std::vector<double>> groups;
@@ -113,33 +138,24 @@ WatchParts::Start WatchParts::start_at(double ln_weight, const Normal& n) const 
 }
 
 std::vector<WatchParts::Start> WatchParts::starts() const {
-  std::vector<PoseSums> sums;
-  std::vector<Normal> normals;
-  Normal total, from_first;
-  const auto add_to = [](Normal& sum, const Normal& one) {
-    if (sum.gradient.size() == 0)
-      sum = one;
-    else
-      sum.add(one, 1);
-  };
-  for (const WatchedPose& p : poses) {
-    sums.push_back(p.unchanged);
-    normals.push_back(without_pose(p.unchanged, coordinate, p.repeatability));
-    add_to(total, normals.back());
-    add_to(from_first, without_pose(p.changed, coordinate, p.repeatability));
-  }
+  std::vector<const Normal*> of_poses;
+  for (const WatchedPose& p : poses) of_poses.push_back(&p.without_change);
+  Normal total = without_change;
   std::vector<Start> all;
   for (std::size_t i = recent.size(); i-- > 0;) {
     const Recent& r = recent[i];
-    total.add(normals[r.pose], -1);
-    sums[r.pose].add(r.sums.unchanged(base), -1);
-    sums[r.pose].add(r.sums);
-    normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].repeatability);
-    total.add(normals[r.pose], 1);
+    total.replace(*of_poses[r.pose], r.of_pose);
+    of_poses[r.pose] = &r.of_pose;
     all.push_back(start_at(r.ln_weight, total));
   }
   if (recent.front().number > 0) all.push_back(start_at(ln_first_weight, from_first));
   return all;
+}
+
+double WatchParts::ln_e_value(const std::vector<Start>& all) {
+  std::vector<double> weighed;
+  for (const Start& s : all) weighed.push_back(ln_weighed(s));
+  return ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
 }
 
 /// Its numbers and their sigmas, each held at three prior sigmas.
@@ -161,14 +177,9 @@ WatchedChange WatchParts::measure_size(std::size_t unit, const Start& start) con
 
 WatchStep WatchParts::reported(const std::vector<Start>& all) const {
   WatchStep step;
-  std::vector<double> weighed;
-  std::size_t best = 0;
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    weighed.push_back(all[s].ln_e_value + all[s].ln_weight);
-    if (weighed[s] > weighed[best]) best = s;
-  }
-  step.ln_e_value = ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
-  const Start& start = all[best];
+  step.ln_e_value = ln_e_value(all);
+  const Start& start = *std::max_element(all.begin(), all.end(),
+                                         [](const Start& a, const Start& b) { return ln_weighed(a) < ln_weighed(b); });
   const std::map<std::string, double> groups = by_group(start.evidence);
   const auto likeliest =
       std::max_element(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -17,14 +17,16 @@ namespace handsight {
 struct WatchedPose {
   Eigen::VectorXd position;
   Matrix6 repeatability = Matrix6::Zero();
-  PoseSums unchanged;  // all its observations as if nothing had changed
-  PoseSums changed;    // ... as if all were made after the change
+  PoseSums unchanged;                  // all its observations as if nothing had changed
+  PoseSums changed;                    // ... as if all were made after the change
+  Normal without_change, with_change;  // what is left of both without the pose
 };
 
 struct Recent {
   std::size_t pose = 0, number = 0;
   double ln_weight = 0;  // of a change that comes just before it
   PoseSums sums;
+  Normal of_pose;  // what its pose says of such a change
 };
 
 struct WatchParts {
@@ -32,6 +34,7 @@ struct WatchParts {
   WatchOptions options;
   std::vector<WatchedPose> poses;
   std::deque<Recent> recent;
+  Normal without_change, from_first;  // of all poses: no change, one before the very first observation
   std::size_t count = 0;
   Rounds rounds;
   double ln_first_weight = 0;  // of a change before the very first observation
@@ -56,8 +59,10 @@ struct WatchParts {
 
   PoseSums sums_of(const Session& session, const Observation& observation, Matrix6& repeatability);
   std::size_t locate(const Eigen::VectorXd& position, const Matrix6& repeatability);
+  void keep(Recent observation);
   Start start_at(double ln_weight, const Normal& normal) const;
   std::vector<Start> starts() const;
+  static double ln_e_value(const std::vector<Start>& starts);
   std::map<std::string, double> by_group(const std::vector<double>& evidence) const;
   double mixture(const std::vector<double>& evidence) const;
   WatchedChange measure_size(std::size_t unit, const Start& start) const;
