@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -62,7 +63,8 @@ TEST(RosDriver, DrivesAnExperimentAgainstARealMaster) {
                                 test::quoted_argument((folder.path / "rendered").string());
   const Program robot("sleep 2; exec " + python + " " +
                       test::quoted_argument((source / "tests/experiment/ros_robot.py").string()) + " " + camera + " " +
-                      test::quoted_argument(simulated) + " >/dev/null 2>&1");
+                      test::quoted_argument(simulated) + " " +
+                      test::quoted_argument((folder.path / "commands").string()) + " >/dev/null 2>&1");
   std::string joints;
   for (const std::string& joint : before.joints) joints += " " + joint;
   const auto result = test::run_cli(
@@ -73,6 +75,13 @@ TEST(RosDriver, DrivesAnExperimentAgainstARealMaster) {
                     "--yes", "--speed", "2", "--wait", "90", "--until", "count=2"});
   EXPECT_EQ(result.exit_code, 0) << result.errors << result.output;
   EXPECT_EQ(read_session(session).observations.size(), before.observations.size() + 2);
+  // Two moves, and a halt where it stands once nobody speaks to the driver any more.
+  const auto commands = [&] {
+    const std::string lines = test::read_text(folder.path / "commands");
+    return std::count(lines.begin(), lines.end(), '\n');
+  };
+  for (int i = 0; i < 100 && commands() < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(commands(), 3);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A robot on ROS 1 for tests, with handsight-driver-simulated behind it: ros_robot.py CAMERA COMMAND. It publishes
-/joint_states and /CAMERA/image and follows what comes on /command."""
+"""A robot on ROS 1 for tests, with handsight-driver-simulated behind it: ros_robot.py CAMERA COMMAND LOG. It publishes
+/joint_states and /CAMERA/image and follows what comes on /command, a line of LOG each time."""
 import json
 import queue
 import subprocess
@@ -12,7 +12,7 @@ import rospy
 from sensor_msgs.msg import Image, JointState
 from trajectory_msgs.msg import JointTrajectory
 
-camera, command = sys.argv[1], sys.argv[2]
+camera, command, log = sys.argv[1:4]
 process = subprocess.Popen(command, shell=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 count = 0
 
@@ -40,6 +40,8 @@ image = seen()
 while True:
     try:
         trajectory = orders.get(timeout=0.05)
+        with open(log, "a") as file:
+            file.write(f"{len(trajectory.points)} points\n")
         places = [trajectory.joint_names.index(name) for name in hello["joints"]]
         moved = ask("move", path=[[point.positions[i] for i in places] for point in trajectory.points], speed=1.0)
         image = seen()  # before anybody hears that the robot has arrived
