@@ -2,8 +2,8 @@
 // What a ChangeWatch has gathered. Internal to change_watch.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <deque>
-#include <map>
 #include <optional>
 
 #include "compare/change_candidates.h"
@@ -44,26 +44,34 @@ struct WatchParts {
   Eigen::MatrixXd known;
   std::vector<ChangeUnit> units;
   std::vector<Eigen::Index> first_of_unit;
-  Eigen::VectorXd sizes;  // plausible, of the changes' columns
+  std::vector<std::string> groups;         // of units, in their order by name
+  std::vector<std::size_t> group_of_unit;  // into them
+  Eigen::VectorXd sizes;                   // plausible, of the changes' columns
   std::optional<Chain> chain;
   double coordinate = 0;  // variance of what a coordinate is off by at every visit of a pose, in units of the noise
+
+  /// What is said of the unknowns that changes share with all before them; the same wherever a change begins.
+  struct Shared {
+    Eigen::LLT<Eigen::MatrixXd> information;
+    Eigen::VectorXd gradient;  // L^-1 of it
+  };
 
   /// One start of the change: what each unit's evidence is from there on.
   struct Start {
     double ln_weight = 0;
-    Eigen::MatrixXd information;
-    Eigen::VectorXd gradient;
-    std::vector<double> evidence;  // by unit
+    std::vector<Eigen::MatrixXd> information;  // by unit, of its own numbers, the shared unknowns taken out
+    Eigen::VectorXd gradient;                  // of all changes, likewise
+    std::vector<double> evidence;              // by unit
     double ln_e_value = 0;
   };
 
   PoseSums sums_of(const Session& session, const Observation& observation, Matrix6& repeatability);
   std::size_t locate(const Eigen::VectorXd& position, const Matrix6& repeatability);
   void keep(Recent observation);
-  Start start_at(double ln_weight, const Normal& normal) const;
+  Start start_at(double ln_weight, const Normal& normal, const Shared& shared) const;
   std::vector<Start> starts() const;
   static double ln_e_value(const std::vector<Start>& starts);
-  std::map<std::string, double> by_group(const std::vector<double>& evidence) const;
+  std::vector<double> by_group(const std::vector<double>& evidence) const;
   double mixture(const std::vector<double>& evidence) const;
   WatchedChange measure_size(std::size_t unit, const Start& start) const;
   WatchStep reported(const std::vector<Start>& starts) const;
