@@ -147,7 +147,7 @@ TEST_F(DriverFaults, KilledAtAnyMomentTheSessionIsWholeAndNothingMovesOn) {
     EXPECT_TRUE(has_ended(process)) << "the driver " << process << " goes on after " << seconds << " s";
     const std::size_t now = observations();  // throws where it cannot be read
     EXPECT_GE(now, before);
-    if (now == before) most = std::min(1.2 * most, 20.0);  // it has not come to a look: a machine at work
+    if (now == before) most = std::min(1.2 * most, 8.0);  // it has not come to a look: a machine at work
     before = now;
   }
   EXPECT_GT(before, 3U);

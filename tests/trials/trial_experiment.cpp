@@ -244,6 +244,7 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
 void try_knowing(int count, std::uint64_t first, int from, double size, double least_shown) {
   std::vector<double> loop_by_random, knowing_by_random, loop_by_knowing;
   std::array<int, 3> right{};
+  int all = 0;
   for (int i = from; i < count; ++i) {
     const Case c = drawn_case(i, first + static_cast<std::uint64_t>(i), size);
     const double shown = c.truth.effects.empty() ? 0 : shown_by(c);
@@ -259,9 +260,12 @@ void try_knowing(int count, std::uint64_t first, int from, double size, double l
     right[0] += is_right(loop.settled, c) ? 1 : 0;
     right[1] += is_right(by_knowing, c) ? 1 : 0;
     right[2] += is_right(by_random, c) ? 1 : 0;
-    loop_by_random.push_back(static_cast<double>(loop.observations) / random_count);
-    knowing_by_random.push_back(static_cast<double>(knowing_count) / random_count);
-    loop_by_knowing.push_back(static_cast<double>(loop.observations) / knowing_count);
+    ++all;
+    if (is_right(loop.settled, c) && is_right(by_knowing, c) && is_right(by_random, c)) {
+      loop_by_random.push_back(static_cast<double>(loop.observations) / random_count);
+      knowing_by_random.push_back(static_cast<double>(knowing_count) / random_count);
+      loop_by_knowing.push_back(static_cast<double>(loop.observations) / knowing_count);
+    }
     const auto name = [](const std::optional<SettledCause>& s) { return !s ? "-" : s->id.empty() ? "none" : s->id; };
     fmt::print("{} robot {} {:<22} chi2 {:<8.3g} loop {:>2} poses ({}), who knows {:>2} ({}), random {:>2} ({})\n",
                c.truth.seed, i % 3, c.hidden, shown, loop.observations, name(loop.settled), knowing_count,
@@ -269,10 +273,11 @@ void try_knowing(int count, std::uint64_t first, int from, double size, double l
     std::fflush(stdout);
   }
   fmt::print(
-      "{} robots: loop by random ones {:.2f} in the median, who knows by random ones {:.2f}, loop by who knows {:.2f}; "
-      "named right by the loop {}, who knows {}, by random ones {}\n",
-      loop_by_random.size(), median(loop_by_random), median(knowing_by_random), median(loop_by_knowing), right[0],
-      right[1], right[2]);
+      "{} robots, named right by the loop {}, who knows {}, by random poses {}; of the {} that all name right: loop by "
+      "random "
+      "ones {:.2f} in the median, who knows by random ones {:.2f}, loop by who knows {:.2f}\n",
+      all, right[0], right[1], right[2], loop_by_random.size(), median(loop_by_random), median(knowing_by_random),
+      median(loop_by_knowing));
 }
 
 void try_ways(int count, std::uint64_t seed) {

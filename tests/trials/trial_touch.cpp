@@ -237,6 +237,7 @@ double judged_ln_bayes_factor(const Session& s, double cost_without, const Effec
 /// What a judge says of a session who knows the noise, that one cause is hidden, and how large each usually is: ln of
 /// the Bayes factor of each effect, where it does best.
 bool with_candidates = false;  // --candidates
+bool with_nearest = false;     // --nearest
 
 using Judgement = std::map<std::string, double>;
 
@@ -253,6 +254,24 @@ Judgement judge(const Session& s) {
       }
     }
   return judgement;
+}
+
+/// The other effects that leave least of a hidden cause's chi-squared, fitted in its place where they do best.
+std::vector<std::pair<double, std::string>> nearest_to(const Session& like, int touches, std::uint64_t seed,
+                                                       const EffectTerm& truth) {
+  std::vector<std::pair<double, std::string>> all;
+  const Session exact = exact_touches(like, touches, seed, truth);
+  for (const Effect& effect : catalogue()) {
+    if (effect.id == truth.id) continue;
+    double least = 1e300;
+    for (const int place : effect_places(effect, make_chain(exact))) try {
+        least = std::min(least, fit(exact, {.estimated = {term_of(effect, place)}}).solution.normal.cost);
+      } catch (const std::exception&) {
+      }
+    all.emplace_back(least / (reading * reading), effect.id);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 /// The effect with the most evidence beside this one.
@@ -316,6 +335,12 @@ void score_session(const std::string& kind, const char* id, int touches, std::ui
                        std::find(leading->indistinguishable_from.begin(), leading->indistinguishable_from.end(), id) !=
                            leading->indistinguishable_from.end();
   const bool is_sure = margin > std::log(20);
+  if (with_nearest) {
+    const auto near = nearest_to(like, touches, seed, *term);
+    fmt::print("  {} seed {}: of its {:.1f} {} leaves {:.1f}, {} {:.1f}, {} {:.1f}\n", id, seed,
+               noncentrality(like, touches, seed, *term), near[0].second, near[0].first, near[1].second, near[1].first,
+               near[2].second, near[2].first);
+  }
   ++score.shown;
   score.first += is_it;
   score.tied += is_twin;
@@ -367,12 +392,15 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
 }  // namespace
 }  // namespace handsight
 
-/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [cause] [--markdown] [--candidates]
+/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [cause] [--markdown] [--nearest]
+/// [--candidates]
 int main(int argc, char** argv) {
   using namespace handsight;
   const trials::TableOutput output = trials::take_table_output(argc, argv);
   with_candidates = std::string(argv[argc - 1]) == "--candidates";
   argc -= with_candidates;
+  with_nearest = std::string(argv[argc - 1]) == "--nearest";
+  argc -= with_nearest;
   const std::string what = argc > 1 ? argv[1] : "both";
   const int seeds = argc > 2 ? std::atoi(argv[2]) : 500, touches = argc > 3 ? std::atoi(argv[3]) : 120;
   const std::string only = argc > 4 ? argv[4] : "";
