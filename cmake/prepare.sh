@@ -12,7 +12,7 @@ test_packages=(libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth libgl1-mesa
   clang-format codespell doxygen  # form, spelling, and the pages of docs
   libmujoco-dev libsdformat-dev liburdfdom-dev  # readers of robot descriptions
   python3-rosbag python3-sensor-msgs python3-tf2-msgs  # writers of ROS 1 bags
-  python3-rosmaster python3-rospy python3-trajectory-msgs  # a ROS 1 robot for the example driver; 2 MB
+  python3-rosmaster python3-rospy python3-trajectory-msgs python3-actionlib  # a ROS 1 robot for the example driver; 3 MB
   python3-opencv python3-scipy python3-yaml)  # writers of strangers' recordings
 python_packages=(pybind11-dev python3-dev python3-numpy python3-venv python3-matplotlib)  # the module, an environment to try its wheel in, plots of the examples
 

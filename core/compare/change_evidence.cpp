@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -53,13 +54,28 @@ Eigen::MatrixXd require_root(Eigen::MatrixXd symmetric) {
 
 }  // namespace
 
-double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
-  std::vector<double> factors;
-  for (const double s : prior_scales) {
-    Eigen::MatrixXd m = s * s * information;
+double change_evidence(const Eigen::Ref<const Eigen::MatrixXd>& information,
+                       const Eigen::Ref<const Eigen::VectorXd>& gradient) {
+  std::array<double, prior_scales.size()> factors{};
+  // Asked for very often, mostly of one number: memory is taken once, of one number not at all.
+  if (gradient.size() == 1) {
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const double squared = prior_scales[i] * prior_scales[i], m = 1 + squared * information(0, 0);
+      factors[i] = 0.5 * (squared * gradient[0] * gradient[0] / m - std::log(m));
+    }
+    return ln_over_scales(factors);
+  }
+  Eigen::LLT<Eigen::MatrixXd> llt(gradient.size());
+  Eigen::MatrixXd m;
+  Eigen::VectorXd answer;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const double squared = prior_scales[i] * prior_scales[i];
+    m = squared * information;
     m.diagonal().array() += 1;
-    const Eigen::LLT<Eigen::MatrixXd> llt(m);
-    factors.push_back(0.5 * s * s * gradient.dot(llt.solve(gradient)) - llt.matrixLLT().diagonal().array().log().sum());
+    llt.compute(m);
+    answer = gradient;
+    llt.matrixL().solveInPlace(answer);
+    factors[i] = 0.5 * squared * answer.squaredNorm() - llt.matrixLLT().diagonal().array().log().sum();
   }
   return ln_over_scales(factors);
 }

@@ -10,7 +10,8 @@ namespace handsight {
 
 /// ln of the mean Bayes factor over plausible scales of a change, by what the data say of its numbers (in plausible
 /// sizes).
-double change_evidence(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
+double change_evidence(const Eigen::Ref<const Eigen::MatrixXd>& information,
+                       const Eigen::Ref<const Eigen::VectorXd>& gradient);
 
 /// The same where the change was fitted: at these values it took away `gained` of chi-squared.
 double change_evidence_at(const Eigen::MatrixXd& information, const Eigen::VectorXd& values, double gained);

@@ -80,12 +80,19 @@ ObservationParts list_parts(const Problem& p, const ProblemObservation& o, const
   return parts;
 }
 
+/// The markers' own columns by a rigid motion of all of them.
+Eigen::MatrixXd motions_of(const std::vector<Vector3>& markers) {
+  Eigen::MatrixXd motions(3 * static_cast<Eigen::Index>(markers.size()), 6);
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    motions.middleRows<3>(3 * static_cast<Eigen::Index>(m)) << Matrix3::Identity(), -cross_matrix(markers[m]);
+  return motions;
+}
+
 /// Old columns by new ones: the markers' own replaced by a rigid motion of all of them.
 Eigen::MatrixXd by_rigid_markers(Eigen::Index columns, const std::vector<Vector3>& markers) {
   const Eigen::Index points = 3 * static_cast<Eigen::Index>(markers.size());
   Eigen::MatrixXd by_new = Eigen::MatrixXd::Zero(columns, columns - points + 6);
-  for (std::size_t m = 0; m < markers.size(); ++m)
-    by_new.block<3, 6>(3 * static_cast<Eigen::Index>(m), 0) << Matrix3::Identity(), -cross_matrix(markers[m]);
+  by_new.topLeftCorner(points, 6) = motions_of(markers);
   by_new.bottomRightCorner(columns - points, columns - points).setIdentity();
   return by_new;
 }
@@ -125,7 +132,11 @@ ChangeRows change_rows(const Problem& p, const SharedState& state, const ChangeC
 SingleRows single_rows(const Problem& p, const ProblemObservation& o, const SharedState& state,
                        const ChangeColumns& columns, double weight) {
   SingleRows rows = list_parts(p, o, state, columns, list_sizes(p, columns), weight);
-  rows.by_columns *= by_rigid_markers(rows.by_columns.cols(), state.unknowns.markers_in_tcp);
+  const Eigen::MatrixXd motions = motions_of(state.unknowns.markers_in_tcp);
+  const Eigen::Index points = motions.rows(), others = rows.by_columns.cols() - points;
+  Eigen::MatrixXd by_new(rows.by_columns.rows(), 6 + others);
+  by_new << rows.by_columns.leftCols(points) * motions, rows.by_columns.rightCols(others);
+  rows.by_columns = std::move(by_new);
   return rows;
 }
 

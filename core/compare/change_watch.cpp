@@ -23,10 +23,7 @@ std::optional<WatchStep> ChangeWatch::add(const Session& session, const Observat
   one.number = p.count++;
   one.ln_weight = p.rounds.next_ln_weight(one.pose);
   if (one.number == 0) p.ln_first_weight = one.ln_weight;
-  p.poses[one.pose].unchanged.add(one.sums.unchanged(p.base));
-  p.poses[one.pose].changed.add(one.sums);
-  p.recent.push_back(std::move(one));
-  if (p.recent.size() > p.options.window) p.recent.pop_front();
+  p.keep(std::move(one));
   WatchStep step = p.reported(p.starts());
   p.has_changed = p.has_changed || step.ln_e_value >= -std::log(p.options.chance);
   step.changed = p.has_changed;

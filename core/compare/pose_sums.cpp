@@ -2,14 +2,15 @@
 #include "compare/pose_sums.h"
 
 #include "chain/sighting.h"
+#include "estimation/problem/column_products.h"
 
 namespace handsight {
 
 Normal without_pose(const PoseSums& sums, double coordinate, const Matrix6& repeatability) {
   const Eigen::VectorXd share = coordinate / (1 + coordinate * sums.count.array());
-  const Eigen::MatrixXd weighed = share.asDiagonal() * sums.rows;
-  const Eigen::MatrixXd information = sums.information - sums.rows.transpose() * weighed;
-  const Eigen::VectorXd gradient = sums.gradient - weighed.transpose() * sums.error;
+  const Eigen::MatrixXd weighed = share.cwiseSqrt().asDiagonal() * sums.rows;
+  const Eigen::MatrixXd information = sums.information - column_products(weighed);
+  const Eigen::VectorXd gradient = sums.gradient - sums.rows.transpose() * share.cwiseProduct(sums.error);
   const Eigen::Index kept = gradient.size() - 6;
   Normal n{information.topLeftCorner(kept, kept), gradient.head(kept)};
   if (repeatability.isZero(0)) return n;
@@ -38,7 +39,7 @@ PoseSums sums_of_rows(const ProblemObservation& o, const SingleRows& single, int
     if (s.in_cameras.empty()) put(row, row_count(s));
     for (const CameraPoint& p : s.in_cameras) put(row + 2 * p.camera, 2);
   }
-  sums.information = sums.rows.transpose() * sums.rows;
+  sums.information = column_products(sums.rows);
   sums.gradient = sums.rows.transpose() * sums.error;
   return sums;
 }

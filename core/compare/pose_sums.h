@@ -15,16 +15,26 @@ struct PoseSums {
   Eigen::VectorXd error;        // e, likewise
   Eigen::VectorXd count;        // how often each was measured
 
-  void add(const PoseSums& other, double sign = 1) {
+  void add(const PoseSums& other) {
     if (information.size() == 0) {
       *this = other;
       return;
     }
-    information += sign * other.information;
-    gradient += sign * other.gradient;
-    rows += sign * other.rows;
-    error += sign * other.error;
-    count += sign * other.count;
+    information += other.information;
+    gradient += other.gradient;
+    rows += other.rows;
+    error += other.error;
+    count += other.count;
+  }
+
+  /// Adds what the changes do in another sum that is already in this one as unchanged.
+  void add_changes(const PoseSums& other, Eigen::Index base) {
+    const Eigen::Index changes = gradient.size() - 6 - base, end = base + changes;
+    gradient.segment(base, changes) += other.gradient.segment(base, changes);
+    rows.middleCols(base, changes) += other.rows.middleCols(base, changes);
+    information.middleCols(base, changes) += other.information.middleCols(base, changes);
+    information.block(base, 0, changes, base) += other.information.block(base, 0, changes, base);
+    information.block(base, end, changes, 6) += other.information.block(base, end, changes, 6);
   }
 
   /// Without what the changes do: the observation was made before them.
@@ -43,9 +53,17 @@ struct Normal {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
 
-  void add(const Normal& other, double sign) {
-    information += sign * other.information;
-    gradient += sign * other.gradient;
+  /// Adds the one and takes off the other, which was added before; nothing where there was none.
+  void replace(const Normal& old, const Normal& by) {
+    if (gradient.size() == 0) {
+      *this = by;
+      return;
+    }
+    information += by.information;
+    gradient += by.gradient;
+    if (old.gradient.size() == 0) return;
+    information -= old.information;
+    gradient -= old.gradient;
   }
 };
 

@@ -18,6 +18,8 @@ namespace {
 constexpr double same_pose = 5e-3;         // rad (m)
 constexpr double least_coordinate = 0.25;  // half of the noise: what shape and lenses are off by, at least
 
+double ln_weighed(const WatchParts::Start& s) { return s.ln_e_value + s.ln_weight; }
+
 }  // namespace
 
 PoseSums WatchParts::sums_of(const Session& session, const Observation& observation, Matrix6& repeatability) {
@@ -33,6 +35,12 @@ PoseSums WatchParts::sums_of(const Session& session, const Observation& observat
     for (std::size_t m = 0; m < sides.after.problem.marker_is_seen.size(); ++m)
       sides.after.problem.marker_is_seen[m] = 1;
     units = change_units(sides.after.problem);
+    for (const ChangeUnit& unit : units) groups.push_back(unit.group);
+    std::sort(groups.begin(), groups.end());
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    for (const ChangeUnit& unit : units)
+      group_of_unit.push_back(
+          static_cast<std::size_t>(std::lower_bound(groups.begin(), groups.end(), unit.group) - groups.begin()));
   }
   std::vector<EffectTerm> terms;
   for (const ChangeUnit& unit : units) terms.insert(terms.end(), unit.terms.begin(), unit.terms.end());
@@ -74,78 +82,93 @@ std::size_t WatchParts::locate(const Eigen::VectorXd& position, const Matrix6& r
   return poses.size() - 1;
 }
 
+/// Of the poses only that of the new observation says anything else than before it.
+void WatchParts::keep(Recent observation) {
+  const std::size_t place = observation.pose;
+  WatchedPose& pose = poses[place];
+  pose.unchanged.add(observation.sums.unchanged(base));
+  pose.changed.add(observation.sums);
+  recent.push_back(std::move(observation));
+  if (recent.size() > options.window) recent.pop_front();
+  const auto settle = [&](const PoseSums& sums) { return without_pose(sums, coordinate, pose.repeatability); };
+  const auto settle_in = [](Normal& total, Normal& kept, Normal now) {
+    total.replace(kept, now);
+    kept = std::move(now);
+  };
+  settle_in(without_change, pose.without_change, settle(pose.unchanged));
+  settle_in(from_first, pose.with_change, settle(pose.changed));
+  PoseSums sums = pose.unchanged;
+  for (std::size_t i = recent.size(); i-- > 0;) {
+    if (recent[i].pose != place) continue;
+    sums.add_changes(recent[i].sums, base);
+    recent[i].of_pose = settle(sums);
+  }
+}
+
 /// By group, the mean over its places, with what it is likely beforehand.
-std::map<std::string, double> WatchParts::by_group(const std::vector<double>& evidence) const {
-  std::map<std::string, std::vector<double>> groups;
-  for (std::size_t u = 0; u < units.size(); ++u) groups[units[u].group].push_back(evidence[u]);
-  std::map<std::string, double> ln_of;
-  for (const auto& [group, all] : groups) ln_of[group] = ln_mean_exp(all) + ln_prior_odds(group);
+std::vector<double> WatchParts::by_group(const std::vector<double>& evidence) const {
+  std::vector<double> ln_of, own;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    own.clear();
+    for (std::size_t u = 0; u < units.size(); ++u)
+      if (group_of_unit[u] == g) own.push_back(evidence[u]);
+    ln_of.push_back(ln_mean_exp(own) + ln_prior_odds(groups[g]));
+  }
   return ln_of;
 }
 
 /// The mean over the groups.
 double WatchParts::mixture(const std::vector<double>& evidence) const {
-  std::vector<double> of_groups;
   double weights = 0;
-  for (const auto& [group, ln] : by_group(evidence)) {
-    weights += std::exp(ln_prior_odds(group));
-    of_groups.push_back(ln);
-  }
-  return ln_mean_exp(of_groups) + std::log(static_cast<double>(of_groups.size()) / weights);
+  for (const std::string& group : groups) weights += std::exp(ln_prior_odds(group));
+  return ln_mean_exp(by_group(evidence)) + std::log(static_cast<double>(groups.size()) / weights);
 }
 
-WatchParts::Start WatchParts::start_at(double ln_weight, const Normal& n) const {
+WatchParts::Start WatchParts::start_at(double ln_weight, const Normal& n, const Shared& shared) const {
   const Eigen::Index changes = n.gradient.size() - base;
-  const Eigen::LLT<Eigen::MatrixXd> llt(n.information.topLeftCorner(base, base) + known);
-  const Eigen::MatrixXd cross = llt.solve(n.information.topRightCorner(base, changes));
+  const Eigen::MatrixXd cross = shared.information.matrixL().solve(n.information.topRightCorner(base, changes));
   Start start;
   start.ln_weight = ln_weight;
-  start.information =
-      n.information.bottomRightCorner(changes, changes) - n.information.bottomLeftCorner(changes, base) * cross;
-  start.gradient = n.gradient.tail(changes) - cross.transpose() * n.gradient.head(base);
+  start.gradient = n.gradient.tail(changes) - cross.transpose() * shared.gradient;
   for (std::size_t u = 0; u < units.size(); ++u) {
     const Eigen::Index first = first_of_unit[u] - base, numbers = first_of_unit[u + 1] - first_of_unit[u];
-    start.evidence.push_back(change_evidence(start.information.block(first, first, numbers, numbers),
-                                             start.gradient.segment(first, numbers)));
+    const auto own_cross = cross.middleCols(first, numbers);
+    Eigen::MatrixXd own = n.information.block(base + first, base + first, numbers, numbers);
+    own -= own_cross.transpose().lazyProduct(own_cross);
+    start.evidence.push_back(change_evidence(own, start.gradient.segment(first, numbers)));
+    start.information.push_back(std::move(own));
   }
   start.ln_e_value = mixture(start.evidence);
   return start;
 }
 
 std::vector<WatchParts::Start> WatchParts::starts() const {
-  std::vector<PoseSums> sums;
-  std::vector<Normal> normals;
-  Normal total, from_first;
-  const auto add_to = [](Normal& sum, const Normal& one) {
-    if (sum.gradient.size() == 0)
-      sum = one;
-    else
-      sum.add(one, 1);
-  };
-  for (const WatchedPose& p : poses) {
-    sums.push_back(p.unchanged);
-    normals.push_back(without_pose(p.unchanged, coordinate, p.repeatability));
-    add_to(total, normals.back());
-    add_to(from_first, without_pose(p.changed, coordinate, p.repeatability));
-  }
+  std::vector<const Normal*> of_poses;
+  for (const WatchedPose& p : poses) of_poses.push_back(&p.without_change);
+  Normal total = without_change;
+  Shared shared{Eigen::LLT<Eigen::MatrixXd>(total.information.topLeftCorner(base, base) + known), {}};
+  shared.gradient = shared.information.matrixL().solve(total.gradient.head(base));
   std::vector<Start> all;
   for (std::size_t i = recent.size(); i-- > 0;) {
     const Recent& r = recent[i];
-    total.add(normals[r.pose], -1);
-    sums[r.pose].add(r.sums.unchanged(base), -1);
-    sums[r.pose].add(r.sums);
-    normals[r.pose] = without_pose(sums[r.pose], coordinate, poses[r.pose].repeatability);
-    total.add(normals[r.pose], 1);
-    all.push_back(start_at(r.ln_weight, total));
+    total.replace(*of_poses[r.pose], r.of_pose);
+    of_poses[r.pose] = &r.of_pose;
+    all.push_back(start_at(r.ln_weight, total, shared));
   }
-  if (recent.front().number > 0) all.push_back(start_at(ln_first_weight, from_first));
+  if (recent.front().number > 0) all.push_back(start_at(ln_first_weight, from_first, shared));
   return all;
+}
+
+double WatchParts::ln_e_value(const std::vector<Start>& all) {
+  std::vector<double> weighed;
+  for (const Start& s : all) weighed.push_back(ln_weighed(s));
+  return ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
 }
 
 /// Its numbers and their sigmas, each held at three prior sigmas.
 WatchedChange WatchParts::measure_size(std::size_t unit, const Start& start) const {
   const Eigen::Index first = first_of_unit[unit] - base, numbers = first_of_unit[unit + 1] - first_of_unit[unit];
-  Eigen::MatrixXd information = start.information.block(first, first, numbers, numbers);
+  Eigen::MatrixXd information = start.information[unit];
   information.diagonal().array() += 1 / (change_scale * change_scale);
   const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(numbers, numbers));
   const Eigen::VectorXd size = sizes.segment(first, numbers);
@@ -161,20 +184,14 @@ WatchedChange WatchParts::measure_size(std::size_t unit, const Start& start) con
 
 WatchStep WatchParts::reported(const std::vector<Start>& all) const {
   WatchStep step;
-  std::vector<double> weighed;
-  std::size_t best = 0;
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    weighed.push_back(all[s].ln_e_value + all[s].ln_weight);
-    if (weighed[s] > weighed[best]) best = s;
-  }
-  step.ln_e_value = ln_mean_exp(weighed) + std::log(static_cast<double>(weighed.size()));
-  const Start& start = all[best];
-  const std::map<std::string, double> groups = by_group(start.evidence);
-  const auto likeliest =
-      std::max_element(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  step.what = likeliest->first;
-  for (const auto& [group, ln] : groups)
-    if (group != step.what && ln > likeliest->second - ln_20) step.indistinguishable_from.push_back(group);
+  step.ln_e_value = ln_e_value(all);
+  const Start& start = *std::max_element(all.begin(), all.end(),
+                                         [](const Start& a, const Start& b) { return ln_weighed(a) < ln_weighed(b); });
+  const std::vector<double> ln_of = by_group(start.evidence);
+  const auto likeliest = static_cast<std::size_t>(std::max_element(ln_of.begin(), ln_of.end()) - ln_of.begin());
+  step.what = groups[likeliest];
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (g != likeliest && ln_of[g] > ln_of[likeliest] - ln_20) step.indistinguishable_from.push_back(groups[g]);
   std::size_t unit = units.size();
   for (std::size_t u = 0; u < units.size(); ++u)
     if (units[u].group == step.what && (unit == units.size() || start.evidence[u] > start.evidence[unit])) unit = u;

@@ -5,6 +5,7 @@
 
 #include "estimation/report/fit_report.h"
 #include "fixtures/arms.h"
+#include "fixtures/targets.h"
 #include "simulation/simulated_session.h"
 
 namespace handsight {
@@ -17,8 +18,9 @@ struct Calibrated {
   SimulationOptions truth;
 };
 
-Calibrated calibrated(const Session& like, std::uint64_t seed, int poses = 5) {
+Calibrated calibrated(const Session& like, std::uint64_t seed, int poses = 5, double noise = 0) {
   Calibrated c;
+  if (noise > 0) c.truth.noise = noise;
   c.truth.observations = 60;
   c.truth.seed = seed;
   c.session = simulate_session(like, c.truth).session;
@@ -119,6 +121,22 @@ TEST(ChangeWatch, WhatCannotBeToldApartIsSaidSo) {
   named.push_back(last->what);
   EXPECT_THAT(named, testing::IsSupersetOf({"body_slip", "marker_slip"})) << last->text;
   EXPECT_THAT(last->text.english(), testing::HasSubstr("do not tell apart"));
+}
+
+/// The poses are chosen by what the cameras see there, and the weakest change counts most.
+TEST(ChangeWatch, AZeroThatIsLostByAFifthOfAMilliradianShowsInFivePosesOfABoard) {
+  for (const std::uint64_t seed : {20573, 20602, 20693}) {
+    const Calibrated c = calibrated(fixture::target_session(fixture::charuco(), 2), seed, 5, 0.1);
+    std::vector<EffectTerm> offset;
+    add_effect_value("joint_offset:a1.offset=0.0002", c.session.robot, offset);
+    ChangeWatch watch(c.robot);
+    const Session before = rechecked(c, 10, {}, 3), after = rechecked(c, 1, offset, 4);
+    for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);
+    std::optional<WatchStep> last;
+    for (const Observation& o : after.observations) last = watch.add(after, o);
+    EXPECT_TRUE(last->changed) << seed << ": " << last->ln_e_value;
+    EXPECT_EQ(last->where, "a1") << last->text;
+  }
 }
 
 TEST(ChangeWatch, WhatShowsNothingIsNoStep) {

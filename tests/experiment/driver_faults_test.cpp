@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <random>
+#include <thread>
 
 #include "cli/cli_runner.h"
 #include "experiment/paths/collision_world.h"
@@ -112,20 +114,44 @@ TEST_F(DriverFaults, NothingMovesWithoutAWord) {
   EXPECT_EQ(observations(), 3U);
 }
 
-TEST_F(DriverFaults, KilledAtAnyMomentTheSessionIsWhole) {
-  int rounds = 12;
+/// Is there no such process, or soon? One that nobody has waited for yet has ended too.
+bool has_ended(const std::string& process) {
+  for (int i = 0; i < 250; ++i) {
+    const std::string state = process.empty() ? "" : test::read_text("/proc/" + process + "/stat");
+    if (state.empty() || state.find(") Z ") != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+TEST_F(DriverFaults, KilledAtAnyMomentTheSessionIsWholeAndNothingMovesOn) {
+  int rounds = 12, in_time = 0;
   if (const char* more = std::getenv("HANDSIGHT_KILLS")) rounds = std::atoi(more);
+  const auto number = folder.path / "process";
+  std::mt19937_64 random(17);
   std::size_t before = observations();
-  double seconds = 0.4;
+  double most = 1;  // s
   for (int i = 0; i < rounds; ++i) {
-    experiment("--seed " + std::to_string(i), {"--until", "count=200", "--seed", std::to_string(i)},
-               "timeout -s KILL " + std::to_string(seconds + 0.037 * (i % 7)) + " ");
+    std::filesystem::remove(number);
+    const double seconds = most * static_cast<double>(random() % 1000 + 1) / 1000;
+    // The first move, at a tenth of the speed, takes tenths of a second; the driver's process is that of the shell.
+    test::run_cli(folder.path,
+                  {"experiment", session.string(), "--driver",
+                   "echo $$ >" + shell_quoted(number) + "; exec " + driver + shell_quoted(session) +
+                       " --in-real-time --seed " + std::to_string(i),
+                   "--yes", "--speed", "10", "--until", "count=200", "--seed", std::to_string(i)},
+                  "timeout -s KILL " + std::to_string(seconds) + " ");
+    std::string process = std::filesystem::exists(number) ? test::read_text(number) : "";
+    process = process.substr(0, process.find('\n'));
+    in_time += process.empty() ? 0 : 1;
+    EXPECT_TRUE(has_ended(process)) << "the driver " << process << " goes on after " << seconds << " s";
     const std::size_t now = observations();  // throws where it cannot be read
     EXPECT_GE(now, before);
-    if (now == before) seconds = std::min(1.6 * seconds, 20.0);  // it has not come to a look: a machine at work
+    if (now == before) most = std::min(1.2 * most, 8.0);  // it has not come to a look: a machine at work
     before = now;
   }
   EXPECT_GT(before, 3U);
+  EXPECT_GT(in_time, rounds / 4);
 }
 
 TEST_F(DriverFaults, WhatWasInterruptedGoesOn) {

@@ -95,13 +95,16 @@ struct Recorder : SimulatedRobot {
   using SimulatedRobot::SimulatedRobot;
   MoveAnswer move(const std::vector<Eigen::VectorXd>& path, double speed) override {
     speeds.push_back(speed);
+    ends.push_back(path.back());
+    if (static_cast<int>(speeds.size()) == refused_at) return {.why = "the elbow would hit the table"};
     MoveAnswer answer = SimulatedRobot::move(path, speed);
     if (static_cast<int>(speeds.size()) == wrong_at) answer.position[1] += wrong_by;
     return answer;
   }
   void stop() noexcept override { ++stops; }
   std::vector<double> speeds;
-  int stops = 0, wrong_at = -1;
+  std::vector<Eigen::VectorXd> ends;
+  int stops = 0, wrong_at = -1, refused_at = -1;
   double wrong_by = 0;
 };
 
@@ -126,6 +129,19 @@ TEST_F(Experiments, ARobotThatStandsMoreThanADegreeElsewhereIsStopped) {
     EXPECT_EQ(robot.stops, by > M_PI / 180 ? 1 : 0);
     EXPECT_EQ(result.session.observations.size(), by > M_PI / 180 ? 3U : 6U);
   }
+}
+
+TEST_F(Experiments, APoseThatIsRefusedIsNotAskedForAgainNorAnyBesideIt) {
+  const Session like = fixture::tracker_session();
+  Recorder robot(like, {.truth = load_truth(like, "")});
+  robot.refused_at = 2;
+  const ExperimentResult result =
+      run_experiment(rough_start(like, load_truth(like, ""), 2), robot, in_memory("count=24"));
+  EXPECT_EQ(result.observations, 24);
+  ASSERT_EQ(robot.ends.size(), 25U);
+  // Those that were chosen with it are on their way already.
+  for (std::size_t i = 6; i < robot.ends.size(); ++i)
+    EXPECT_GE((robot.ends[i] - robot.ends[1]).cwiseAbs().maxCoeff(), 0.15) << i;
 }
 
 TEST_F(Experiments, WithoutAWordNothingMoves) {

@@ -2,23 +2,22 @@
 // trial_experiment robots COUNT SEED [FROM [SIZE]]: simulated robots from a rough start, one hidden cause of SIZE (1)
 //   prior sigmas or none; how many poses the loop needs for odds of 20, and how many random ones do that can be reached
 //   and seen; how well the hand is known beside poses chosen with the truth known.
+// trial_experiment knowing COUNT SEED [FROM [SIZE [LEAST]]]: poses of the loop beside those of one who knows what is
+// hidden
+//   and random ones; causes of a chi-squared of LEAST and more.
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
-// trial_experiment months COUNT SEED: rechecks once an hour for a month without a change.
-// trial_experiment changes COUNT SEED: changes after ten checks, seen within the five poses of the next.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
 #include <chrono>
 #include <map>
-#include <numeric>
 
 #include "chain/sighting.h"
-#include "compare/change_watch.h"
 #include "estimation/report/fit_report.h"
 #include "experiment/loop/experiment.h"
 #include "experiment/simulated/simulated_robot.h"
-#include "fixtures/targets.h"
 #include "fixtures/trial_sessions.h"
+#include "knowing_poses.h"
 
 namespace handsight {
 namespace {
@@ -89,15 +88,15 @@ bool is_right(const std::optional<SettledCause>& found, const Case& c) {
   return found && (c.hidden == "none" ? found->id.empty() : found->id == c.hidden);
 }
 
-/// The start's poses, then those drawn at random that are seen and touch nothing.
-std::vector<Observation> random_poses(const Case& c) {
+/// The start's poses, then `count` drawn at random that are seen and touch nothing.
+std::vector<Observation> random_poses(const Case& c, std::size_t count = most_poses) {
   const CollisionWorld world(make_chain(c.like), robot_solids(c.like), {}, {c.like.observations.back().position});
   std::vector<Observation> poses;
   for (const Observation& o : make_start(c).observations) poses.push_back(o);
   SimulationOptions options = c.truth;
   options.observations = 4 * most_poses;
   options.seed = c.truth.seed + 5000000;
-  for (int draw = 0; draw < 20 && poses.size() < most_poses + 2; ++draw, options.seed += 1000000) {
+  for (int draw = 0; draw < 20 && poses.size() < count + 2; ++draw, options.seed += 1000000) {
     const Session many = simulate_session(c.like, options).session;
     for (const Observation& o : many.observations)
       if (!world.touching(o.position)) poses.push_back(o);
@@ -107,13 +106,38 @@ std::vector<Observation> random_poses(const Case& c) {
     poses[k].time = 5.0 * static_cast<double>(k);
     poses[k].velocity.resize(0);
   }
-  poses.resize(std::min<std::size_t>(poses.size(), most_poses + 2));
+  poses.resize(std::min<std::size_t>(poses.size(), count + 2));
   return poses;
 }
 
-/// Random poses one after another until the cause is settled, by the loop's own rules; how many.
-int random_poses_needed(const Case& c, std::optional<SettledCause>& settled) {
-  const Session all = simulate_at(c.like, c.truth, random_poses(c)).session;
+/// The start's poses, then of many random ones those that he would take who knows what is hidden. Nothing where nothing
+/// is, or no effect of the catalogue.
+std::vector<Observation> knowing_poses(const Case& c) {
+  constexpr std::size_t many = 300;
+  if (c.truth.effects.empty()) return {};
+  const std::vector<Observation> pool = random_poses(c, many);
+  SimulationOptions clean = c.truth;
+  clean.effects.clear();
+  clean.noise = 1e-6;
+  clean.declare_noise = false;
+  trials::KnowingChoice choice(simulate_at(c.like, clean, pool).session, c.truth.effects[0], 2);
+  if (!choice.knows()) return {};
+  std::vector<Observation> poses{pool[0], pool[1]};
+  while (poses.size() < most_poses + 2)
+    if (const auto next = choice.take())
+      poses.push_back(pool[*next]);
+    else
+      break;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    poses[k].id = static_cast<std::int64_t>(k);
+    poses[k].time = 5.0 * static_cast<double>(k);
+  }
+  return poses;
+}
+
+/// These poses one after another until the cause is settled, by the loop's own rules; how many.
+int poses_needed(const Case& c, const std::vector<Observation>& poses, std::optional<SettledCause>& settled) {
+  const Session all = simulate_at(c.like, c.truth, poses).session;
   int adequate_in_a_row = 0;
   for (std::size_t count = least_to_diagnose; count <= all.observations.size();
        count += count < least_for_none ? 1 : batch) {
@@ -159,7 +183,7 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
         run_experiment(make_start(c), robot, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
     const double seconds = seconds_since(start);
     std::optional<SettledCause> by_random;
-    const int random_count = random_poses_needed(c, by_random);
+    const int random_count = poses_needed(c, random_poses(c), by_random);
     auto& tally = named[c.hidden];
     ++tally[0];
     tally[1] += is_right(loop.settled, c) ? 1 : 0;
@@ -216,6 +240,46 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
       median(choices), *std::max_element(choices.begin(), choices.end()), usage.ru_maxrss / 1024);
 }
 
+/// How many poses of the loop, of one who knows what is hidden, and of random ones settle the cause.
+void try_knowing(int count, std::uint64_t first, int from, double size, double least_shown) {
+  std::vector<double> loop_by_random, knowing_by_random, loop_by_knowing;
+  std::array<int, 3> right{};
+  int all = 0;
+  for (int i = from; i < count; ++i) {
+    const Case c = drawn_case(i, first + static_cast<std::uint64_t>(i), size);
+    const double shown = c.truth.effects.empty() ? 0 : shown_by(c);
+    if (shown < least_shown) continue;
+    const std::vector<Observation> knowing = knowing_poses(c);
+    if (knowing.empty()) continue;
+    std::optional<SettledCause> by_random, by_knowing;
+    const int random_count = poses_needed(c, random_poses(c), by_random);
+    const int knowing_count = poses_needed(c, knowing, by_knowing);
+    SimulatedRobot robot(c.like, {.truth = c.truth});
+    const ExperimentResult loop =
+        run_experiment(make_start(c), robot, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
+    right[0] += is_right(loop.settled, c) ? 1 : 0;
+    right[1] += is_right(by_knowing, c) ? 1 : 0;
+    right[2] += is_right(by_random, c) ? 1 : 0;
+    ++all;
+    if (is_right(loop.settled, c) && is_right(by_knowing, c) && is_right(by_random, c)) {
+      loop_by_random.push_back(static_cast<double>(loop.observations) / random_count);
+      knowing_by_random.push_back(static_cast<double>(knowing_count) / random_count);
+      loop_by_knowing.push_back(static_cast<double>(loop.observations) / knowing_count);
+    }
+    const auto name = [](const std::optional<SettledCause>& s) { return !s ? "-" : s->id.empty() ? "none" : s->id; };
+    fmt::print("{} robot {} {:<22} chi2 {:<8.3g} loop {:>2} poses ({}), who knows {:>2} ({}), random {:>2} ({})\n",
+               c.truth.seed, i % 3, c.hidden, shown, loop.observations, name(loop.settled), knowing_count,
+               name(by_knowing), random_count, name(by_random));
+    std::fflush(stdout);
+  }
+  fmt::print(
+      "{} robots, named right by the loop {}, who knows {}, by random poses {}; of the {} that all name right: loop by "
+      "random "
+      "ones {:.2f} in the median, who knows by random ones {:.2f}, loop by who knows {:.2f}\n",
+      all, right[0], right[1], right[2], loop_by_random.size(), median(loop_by_random), median(knowing_by_random),
+      median(loop_by_knowing));
+}
+
 void try_ways(int count, std::uint64_t seed) {
   int found = 0, round = 0, touched = 0, tried = 0;
   double longest = 0;
@@ -257,158 +321,17 @@ void try_ways(int count, std::uint64_t seed) {
       found, tried, round, touched, longest, seconds_since(start));
 }
 
-struct Watched {
-  Session session;
-  CalibratedRobot robot;
-  std::vector<Eigen::VectorXd> poses;
-  SimulationOptions truth;
-};
-
-/// A six-axis arm with a board, calibrated by 60 poses; five poses to recheck in.
-Watched watched(std::uint64_t seed) {
-  Watched w;
-  Session like = fixture::target_session(fixture::charuco(), 2);
-  w.truth.observations = 60;
-  w.truth.seed = seed;
-  w.truth.noise = 0.1;
-  w.session = simulate_session(like, w.truth).session;
-  const Fit f = fit(w.session);
-  w.robot = calibrated_robot(w.session, f, report(w.session, f), {}, "trial");
-  std::vector<Eigen::VectorXd> positions;
-  for (const Observation& o : w.session.observations) positions.push_back(o.position);
-  for (const std::size_t p : telling_poses(w.robot, w.session, positions, 5)) w.poses.push_back(positions[p]);
-  return w;
-}
-
-Session visits(const Watched& w, int count, const std::vector<EffectTerm>& effects, int skipped) {
-  std::vector<Observation> given;
-  for (int v = 0; v < count; ++v)
-    for (const Eigen::VectorXd& q : w.poses) {
-      Observation o;
-      o.time = static_cast<double>(given.size());
-      o.position = q;
-      given.push_back(o);
-    }
-  // The noise follows from an observation's place.
-  std::vector<Observation> all(static_cast<std::size_t>(skipped), given.front());
-  all.insert(all.end(), given.begin(), given.end());
-  for (std::size_t k = 0; k < all.size(); ++k) all[k].id = static_cast<std::int64_t>(k);
-  SimulationOptions truth = w.truth;
-  truth.effects = effects;
-  Session s = simulate_at(w.session, truth, all).session;
-  s.observations.erase(s.observations.begin(), s.observations.begin() + skipped);
-  return s;
-}
-
-void try_months(int count, std::uint64_t first) {
-  constexpr int hours = 720;
-  int alarms = 0;
-  double largest = -1e300;
-  for (int i = 0; i < count; ++i) {
-    const Watched w = watched(first + static_cast<std::uint64_t>(i));
-    const Session month = visits(w, hours, {}, 100);
-    Session watched_by = month;
-    watched_by.observations.clear();  // a step copies the session
-    ChangeWatch watch(w.robot, {.window = 5});
-    bool alarm = false;
-    for (const Observation& o : month.observations) {
-      const auto step = watch.add(watched_by, o);
-      largest = std::max(largest, step->ln_e_value);
-      alarm = alarm || step->changed;
-    }
-    alarms += alarm ? 1 : 0;
-  }
-  fmt::print("{} months of {} checks of five poses without a change: {} false alarms, largest e-value {:.3g}\n", count,
-             hours, alarms, std::exp(largest));
-}
-
-/// In how many sigmas of the best estimate a change of one number shows, were it known what has changed and when.
-double known_sigmas(const WatchStep& step, const EffectTerm& truth, const std::string& where) {
-  for (const WatchedChange& c : step.each)
-    if (c.what == truth.id && c.where == where) return std::abs(truth.values[0]) / c.sigma[0];
-  return NAN;
-}
-
-/// The chance that a test of that one change, at a false alarm in 1000, sees it: no test sees more.
-double power_of_best_test(double sigmas) {
-  constexpr double at_one_in_1000 = 3.0902;
-  return 0.5 * std::erfc((at_one_in_1000 - sigmas) / std::sqrt(2.0));
-}
-
-void try_changes(int count, std::uint64_t first) {
-  std::map<std::string, std::vector<double>> best_power;
-  std::map<std::string, std::array<int, 4>> tallies;  // all, seen, named, or said not to be distinguished
-  for (int i = 0; i < count; ++i) {
-    const Watched w = watched(first + 500 + static_cast<std::uint64_t>(i));
-    std::mt19937_64 random(first + static_cast<std::uint64_t>(i));
-    std::normal_distribution<double> normal;
-    const auto direction = [&] {
-      Vector3 v(normal(random), normal(random), normal(random));
-      return Vector3(v.normalized());
-    };
-    const Chain chain = make_chain(w.session);
-    std::vector<std::pair<std::string, EffectTerm>> changes;
-    const auto add = [&](const std::string& kind, const std::string& id, int place, const std::vector<double>& values) {
-      EffectTerm term = term_of(*find_effect(id), place);
-      for (std::size_t p = 0; p < values.size(); ++p) term.values[p] = values[p];
-      changes.emplace_back(kind, term);
-    };
-    Vector3 d = 5e-4 * direction();
-    add("mount 0.5 mm", "camera_mount", -1, {d.x(), d.y(), d.z()});
-    d = 0.1 * M_PI / 180 * direction();
-    add("mount 0.1 degrees", "camera_mount", -1, {0, 0, 0, d.x(), d.y(), d.z()});
-    const int joint = i % 3;
-    add(fmt::format("zero of joint {} 0.2 mrad", joint + 1), "joint_offset",
-        chain.joints[static_cast<std::size_t>(joint)], {normal(random) < 0 ? -2e-4 : 2e-4});
-    d = 3e-4 * direction();
-    add("hand 0.3 mm", "body_slip", -1, {d.x(), d.y(), d.z()});
-    for (const auto& [kind, term] : changes) {
-      ChangeWatch watch(w.robot);
-      const Session before = visits(w, 10, {}, 100), after = visits(w, 1, {term}, 200);
-      for (const Observation& o : before.observations) watch.add(before, o);
-      std::optional<WatchStep> last;
-      for (const Observation& o : after.observations) last = watch.add(after, o);
-      fmt::print("{} {}: ln e-value {:.1f}, {}", first + static_cast<std::uint64_t>(i), kind, last->ln_e_value,
-                 last->text);
-      if (term.values.size() == 1) {
-        const double sigmas = known_sigmas(*last, term, place_name(term_effect(term), term.place, chain.robot));
-        best_power[kind].push_back(power_of_best_test(sigmas));
-        fmt::print(" [{:.1f} sigmas; the best test sees {:.3f}]", sigmas, best_power[kind].back());
-      }
-      fmt::print("\n");
-      std::fflush(stdout);
-      auto& tally = tallies[kind];
-      ++tally[0];
-      tally[1] += last->changed ? 1 : 0;
-      const auto& others = last->indistinguishable_from;
-      const bool is_tied = std::find(others.begin(), others.end(), term.id) != others.end();
-      const bool is_named = last->what == term.id &&
-                            (term.place < 0 || last->where == place_name(term_effect(term), term.place, chain.robot));
-      tally[2] += last->changed && is_named ? 1 : 0;
-      tally[3] += last->changed && (is_named || is_tied) ? 1 : 0;
-    }
-  }
-  for (const auto& [kind, tally] : tallies)
-    fmt::print(
-        "{:<28} {} changes after ten checks: seen within five poses {}, named right {}, or as not told apart {}\n",
-        kind, tally[0], tally[1], tally[2], tally[3]);
-  for (const auto& [kind, powers] : best_power)
-    fmt::print("{:<28} a test that knows the joint and the moment sees {:.1f} of {}\n", kind,
-               std::accumulate(powers.begin(), powers.end(), 0.0), powers.size());
-}
-
 int run(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "robots";
   const int count = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "robots")
     try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1);
+  else if (what == "knowing")
+    try_knowing(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1,
+                argc > 6 ? std::atof(argv[6]) : 0);
   else if (what == "ways")
     try_ways(count, seed);
-  else if (what == "months")
-    try_months(count, seed);
-  else if (what == "changes")
-    try_changes(count, seed);
   else
     return 2;
   return 0;

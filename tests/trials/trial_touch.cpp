@@ -140,8 +140,8 @@ void coverage(const Fixtures& fixtures, int seeds, int touches, std::uint64_t fi
                fmt::format("{:.1f} to {:.1f} %", least_within, most_within)});
 }
 
-/// chi-squared of what a model without them leaves, in units of the noise.
-double noncentrality(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
+/// Touches without noise, weighed as if they had it.
+Session exact_touches(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
   SimulationOptions o;
   o.observations = touches;
   o.seed = seed;
@@ -152,7 +152,24 @@ double noncentrality(const Session& like, int touches, std::uint64_t seed, const
   for (Observation& observation : s.observations)
     for (Sighting& sighting : observation.sightings) sighting.point_sigma = reading;
   s.sigma_point = reading;
-  return fit(s, {}).solution.normal.data_cost() / (reading * reading);
+  return s;
+}
+
+/// chi-squared of what a model without them leaves, in units of the noise.
+double noncentrality(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
+  return fit(exact_touches(like, touches, seed, term), {}).solution.normal.data_cost() / (reading * reading);
+}
+
+/// What is left of a hidden cause's chi-squared where another is fitted in its place: 2 ln of the odds by which noise
+/// alone would let a perfect program prefer the truth.
+double left_by(const Session& like, int touches, std::uint64_t seed, const EffectTerm& truth,
+               const std::vector<EffectTerm>& others) {
+  FitOptions o;
+  for (const EffectTerm& t : others) o.estimated.push_back(term_of(term_effect(t), t.place));
+  for (std::size_t i = 0; i < others.size(); ++i)
+    for (std::size_t p = 0; p < others[i].values.size(); ++p)
+      if (term_effect(others[i]).parameters[p].is_choice) o.estimated[i].values[p] = others[i].values[p];
+  return fit(exact_touches(like, touches, seed, truth), o).solution.normal.cost / (reading * reading);
 }
 
 /// Within three of its prior sigmas each: what the diagnosis calls plausible.
@@ -220,6 +237,7 @@ double judged_ln_bayes_factor(const Session& s, double cost_without, const Effec
 /// What a judge says of a session who knows the noise, that one cause is hidden, and how large each usually is: ln of
 /// the Bayes factor of each effect, where it does best.
 bool with_candidates = false;  // --candidates
+bool with_nearest = false;     // --nearest
 
 using Judgement = std::map<std::string, double>;
 
@@ -236,6 +254,24 @@ Judgement judge(const Session& s) {
       }
     }
   return judgement;
+}
+
+/// The other effects that leave least of a hidden cause's chi-squared, fitted in its place where they do best.
+std::vector<std::pair<double, std::string>> nearest_to(const Session& like, int touches, std::uint64_t seed,
+                                                       const EffectTerm& truth) {
+  std::vector<std::pair<double, std::string>> all;
+  const Session exact = exact_touches(like, touches, seed, truth);
+  for (const Effect& effect : catalogue()) {
+    if (effect.id == truth.id) continue;
+    double least = 1e300;
+    for (const int place : effect_places(effect, make_chain(exact))) try {
+        least = std::min(least, fit(exact, {.estimated = {term_of(effect, place)}}).solution.normal.cost);
+      } catch (const std::exception&) {
+      }
+    all.emplace_back(least / (reading * reading), effect.id);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 /// The effect with the most evidence beside this one.
@@ -299,6 +335,12 @@ void score_session(const std::string& kind, const char* id, int touches, std::ui
                        std::find(leading->indistinguishable_from.begin(), leading->indistinguishable_from.end(), id) !=
                            leading->indistinguishable_from.end();
   const bool is_sure = margin > std::log(20);
+  if (with_nearest) {
+    const auto near = nearest_to(like, touches, seed, *term);
+    fmt::print("  {} seed {}: of its {:.1f} {} leaves {:.1f}, {} {:.1f}, {} {:.1f}\n", id, seed,
+               noncentrality(like, touches, seed, *term), near[0].second, near[0].first, near[1].second, near[1].first,
+               near[2].second, near[2].first);
+  }
   ++score.shown;
   score.first += is_it;
   score.tied += is_twin;
@@ -310,6 +352,9 @@ void score_session(const std::string& kind, const char* id, int touches, std::ui
                kind, id, like.robot.joints[static_cast<std::size_t>(term->place)].name, seed, named,
                is_twin ? ", said to be the same here" : "", evidence_of(judgement, id), rival.second, rival.first,
                evidence_of(judgement, named), named);
+  if (!is_it && leading && !leading->unnamed)
+    fmt::print("    fitted in its place, {} leaves {:.1f} of {:.1f}\n", named,
+               left_by(like, touches, seed, *term, leading->terms), noncentrality(like, touches, seed, *term));
   if (!is_it && with_candidates) print_candidates(d);
   std::fflush(stdout);
 }
@@ -330,10 +375,11 @@ constexpr std::pair<const char*, const char*> all_causes[] = {
 using Scores = std::array<Score, std::size(all_causes)>;
 
 void causes(const std::string& kind, int seeds, int touches, std::uint64_t first_seed,
-            const trials::TableOutput& output, Scores& sums) {
+            const trials::TableOutput& output, Scores& sums, const std::string& cause) {
   fmt::print("{}\n", kind);
   trials::Table table = scores_table(output);
   for (std::size_t c = 0; c < std::size(all_causes); ++c) {
+    if (!cause.empty() && cause != all_causes[c].first) continue;
     Score score;
     for (int i = 0; i < seeds; ++i)
       score_session(kind, all_causes[c].first, touches, first_seed + static_cast<std::uint64_t>(i), score);
@@ -346,16 +392,20 @@ void causes(const std::string& kind, int seeds, int touches, std::uint64_t first
 }  // namespace
 }  // namespace handsight
 
-/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [--markdown] [--candidates]
+/// trial_touch [coverage|causes|both] [seeds] [touches] [kind] [first seed] [cause] [--markdown] [--nearest]
+/// [--candidates]
 int main(int argc, char** argv) {
   using namespace handsight;
   const trials::TableOutput output = trials::take_table_output(argc, argv);
   with_candidates = std::string(argv[argc - 1]) == "--candidates";
   argc -= with_candidates;
+  with_nearest = std::string(argv[argc - 1]) == "--nearest";
+  argc -= with_nearest;
   const std::string what = argc > 1 ? argv[1] : "both";
   const int seeds = argc > 2 ? std::atoi(argv[2]) : 500, touches = argc > 3 ? std::atoi(argv[3]) : 120;
   const std::string only = argc > 4 ? argv[4] : "";
   const std::uint64_t first = argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1;
+  const std::string cause = argc > 6 ? argv[6] : "";
   trials::Table table({{.heading = "fixtures", .width = 36},
                        {"sessions"},
                        {.heading = "bias in sigmas", .width = 18},
@@ -365,7 +415,7 @@ int main(int argc, char** argv) {
   for (const Fixtures& fixtures : all_fixtures) {
     if (!only.empty() && only != fixtures.kind) continue;
     if (what != "causes") coverage(fixtures, seeds, touches, first, table);
-    if (what != "coverage") causes(fixtures.kind, seeds, touches, first, output, sums);
+    if (what != "coverage") causes(fixtures.kind, seeds, touches, first, output, sums, cause);
   }
   if (what == "coverage" || !only.empty()) return 0;
   fmt::print("every kind of fixtures\n");

@@ -5,7 +5,9 @@
 files.py FOLDER JOINT ... : for the N-th order it writes FOLDER/order_N.json ({"do": "move", "path": ..., "speed": ...} or
 {"do": "look"}) and waits for FOLDER/answer_N.json, which the robot's program writes beside it under another name and then
 renames: {"ok": true, "position": [...]} or {"ok": true, "images": {...}}. FOLDER/stop is there once everything is to stand
-still. FOLDER/where.json, a list of numbers, says where the robot stands before the first order."""
+still, and when nobody orders any more. FOLDER/where.json, a list of numbers, says where the robot stands before the first
+order. Orders, answers and a stop of an earlier time are taken away at the start."""
+import glob
 import json
 import os
 import sys
@@ -38,6 +40,10 @@ def ordered(number, order):
     return read(f"answer_{number}.json")
 
 
+for name in ["stop"] + [os.path.basename(file) for kind in ("order", "answer")
+                        for file in glob.glob(os.path.join(glob.escape(folder), kind + "_*.json"))]:
+    if os.path.exists(os.path.join(folder, name)):
+        os.remove(os.path.join(folder, name))
 number = 0
 
 
@@ -58,3 +64,4 @@ def answer(message):
 
 for line in sys.stdin:  # in a thread: a stop may come while an order waits
     threading.Thread(target=answer, args=(json.loads(line),), daemon=True).start()
+write("stop", True)

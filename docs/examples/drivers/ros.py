@@ -22,6 +22,7 @@ from sensor_msgs.msg import Image, JointState
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 NEAR = 0.002  # rad: so near to the end the robot has arrived
+SENT = 0.2  # s: so long a message is on its way before the node may end
 STILL = 0.3  # s: so long it must stand before it is looked
 
 
@@ -163,6 +164,8 @@ def main():
     robot = Robot(options)
     for line in sys.stdin:  # in a thread: a stop may come while the robot moves
         threading.Thread(target=answer, args=(robot, options, json.loads(line)), daemon=True).start()
+    robot.stop()  # nobody speaks any more: the program has ended, by itself or not, and nothing moves on
+    time.sleep(SENT)
 
 
 main()

@@ -44,3 +44,4 @@ def answer(message):
 
 for line in sys.stdin:  # in a thread: a stop may come while the robot moves
     threading.Thread(target=answer, args=(json.loads(line),)).start()
+halt()  # nobody speaks any more: the program has ended, by itself or not, and nothing moves on
