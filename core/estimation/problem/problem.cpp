@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "chain/sighting.h"
+
 namespace handsight {
 
 void place_unseen(Problem& problem) {

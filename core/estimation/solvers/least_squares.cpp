@@ -90,6 +90,8 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) 
 
 namespace {
 
+constexpr double roughness = 1e-11;       // of a cost: equilibria are exact to 1e-11 rad
+constexpr double still_quick = 0.3;       // of what the step before promised
 constexpr double trusted_damping = 1e-5;  // up to it steps go nearly as far as those that are not damped
 
 /// The longest part of a step: m and rad as they are, an effect's number in thousandths of its prior sigma.
@@ -164,7 +166,6 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     const double size = measure_size(original, step);
     // The derivatives that are at hand after a refused step are those of where it led; where steps hardly become
     // shorter, those of before are what holds them up.
-    constexpr double still_quick = 0.3;  // of what the step before promised
     const bool derives = was_refused || slope > still_quick * last_slope || size >= options.reuse_below;
     NormalEquations normal = normal_at(next, derives);
     const bool led_back =
@@ -172,8 +173,12 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing =
         slope < least_gain(original, solution.normal, options) * std::min(1.0, trusted_damping / damping);
-    const bool rounding = size < options.smallest_step || gains_nothing;
-    const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost;
+    // A step that promises less than the cost is rough by cannot be judged by it: it is taken, as long as steps
+    // shorten.
+    const double rough = roughness * solution.normal.cost;
+    const bool is_judged = !(slope < rough), shortens = slope < still_quick * last_slope;
+    const bool rounding = size < options.smallest_step || gains_nothing || !(is_judged || shortens);
+    const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost + (is_judged ? 0.0 : rough);
     const double kept_promise = (solution.normal.cost - normal.cost) / std::max(slope, 1e-300);
     const bool accepted = !was_refused;
     const double damping_before = damping;
@@ -184,10 +189,10 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
         solution.normal = std::move(normal);
       }
       // What bends is not trusted farther at once, and ever later where that was refused: else every other step is.
-      if (kept_promise > 0.75 && --wait < 0) damping = std::max(damping * 0.1, 1e-15);
-      if (kept_promise < 0.1) damping *= 3;
+      if (is_judged && kept_promise > 0.75 && --wait < 0) damping = std::max(damping * 0.1, 1e-15);
+      if (is_judged && kept_promise < 0.1) damping *= 3;
       const bool is_another_step = damping != damping_before && std::max(damping, damping_before) > trusted_damping;
-      learned.took(step, kept_promise > 0.75);
+      learned.took(step, !is_judged || kept_promise > 0.75);
       if (led_back || is_another_step) learned.forget();
       last_slope = slope;
       solution.converged = rounding;
