@@ -55,6 +55,21 @@ Session rechecked(const Calibrated& c, int visits, const std::vector<EffectTerm>
   return session;
 }
 
+/// Watched for so many visits without a change, which raise no alarm, then for one with it.
+std::optional<WatchStep> watched(const Calibrated& c, int visits_before, const char* change) {
+  std::vector<EffectTerm> effects;
+  add_effect_value(change, c.session.robot, effects);
+  ChangeWatch watch(c.robot);
+  if (visits_before > 0) {
+    const Session before = rechecked(c, visits_before, {}, 3);
+    for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);
+  }
+  const Session after = rechecked(c, 1, effects, 4);
+  std::optional<WatchStep> last;
+  for (const Observation& o : after.observations) last = watch.add(after, o);
+  return last;
+}
+
 TEST(ChangeWatch, WithoutAChangeTheEValueStaysSmallForMonths) {
   int alarms = 0;
   double largest = -1e300;
@@ -79,13 +94,7 @@ TEST(ChangeWatch, WithoutAChangeTheEValueStaysSmallForMonths) {
 
 TEST(ChangeWatch, ASlippedHandIsSeenWithinFivePosesAndNamed) {
   const Calibrated c = calibrated(fixture::stand_session(4), 7);
-  std::vector<EffectTerm> slip;
-  add_effect_value("body_slip:x=0.003", c.session.robot, slip);
-  ChangeWatch watch(c.robot);
-  const Session before = rechecked(c, 2, {}, 3), after = rechecked(c, 1, slip, 4);
-  for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);
-  std::optional<WatchStep> last;
-  for (const Observation& o : after.observations) last = watch.add(after, o);
+  const std::optional<WatchStep> last = watched(c, 2, "body_slip:x=0.003");
   EXPECT_TRUE(last->changed);
   EXPECT_EQ(last->what, "body_slip") << last->text;
   EXPECT_NEAR(last->terms[0].values[0], 0.003, 4 * last->sigma[0]);
@@ -94,12 +103,7 @@ TEST(ChangeWatch, ASlippedHandIsSeenWithinFivePosesAndNamed) {
 
 TEST(ChangeWatch, AnOffsetOfAJointIsNamedWithItsSize) {
   const Calibrated c = calibrated(fixture::tracker_session(4), 9);
-  std::vector<EffectTerm> offset;
-  add_effect_value("joint_offset:a2.offset=0.002", c.session.robot, offset);
-  ChangeWatch watch(c.robot);
-  const Session after = rechecked(c, 1, offset, 4);
-  std::optional<WatchStep> last;
-  for (const Observation& o : after.observations) last = watch.add(after, o);
+  const std::optional<WatchStep> last = watched(c, 0, "joint_offset:a2.offset=0.002");
   EXPECT_TRUE(last->changed);
   EXPECT_EQ(last->what, "joint_offset") << last->text;
   EXPECT_EQ(last->where, "a2");
@@ -110,12 +114,7 @@ TEST(ChangeWatch, AnOffsetOfAJointIsNamedWithItsSize) {
 /// Of a single marker it is the same whether it slipped or the body that it is.
 TEST(ChangeWatch, WhatCannotBeToldApartIsSaidSo) {
   const Calibrated c = calibrated(fixture::tracker_session(1), 9);
-  std::vector<EffectTerm> slip;
-  add_effect_value("body_slip:x=0.003", c.session.robot, slip);
-  ChangeWatch watch(c.robot);
-  const Session after = rechecked(c, 1, slip, 4);
-  std::optional<WatchStep> last;
-  for (const Observation& o : after.observations) last = watch.add(after, o);
+  const std::optional<WatchStep> last = watched(c, 0, "body_slip:x=0.003");
   EXPECT_TRUE(last->changed);
   std::vector<std::string> named = last->indistinguishable_from;
   named.push_back(last->what);
@@ -127,13 +126,7 @@ TEST(ChangeWatch, WhatCannotBeToldApartIsSaidSo) {
 TEST(ChangeWatch, AZeroThatIsLostByAFifthOfAMilliradianShowsInFivePosesOfABoard) {
   for (const std::uint64_t seed : {20573, 20602, 20693}) {
     const Calibrated c = calibrated(fixture::target_session(fixture::charuco(), 2), seed, 5, 0.1);
-    std::vector<EffectTerm> offset;
-    add_effect_value("joint_offset:a1.offset=0.0002", c.session.robot, offset);
-    ChangeWatch watch(c.robot);
-    const Session before = rechecked(c, 10, {}, 3), after = rechecked(c, 1, offset, 4);
-    for (const Observation& o : before.observations) EXPECT_FALSE(watch.add(before, o)->changed);
-    std::optional<WatchStep> last;
-    for (const Observation& o : after.observations) last = watch.add(after, o);
+    const std::optional<WatchStep> last = watched(c, 10, "joint_offset:a1.offset=0.0002");
     EXPECT_TRUE(last->changed) << seed << ": " << last->ln_e_value;
     EXPECT_EQ(last->where, "a1") << last->text;
   }

@@ -15,12 +15,16 @@
 #include "fixtures/touch_session.h"
 #include "session/fixtures/list.h"
 #include "trials/table.h"
+#include "trials/touch_judge.h"
 
 namespace handsight {
 namespace {
 
+using namespace trials;
+
 constexpr double normal_95 = 1.959964;  // two-sided
-constexpr double reading = 2e-5;        // m
+bool with_candidates = false;           // --candidates
+bool with_nearest = false;              // --nearest
 
 /// What stands about the robot.
 Session setting(const std::string& kind) {
@@ -140,38 +144,6 @@ void coverage(const Fixtures& fixtures, int seeds, int touches, std::uint64_t fi
                fmt::format("{:.1f} to {:.1f} %", least_within, most_within)});
 }
 
-/// Touches without noise, weighed as if they had it.
-Session exact_touches(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
-  SimulationOptions o;
-  o.observations = touches;
-  o.seed = seed;
-  o.noise = 1e-9;
-  o.effects = {term};
-  Session s = simulate_session(like, o).session;
-  for (Fixture& f : s.fixtures) f.sigma = reading;
-  for (Observation& observation : s.observations)
-    for (Sighting& sighting : observation.sightings) sighting.point_sigma = reading;
-  s.sigma_point = reading;
-  return s;
-}
-
-/// chi-squared of what a model without them leaves, in units of the noise.
-double noncentrality(const Session& like, int touches, std::uint64_t seed, const EffectTerm& term) {
-  return fit(exact_touches(like, touches, seed, term), {}).solution.normal.data_cost() / (reading * reading);
-}
-
-/// What is left of a hidden cause's chi-squared where another is fitted in its place: 2 ln of the odds by which noise
-/// alone would let a perfect program prefer the truth.
-double left_by(const Session& like, int touches, std::uint64_t seed, const EffectTerm& truth,
-               const std::vector<EffectTerm>& others) {
-  FitOptions o;
-  for (const EffectTerm& t : others) o.estimated.push_back(term_of(term_effect(t), t.place));
-  for (std::size_t i = 0; i < others.size(); ++i)
-    for (std::size_t p = 0; p < others[i].values.size(); ++p)
-      if (term_effect(others[i]).parameters[p].is_choice) o.estimated[i].values[p] = others[i].values[p];
-  return fit(exact_touches(like, touches, seed, truth), o).solution.normal.cost / (reading * reading);
-}
-
 /// Within three of its prior sigmas each: what the diagnosis calls plausible.
 bool is_plausible(const EffectTerm& term) {
   const Effect& effect = term_effect(term);
@@ -193,98 +165,13 @@ std::optional<EffectTerm> hidden(const Session& like, const char* id, int touche
   for (std::size_t p = 0; p < term.values.size(); ++p)
     if (!effect.parameters[p].is_choice)
       term.values[p] = effect.parameters[p].sigma * (is_positive ? 0.5 + std::abs(normal(random)) : normal(random));
-  double shown = noncentrality(like, touches, seed, term);
+  double shown = noncentrality(exact_touches(like, touches, seed, term));
   for (int round = 0; round < 3 && !(shown > 50 && shown < 100); ++round) {
     const double times = std::sqrt(70 / std::max(shown, 1e-9));
     for (double& v : term.values) v *= times;
-    shown = noncentrality(like, touches, seed, term);
+    shown = noncentrality(exact_touches(like, touches, seed, term));
   }
   return shown > 50 && is_plausible(term) ? std::optional(term) : std::nullopt;
-}
-
-/// ln of the Bayes factor of an effect at a place, its noise known and nothing else beside it: Laplace's, with the
-/// priors that the diagnosis has.
-double judged_ln_bayes_factor(const Session& s, double cost_without, const EffectTerm& zero) {
-  FitOptions o;
-  o.estimated = {zero};
-  const Fit f = fit(s, o);
-  const double unit = reading * reading;
-  const Eigen::Index first = f.problem.effect_column(), count = f.problem.effect_count();
-  const Eigen::MatrixXd covariance = unit * unit_covariance(f.solution).block(first, first, count, count);
-  Eigen::VectorXd at(count), size(count);
-  Eigen::Index k = 0;
-  const EffectTerm& answer = f.effects.front().term;
-  const Effect& effect = term_effect(answer);
-  for (std::size_t p = 0; p < answer.values.size() && k < count; ++p) {
-    if (effect.parameters[p].is_choice) continue;
-    at[k] = answer.values[p];
-    size[k++] = effect.parameters[p].sigma;
-  }
-  if (k != count) return -1e9;
-  double sum = 0;
-  for (std::size_t i = 0; i < prior_scales.size(); ++i) {
-    Eigen::MatrixXd spread = covariance;
-    spread.diagonal() += (prior_scales[i] * size).cwiseAbs2();
-    const Eigen::LDLT<Eigen::MatrixXd> factor(spread);
-    const double ln_volume =
-        0.5 * (std::log(std::max(covariance.determinant(), 1e-300)) - factor.vectorD().array().log().sum());
-    sum += scale_shares[i] * std::exp(ln_volume - 0.5 * at.dot(factor.solve(at)) + 300);
-  }
-  const double gain = 0.5 * (cost_without - f.solution.normal.cost) / unit;
-  return gain + std::log(std::max(sum, 1e-300)) - 300;
-}
-
-/// What a judge says of a session who knows the noise, that one cause is hidden, and how large each usually is: ln of
-/// the Bayes factor of each effect, where it does best.
-bool with_candidates = false;  // --candidates
-bool with_nearest = false;     // --nearest
-
-using Judgement = std::map<std::string, double>;
-
-Judgement judge(const Session& s) {
-  const double without = fit(s, {}).solution.normal.cost;
-  Judgement judgement;
-  for (const Effect& effect : catalogue())
-    for (const int place : effect_places(effect, make_chain(s))) {
-      try {
-        const double ln = judged_ln_bayes_factor(s, without, term_of(effect, place));
-        const auto [at, is_new] = judgement.emplace(effect.id, ln);
-        if (!is_new) at->second = std::max(at->second, ln);
-      } catch (const std::exception&) {
-      }
-    }
-  return judgement;
-}
-
-/// The other effects that leave least of a hidden cause's chi-squared, fitted in its place where they do best.
-std::vector<std::pair<double, std::string>> nearest_to(const Session& like, int touches, std::uint64_t seed,
-                                                       const EffectTerm& truth) {
-  std::vector<std::pair<double, std::string>> all;
-  const Session exact = exact_touches(like, touches, seed, truth);
-  for (const Effect& effect : catalogue()) {
-    if (effect.id == truth.id) continue;
-    double least = 1e300;
-    for (const int place : effect_places(effect, make_chain(exact))) try {
-        least = std::min(least, fit(exact, {.estimated = {term_of(effect, place)}}).solution.normal.cost);
-      } catch (const std::exception&) {
-      }
-    all.emplace_back(least / (reading * reading), effect.id);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-/// The effect with the most evidence beside this one.
-std::pair<std::string, double> find_rival(const Judgement& judgement, const std::string& id) {
-  std::pair<std::string, double> best{"nothing", 0};
-  for (const auto& [name, ln] : judgement)
-    if (name != id && ln > best.second) best = {name, ln};
-  return best;
-}
-
-double evidence_of(const Judgement& judgement, const std::string& id) {
-  const auto at = judgement.find(id);
-  return at == judgement.end() ? 0 : at->second;
 }
 
 /// Of the sessions with one cause: in how many it is named, and in how many it could be.
@@ -335,11 +222,11 @@ void score_session(const std::string& kind, const char* id, int touches, std::ui
                        std::find(leading->indistinguishable_from.begin(), leading->indistinguishable_from.end(), id) !=
                            leading->indistinguishable_from.end();
   const bool is_sure = margin > std::log(20);
+  const Session exact = exact_touches(like, touches, seed, *term);
   if (with_nearest) {
-    const auto near = nearest_to(like, touches, seed, *term);
-    fmt::print("  {} seed {}: of its {:.1f} {} leaves {:.1f}, {} {:.1f}, {} {:.1f}\n", id, seed,
-               noncentrality(like, touches, seed, *term), near[0].second, near[0].first, near[1].second, near[1].first,
-               near[2].second, near[2].first);
+    const auto near = nearest_to(exact, id);
+    fmt::print("  {} seed {}: of its {:.1f} {} leaves {:.1f}, {} {:.1f}, {} {:.1f}\n", id, seed, noncentrality(exact),
+               near[0].second, near[0].first, near[1].second, near[1].first, near[2].second, near[2].first);
   }
   ++score.shown;
   score.first += is_it;
@@ -353,8 +240,8 @@ void score_session(const std::string& kind, const char* id, int touches, std::ui
                is_twin ? ", said to be the same here" : "", evidence_of(judgement, id), rival.second, rival.first,
                evidence_of(judgement, named), named);
   if (!is_it && leading && !leading->unnamed)
-    fmt::print("    fitted in its place, {} leaves {:.1f} of {:.1f}\n", named,
-               left_by(like, touches, seed, *term, leading->terms), noncentrality(like, touches, seed, *term));
+    fmt::print("    fitted in its place, {} leaves {:.1f} of {:.1f}\n", named, left_by(exact, leading->terms),
+               noncentrality(exact));
   if (!is_it && with_candidates) print_candidates(d);
   std::fflush(stdout);
 }

@@ -18,6 +18,23 @@ QStringList painted(QWidget& widget) {
   return all;
 }
 
+void expect_nothing_cut(const QStringList& texts) {
+  for (const QString& text : texts) EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
+}
+
+/// The texts of a page with one small plot, none of them cut.
+QStringList painted_small_plot(const char* what, const char* against, const char* shows) {
+  PatternPage page;
+  PatternPlot plot{.id = "a", .what = what, .against = against};
+  plot.points = {{1, 0, 0, 1.0, 2}, {2, 1, 1, 1.0, 2}};
+  plot.shows = shows;
+  page.set_plots({plot});
+  test::show(page, {600, 240});
+  const QStringList texts = painted(page);
+  expect_nothing_cut(texts);
+  return texts;
+}
+
 TEST(WholeTexts, ALongActionAboveTheCloudGivesWayToAfter) {
   ResidualCloud cloud;
   cloud.set_before({{.observation = 1, .du = 1}}, "as opened");
@@ -27,35 +44,19 @@ TEST(WholeTexts, ALongActionAboveTheCloudGivesWayToAfter) {
   const QStringList texts = painted(cloud);
   EXPECT_TRUE(texts.contains("as opened")) << texts.join('|').toStdString();
   EXPECT_TRUE(texts.contains("after")) << texts.join('|').toStdString();
-  for (const QString& text : texts) EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
+  expect_nothing_cut(texts);
 }
 
 TEST(WholeTexts, OfTheEffectsThatShowSomeAreNamedInFull) {
-  PatternPage page;
-  PatternPlot plot{.id = "a", .what = "error", .against = "time"};
-  plot.points = {{1, 0, 0, 1.0, 2}, {2, 1, 1, 1.0, 2}};
-  plot.shows = "camera intrinsics, stereo rig, link geometry";
-  page.set_plots({plot});
-  test::show(page, {600, 240});
-  bool are_reported = false;
-  for (const QString& text : painted(page)) {
-    EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
-    are_reported = are_reported || text.contains("camera intrinsics, stereo rig");
-  }
-  EXPECT_TRUE(are_reported);
+  const QStringList texts = painted_small_plot("error", "time", "camera intrinsics, stereo rig, link geometry");
+  EXPECT_TRUE(texts.join('|').contains("camera intrinsics, stereo rig")) << texts.join('|').toStdString();
 }
 
 /// German at 1280 px: a long variable beside an effect that shows.
 TEST(WholeTexts, AVariableIsWholeBeforeAnEffectIsNamed) {
-  PatternPage page;
-  PatternPlot plot{.id = "a", .what = "Fehler von right_arm_1", .against = "Schweremoment an right_arm_3"};
-  plot.points = {{1, 0, 0, 1.0, 2}, {2, 1, 1, 1.0, 2}};
-  plot.shows = "Gelenkelastizität";
-  page.set_plots({plot});
-  test::show(page, {600, 240});
-  const QStringList texts = painted(page);
+  const QStringList texts =
+      painted_small_plot("Fehler von right_arm_1", "Schweremoment an right_arm_3", "Gelenkelastizität");
   EXPECT_TRUE(texts.join(' ').contains("Schweremoment an right_arm_3")) << texts.join('|').toStdString();
-  for (const QString& text : texts) EXPECT_FALSE(text.contains(QChar(0x2026))) << text.toStdString();
 }
 
 /// Beside no large plot: numbers along both axes, and units.

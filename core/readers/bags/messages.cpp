@@ -183,12 +183,17 @@ Transform read_pose(const Message& message) {
   return t;
 }
 
+static std::vector<Rigid> list_poses(Reader& in) {
+  std::vector<Rigid> poses(in.count(56));
+  for (Rigid& pose : poses) pose = make_motion(in, "pose");
+  return poses;
+}
+
 Poses read_pose_array(const Message& message) {
   Reader in(message);
   Poses all;
   all.header = in.header();
-  all.poses.resize(in.count(56));
-  for (Rigid& pose : all.poses) pose = make_motion(in, "pose");
+  all.poses = list_poses(in);
   return all;
 }
 
@@ -198,8 +203,7 @@ Poses read_aruco_markers(const Message& message) {
   all.header = in.header();
   all.names.resize(in.count(8));
   for (std::string& name : all.names) name = std::to_string(in.number<std::int64_t>());
-  all.poses.resize(in.count(56));
-  for (Rigid& pose : all.poses) pose = make_motion(in, "pose");
+  all.poses = list_poses(in);
   if (all.names.size() != all.poses.size()) in.fail("it has not as many poses as numbers of tags");
   return all;
 }
