@@ -27,13 +27,14 @@ RoundMarks round_marks(double low, double high, int most) {
   for (const double times : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0}) {
     const double step = times * power, first = std::ceil(low / step), last = std::floor(high / step);
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    if (last - first + 1 > most) {
+    const int between = static_cast<int>(last - first);
+    if (between >= most) {
       finer = {{first * step, last * step}, decimals};
       continue;
     }
-    if (last <= first) break;
+    if (between <= 0) break;
     RoundMarks marks{{}, decimals};
-    for (double i = first; i <= last; ++i) marks.values.push_back(i * step);
+    for (int i = 0; i <= between; ++i) marks.values.push_back((first + i) * step);
     return marks;
   }
   return finer;

@@ -18,6 +18,7 @@
 #include <array>
 #include <utility>
 
+#include "widgets/base/paint_tools.h"
 #include "widgets/base/theme.h"
 #include "widgets/lists/observation_table_model.h"
 #include "widgets/lists/observation_table_view.h"
