@@ -18,15 +18,16 @@ struct Means {
   std::vector<double> weights;
 };
 
-Vector3 in_tcp(const Sight& s, const Rigid& mount_from_sensor, const Vector3& in_sensor) {
+Vector3 in_tcp(const HandSight& s, const Rigid& mount_from_sensor, const Vector3& in_sensor) {
   return rotated_back(s.mount_from_tcp.rotation, mount_from_sensor * in_sensor - s.mount_from_tcp.translation);
 }
 
-Means means_at(const std::vector<Sight>& sights, const std::vector<double>& weights, int count, const Rigid& mount) {
+Means means_at(const std::vector<HandSight>& sights, const std::vector<double>& weights, int count,
+               const Rigid& mount) {
   const auto n = static_cast<std::size_t>(count);
   Means means{std::vector<Vector3>(n, Vector3::Zero()), std::vector<double>(n, 0.0)};
   for (std::size_t i = 0; i < sights.size(); ++i)
-    for (const NumberedPoint& p : sights[i].points) {
+    for (const SightedPoint& p : sights[i].points) {
       const auto k = static_cast<std::size_t>(p.number);
       means.of[k] += weights[i] * in_tcp(sights[i], mount, p.in_sensor);
       means.weights[k] += weights[i];
@@ -79,12 +80,12 @@ Eigen::Matrix<double, Columns, 1> least_squares(const CentredSystem<Columns>& sy
 }
 
 /// The rotation by a linear system in its nine numbers.
-Matrix3 relaxed_rotation(const std::vector<Sight>& sights, int count) {
+Matrix3 relaxed_rotation(const std::vector<HandSight>& sights, int count) {
   CentredSystem<12> system(count);
-  for (const Sight& s : sights) {
+  for (const HandSight& s : sights) {
     const Matrix3 back = s.mount_from_tcp.rotation.transpose();
     const Vector3 right = back * s.mount_from_tcp.translation;
-    for (const NumberedPoint& p : s.points) {
+    for (const SightedPoint& p : s.points) {
       Eigen::Matrix<double, 3, 12> row;
       row << p.in_sensor.x() * back, p.in_sensor.y() * back, p.in_sensor.z() * back, back;
       system.add(p.number, 1, row, right);
@@ -96,20 +97,20 @@ Matrix3 relaxed_rotation(const std::vector<Sight>& sights, int count) {
   return rotation.allFinite() && rotation.norm() > 1e-9 ? nearest_rotation(rotation) : Matrix3(Matrix3::Identity());
 }
 
-Vector3 translation_for(const std::vector<Sight>& sights, int count, const Matrix3& rotation) {
+Vector3 translation_for(const std::vector<HandSight>& sights, int count, const Matrix3& rotation) {
   CentredSystem<3> system(count);
-  for (const Sight& s : sights) {
+  for (const HandSight& s : sights) {
     const Matrix3 back = s.mount_from_tcp.rotation.transpose();
-    for (const NumberedPoint& p : s.points)
+    for (const SightedPoint& p : s.points)
       system.add(p.number, 1, back, back * (s.mount_from_tcp.translation - rotation * p.in_sensor));
   }
   system.centre();
   return least_squares(system);
 }
 
-std::vector<double> squares_at(const std::vector<Sight>& sights, const HandEye& found) {
+std::vector<double> squares_at(const std::vector<HandSight>& sights, const HandEye& found) {
   std::vector<double> squares;
-  for (const Sight& s : sights) squares.push_back(left_in(s, found));
+  for (const HandSight& s : sights) squares.push_back(left_in(s, found));
   return squares;
 }
 
@@ -121,11 +122,11 @@ std::vector<double> robust_weights(const std::vector<double>& squares) {
   return weights;
 }
 
-void step(const std::vector<Sight>& sights, const std::vector<double>& weights, int count, Rigid& mount) {
+void step(const std::vector<HandSight>& sights, const std::vector<double>& weights, int count, Rigid& mount) {
   CentredSystem<6> system(count);
   for (std::size_t i = 0; i < sights.size(); ++i) {
     const Matrix3 back = sights[i].mount_from_tcp.rotation.transpose();
-    for (const NumberedPoint& p : sights[i].points) {
+    for (const SightedPoint& p : sights[i].points) {
       const Vector3 turned = mount.rotation * p.in_sensor;
       Eigen::Matrix<double, 3, 6> row;
       row << back, -back * cross_matrix<double>(turned);
@@ -147,14 +148,15 @@ double trimmed_mean(std::vector<double> squares) {
   return sum / static_cast<double>(kept);
 }
 
-HandEye at_mount(const std::vector<Sight>& sights, const std::vector<double>& weights, int count, const Rigid& mount) {
+HandEye at_mount(const std::vector<HandSight>& sights, const std::vector<double>& weights, int count,
+                 const Rigid& mount) {
   HandEye found{mount, means_at(sights, weights, count, mount).of, 0};
   found.mean_square = trimmed_mean(squares_at(sights, found));
   return found;
 }
 
 /// A few steps; the best of what they come by.
-HandEye refined(const std::vector<Sight>& sights, int count, Rigid mount, bool held) {
+HandEye refined(const std::vector<HandSight>& sights, int count, Rigid mount, bool held) {
   std::vector<double> weights(sights.size(), 1.0);
   HandEye best = at_mount(sights, weights, count, mount);
   for (int i = 0; i < 10; ++i) {
@@ -172,15 +174,15 @@ HandEye refined(const std::vector<Sight>& sights, int count, Rigid mount, bool h
 
 }  // namespace
 
-double left_in(const Sight& s, const HandEye& found) {
+double left_in(const HandSight& s, const HandEye& found) {
   double sum = 0;
-  for (const NumberedPoint& p : s.points)
+  for (const SightedPoint& p : s.points)
     sum += (in_tcp(s, found.mount_from_sensor, p.in_sensor) - found.points_in_tcp[static_cast<std::size_t>(p.number)])
                .squaredNorm();
   return s.points.empty() ? 0 : sum / static_cast<double>(s.points.size());
 }
 
-std::optional<HandEye> hand_eye(const std::vector<Sight>& sights, int count, const std::optional<Rigid>& known) {
+std::optional<HandEye> hand_eye(const std::vector<HandSight>& sights, int count, const std::optional<Rigid>& known) {
   if (sights.size() < 3) return std::nullopt;
   if (known) return refined(sights, count, *known, true);
   const Matrix3 rotation = relaxed_rotation(sights, count);

@@ -10,15 +10,15 @@
 
 namespace handsight {
 
-struct NumberedPoint {
+struct SightedPoint {
   int number = 0;
   Vector3 in_sensor = Vector3::Zero();  // m
 };
 
 /// One observation: where the hand was, and what was seen of its points.
-struct Sight {
+struct HandSight {
   Rigid mount_from_tcp;
-  std::vector<NumberedPoint> points;
+  std::vector<SightedPoint> points;
 };
 
 struct HandEye {
@@ -28,10 +28,11 @@ struct HandEye {
 };
 
 /// Mean squared distance (m^2) of what a sight shows from where the points should be.
-double left_in(const Sight& sight, const HandEye& found);
+double left_in(const HandSight& sight, const HandEye& found);
 
 /// The mount and the points at which the points, carried into the TCP frame, stand still best. `known`: the mount is
 /// this one. Nothing with fewer than three sights.
-std::optional<HandEye> hand_eye(const std::vector<Sight>& sights, int point_count, const std::optional<Rigid>& known);
+std::optional<HandEye> hand_eye(const std::vector<HandSight>& sights, int point_count,
+                                const std::optional<Rigid>& known);
 
 }  // namespace handsight

@@ -219,7 +219,7 @@ void choose_readings(Session& s, const std::vector<Readings>& readings, const Ta
         one.observations = {s.observations[i]};
         take(one.observations[0], readings[i], tables, f, t);
         show_again(one);
-        const std::vector<Sight> sights = list_sights(one);
+        const std::vector<HandSight> sights = list_sights(one);
         const double left = sights.empty() ? 0 : left_in(sights[0], found);
         if (left < least) least = left, best_flange = f, best_target = t;
       }

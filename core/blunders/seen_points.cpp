@@ -138,13 +138,13 @@ Session as_point_session(const Session& session) {
   return points;
 }
 
-std::vector<Sight> list_sights(const Session& points) {
+std::vector<HandSight> list_sights(const Session& points) {
   const Chain chain = make_chain(points);
-  std::vector<Sight> sights;
+  std::vector<HandSight> sights;
   for (const Observation& o : points.observations) {
     if (!is_used(o)) continue;
     const ChainEnds ends = chain_ends(chain, o.position);
-    Sight& sight = sights.emplace_back();
+    HandSight& sight = sights.emplace_back();
     sight.mount_from_tcp = inverse(ends.root_from_mount) * ends.root_from_tcp;
     for (const Sighting& s : o.sightings)
       if (s.point) sight.points.push_back({s.marker, *s.point});

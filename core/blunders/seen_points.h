@@ -23,7 +23,7 @@ Session with_few_markers(const Session& session);
 Session as_point_session(const Session& session);
 
 /// What a session without cameras shows, by the chain as it is. `point_count`: Session::marker_count.
-std::vector<Sight> list_sights(const Session& points);
+std::vector<HandSight> list_sights(const Session& points);
 
 /// hand_eye of such a session: its mount is known where it is not to be estimated.
 std::optional<HandEye> solve_hand_eye(const Session& points);

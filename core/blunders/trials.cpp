@@ -47,11 +47,11 @@ void put_right_all(std::vector<Mend>& mends, const Session& points, Session& rig
 }
 
 /// m: how far a point moves before the sensor, r.m.s. of all.
-double spread_of(const std::vector<Sight>& sights, int count) {
+double spread_of(const std::vector<HandSight>& sights, int count) {
   std::vector<Vector3> sums(static_cast<std::size_t>(count), Vector3::Zero());
   std::vector<double> squares(sums.size(), 0.0), counts(sums.size(), 0.0);
-  for (const Sight& s : sights)
-    for (const NumberedPoint& p : s.points) {
+  for (const HandSight& s : sights)
+    for (const SightedPoint& p : s.points) {
       const auto k = static_cast<std::size_t>(p.number);
       sums[k] += p.in_sensor, squares[k] += p.in_sensor.squaredNorm(), counts[k] += 1;
     }
@@ -84,10 +84,10 @@ double ln_likelier(double before, double after, std::size_t observations, int ro
 
 Trials::Trials(const Session& thin) : thin_(thin) {
   points_.emplace("", as_point_session(with_few_markers(thin)));
-  const std::vector<Sight> sights = list_sights(points_.at(""));
+  const std::vector<HandSight> sights = list_sights(points_.at(""));
   sights_ = sights.size();
   std::size_t seen = 0;
-  for (const Sight& s : sights) seen += s.points.size();
+  for (const HandSight& s : sights) seen += s.points.size();
   rows_ = sights_ > 0 ? static_cast<int>(std::clamp<std::size_t>(3 * seen / sights_, 1, 6)) : 6;
   stand_still_ = spread_of(sights, points_.at("").marker_count) < still;
   base_.found = solve_hand_eye(points_.at(""));
@@ -109,7 +109,7 @@ Trial Trials::tried(std::vector<Mend> mends, std::size_t of_so_many) const {
   Session right;
   try {
     put_right_all(trial.mends, points_.at(of_images ? display_name(*of_images) : ""), right);
-    const std::vector<Sight> sights = list_sights(right);
+    const std::vector<HandSight> sights = list_sights(right);
     if (static_cast<double>(sights.size()) < fewest_kept * static_cast<double>(sights_)) return trial;
     trial.found = solve_hand_eye(right);
   } catch (const InputError&) {  // one makes the other impossible

@@ -46,10 +46,10 @@ BundleResult make_start(const BoardImages& images, const Rig& rig) {
 /// The bundle with the target bent, or of other points than described, where the images say so beyond doubt.
 BundleResult with_the_boards_shape(const BoardImages& images, const BundleResult& flat) {
   if (!flat.covariance) return flat;
-  std::vector<Candidate> candidates;
-  const Candidate described{flat, held_out(images, flat)};
+  std::vector<FittedModel> candidates;
+  const FittedModel described{flat, held_out(images, flat)};
   for (const BoardShape shape : list_shapes(images)) candidates.push_back(reshaped(images, described, shape));
-  const Candidate* best = preferred(candidates);
+  const FittedModel* best = preferred(candidates);
   return best && best->bundle.covariance ? best->bundle : flat;
 }
 

@@ -94,7 +94,7 @@ std::vector<Message> warnings_of(const CameraCalibration& c, const std::vector<s
 /// A solution with the target as described.
 BundleResult solution_with(const LensModel& model, const BoardImages& images,
                            const std::vector<std::pair<int, int>>& sizes, const std::vector<std::string>& names,
-                           const std::optional<Candidate>& brown) {
+                           const std::optional<FittedModel>& brown) {
   BundleResult start = &model == &rational_lens
                            ? as_rational(brown ? brown->bundle : start_bundle(images, brown_lens, sizes, names))
                            : start_bundle(images, model, sizes, names);
@@ -117,7 +117,7 @@ class ModelSearch {
   /// Why a lens does not serve; empty: it does.
   Message add_lens(const LensModel& model) {
     try {
-      Candidate candidate;
+      FittedModel candidate;
       candidate.bundle = solution_with(model, images_, sizes_, names_, brown_);
       if (candidate.bundle.points == 0)
         throw InputError("its least squares do not come to an end from the starts that were tried");
@@ -132,30 +132,31 @@ class ModelSearch {
   }
 
   /// Null where no lens serves.
-  const Candidate* best() {
+  const FittedModel* best() {
     if (candidates_.empty()) return nullptr;
     // The plain lens first: a bent target seen through it looks much like a flat one seen through another lens.
     for (const LensModel* lens : {&candidates_.front().lens(), &preferred(candidates_)->lens()}) add_shapes(*lens);
     const BoardShape shape = preferred(candidates_)->bundle.shape;
-    for (const Candidate& flat : as_described_) add(flat, shape);
+    for (const FittedModel& flat : as_described_) add(flat, shape);
     return preferred(candidates_);
   }
 
-  const Candidate* find(const LensModel& lens, BoardShape shape) const {
-    const auto found = std::find_if(candidates_.begin(), candidates_.end(),
-                                    [&](const Candidate& c) { return &c.lens() == &lens && c.bundle.shape == shape; });
+  const FittedModel* find(const LensModel& lens, BoardShape shape) const {
+    const auto found = std::find_if(candidates_.begin(), candidates_.end(), [&](const FittedModel& c) {
+      return &c.lens() == &lens && c.bundle.shape == shape;
+    });
     return found == candidates_.end() ? nullptr : &*found;
   }
   const std::vector<BoardShape>& shapes() const { return shapes_; }
 
  private:
-  void add(const Candidate& flat, BoardShape shape) {
+  void add(const FittedModel& flat, BoardShape shape) {
     if (find(flat.lens(), shape)) return;
-    Candidate candidate = reshaped(images_, flat, shape);
+    FittedModel candidate = reshaped(images_, flat, shape);
     if (candidate.bundle.shape == shape) candidates_.push_back(std::move(candidate));
   }
   void add_shapes(const LensModel& lens) {
-    for (const Candidate& flat : as_described_)
+    for (const FittedModel& flat : as_described_)
       if (&flat.lens() == &lens)
         for (const BoardShape shape : shapes_) add(flat, shape);
   }
@@ -164,14 +165,14 @@ class ModelSearch {
   const std::vector<std::pair<int, int>>& sizes_;
   const std::vector<std::string>& names_;
   std::vector<BoardShape> shapes_;
-  std::optional<Candidate> brown_;
-  std::vector<Candidate> as_described_, candidates_;
+  std::optional<FittedModel> brown_;
+  std::vector<FittedModel> as_described_, candidates_;
 };
 
 std::vector<TriedShape> tried_shapes(const ModelSearch& search, const LensModel& lens) {
   std::vector<TriedShape> tried;
   for (const BoardShape shape : search.shapes())
-    if (const Candidate* c = search.find(lens, shape)) {
+    if (const FittedModel* c = search.find(lens, shape)) {
       const auto& covariance = c->bundle.bend_covariance;
       tried.push_back({shape, c->bundle.rms_pixel, c->held_out.rms_pixel, c->bundle.bend,
                        covariance ? std::optional<Vector3>(covariance->diagonal().cwiseSqrt()) : std::nullopt});
@@ -191,12 +192,12 @@ CameraCalibration calibrate_cameras(const BoardImages& images, const std::vector
     lenses.push_back(model);
     result.tried.push_back({std::string(model->name), 0, 0, search.add_lens(*model)});
   }
-  const Candidate* best = search.best();
+  const FittedModel* best = search.best();
   if (!best)
     throw InputError(result.tried.empty() ? message("There is no lens model \"{}\".", options.model)
                                           : result.tried.front().failure);
   for (std::size_t i = 0; i < lenses.size(); ++i)
-    if (const Candidate* c = search.find(*lenses[i], best->bundle.shape))
+    if (const FittedModel* c = search.find(*lenses[i], best->bundle.shape))
       result.tried[i].rms_pixel = c->bundle.rms_pixel, result.tried[i].held_out_rms_pixel = c->held_out.rms_pixel;
     else if (result.tried[i].failure.empty())
       result.tried[i].failure = "its least squares do not come to an end with the target's shape in them";

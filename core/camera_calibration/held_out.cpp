@@ -44,7 +44,7 @@ double beyond_chance(const std::vector<double>& gains) {
 }
 
 /// How many numbers of doubt a model asks for: of two that predict alike the one with fewer is believed.
-double boldness(const Candidate& candidate) {
+double boldness(const FittedModel& candidate) {
   const LensModel& lens = candidate.lens();
   const double of_lens = &lens == &brown_lens ? 0 : &lens == &fisheye_lens ? 2 : 3;
   const BoardShape shape = candidate.bundle.shape;
@@ -109,7 +109,7 @@ HeldOut held_out(const BoardImages& images, const BundleResult& whole) {
   return result;
 }
 
-bool is_beyond_doubt(const Candidate& simple, const Candidate& other) {
+bool is_beyond_doubt(const FittedModel& simple, const FittedModel& other) {
   if (!(other.held_out.rms_pixel < better * simple.held_out.rms_pixel)) return false;
   // By squares, where a few views near the image's edge tell; by ratios, where a few views are bad with every model.
   std::vector<double> squares, ratios;
@@ -122,10 +122,10 @@ bool is_beyond_doubt(const Candidate& simple, const Candidate& other) {
   return std::max(beyond_chance(squares), beyond_chance(ratios)) > 0;
 }
 
-const Candidate* preferred(const std::vector<Candidate>& candidates) {
-  const Candidate* chosen = nullptr;
-  for (const Candidate& candidate : candidates) {
-    const bool is_excelled = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+const FittedModel* preferred(const std::vector<FittedModel>& candidates) {
+  const FittedModel* chosen = nullptr;
+  for (const FittedModel& candidate : candidates) {
+    const bool is_excelled = std::any_of(candidates.begin(), candidates.end(), [&](const FittedModel& other) {
       return other.is_known() && is_beyond_doubt(candidate, other);
     });
     if (is_excelled || (chosen && (!candidate.is_known() || boldness(candidate) >= boldness(*chosen)))) continue;
@@ -146,8 +146,8 @@ std::vector<BoardShape> list_shapes(const BoardImages& images) {
   return shapes;
 }
 
-Candidate reshaped(const BoardImages& images, const Candidate& from, BoardShape shape) {
-  Candidate candidate = from;
+FittedModel reshaped(const BoardImages& images, const FittedModel& from, BoardShape shape) {
+  FittedModel candidate = from;
   if (shape == from.bundle.shape) return candidate;
   candidate.bundle.shape = shape;
   candidate.bundle = adjust_robustly(images, adjust_robustly(images, candidate.bundle, false), true);

@@ -28,7 +28,7 @@ BundleResult adjust_robustly(const BoardImages& images, const BundleResult& star
 HeldOut held_out(const BoardImages& images, const BundleResult& whole);
 
 /// A model that was fitted.
-struct Candidate {
+struct FittedModel {
   BundleResult bundle;
   HeldOut held_out;
 
@@ -39,16 +39,16 @@ struct Candidate {
 
 /// Do the held-out views say beyond doubt that `other` is nearer to the truth: 3 % less error, and so from view to view
 /// that chance would do it once in a thousand?
-bool is_beyond_doubt(const Candidate& simple, const Candidate& other);
+bool is_beyond_doubt(const FittedModel& simple, const FittedModel& other);
 
 /// The simplest of those that no other one excels beyond doubt: the plain lens before others, a target as described
 /// before a bent one and that before one of free points. Null where there is none.
-const Candidate* preferred(const std::vector<Candidate>& candidates);
+const FittedModel* preferred(const std::vector<FittedModel>& candidates);
 
 /// What the target's shape may be, the usual first: as described, bent, or of free points; within its sigma, or free.
 std::vector<BoardShape> list_shapes(const BoardImages& images);
 
 /// The candidate with another shape of the target; itself where its least squares do not come to an end.
-Candidate reshaped(const BoardImages& images, const Candidate& from, BoardShape shape);
+FittedModel reshaped(const BoardImages& images, const FittedModel& from, BoardShape shape);
 
 }  // namespace handsight

@@ -104,7 +104,7 @@ void add_fingers(const Palm& p, std::vector<Solid>& hand) {
   hand.push_back(capsule(p.axes * joint, p.axes * (joint + Vector3(0.032, 0.006, -0.008)), radius, 100));
 }
 
-Plate print(const Palm& p, const Vector3& place, Pattern pattern, int columns, int rows, double cell) {
+Plate print(const Palm& p, const Vector3& place, SurfacePattern pattern, int columns, int rows, double cell) {
   Plate plate;
   plate.frame_from_plate = {p.axes, p.axes * place};
   plate.half_size = Vector2(columns + 0.6, rows + 0.6) * cell / 2;
@@ -126,8 +126,8 @@ void add_forearm(const Palm& p, Hand& hand) {
       capsule(p.at(wrist - 0.085, y, middle - 0.006), p.at(wrist - 0.42, y, middle - 0.02), 0.042, 178));
   hand.solids.push_back(capsule(p.at(wrist - 0.44, y, middle - 0.01), p.at(wrist - 0.6, y, middle - 0.42), 0.055, 105));
   hand.solids.push_back(box(p.axes, p.at(wrist - 0.15, y, middle + 0.03), {0.035, 0.022, 0.012}, 140));
-  hand.plates.push_back(print(p, {wrist - 0.036, y, middle + 0.0245}, Pattern::lines, 1, 4, 0.007));
-  hand.plates.push_back(print(p, {wrist - 0.15, y, middle + 0.0425}, Pattern::dots, 6, 3, 0.0095));
+  hand.plates.push_back(print(p, {wrist - 0.036, y, middle + 0.0245}, SurfacePattern::lines, 1, 4, 0.007));
+  hand.plates.push_back(print(p, {wrist - 0.15, y, middle + 0.0425}, SurfacePattern::dots, 6, 3, 0.0095));
 }
 
 /// How deep the block under a label must be to reach into the palm.

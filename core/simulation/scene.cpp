@@ -152,7 +152,7 @@ Plate chess_plate(int most, Random& random) {
   const int* size = sizes[random.integer(4)];
   if ((size[0] - 1) * (size[1] - 1) > most) size = sizes[0];
   Plate plate;
-  plate.pattern = Pattern::chess;
+  plate.pattern = SurfacePattern::chess;
   plate.columns = size[0];
   plate.rows = size[1];
   plate.cell = random.uniform(0.015, 0.028);
@@ -166,7 +166,7 @@ Plate chess_plate(int most, Random& random) {
 Plate other_plate(Random& random) {
   Plate plate;
   const int kind = random.integer(3);
-  plate.pattern = kind == 0 ? Pattern::plain : kind == 1 ? Pattern::dots : Pattern::lines;
+  plate.pattern = kind == 0 ? SurfacePattern::plain : kind == 1 ? SurfacePattern::dots : SurfacePattern::lines;
   plate.columns = kind == 1 ? 2 + random.integer(5) : 1;
   plate.rows = 2 + random.integer(5);
   plate.cell = kind == 1 ? random.uniform(0.012, 0.024) : random.uniform(0.01, 0.02);

@@ -39,14 +39,14 @@ struct Solid {
   double texels = 1200;  // texels of the texture per metre
 };
 
-enum class Pattern { plain, chess, dots, lines, printed };
+enum class SurfacePattern { plain, chess, dots, lines, printed };
 
 /// A flat thing, seen from both sides: the normal is z, columns run along x and rows along y. Chess patterns have a
 /// white border where half_size exceeds the cells.
 struct Plate {
   Rigid frame_from_plate;
   Vector2 half_size = {0.1, 0.1};  // m
-  Pattern pattern = Pattern::plain;
+  SurfacePattern pattern = SurfacePattern::plain;
   int columns = 2, rows = 2;
   double cell = 0.02;             // m: chess cell, or distance between dots or lines
   double dark = 50, light = 190;  // grey levels in full light

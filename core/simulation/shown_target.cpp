@@ -197,7 +197,7 @@ void add_target(const Session& session, const std::vector<Vector3>& points_in_tc
     const double rim = rim_of(*session.target, piece);
     const Box outline = pattern_of(*session.target, piece).outline;
     Plate sheet;
-    sheet.pattern = Pattern::printed;
+    sheet.pattern = SurfacePattern::printed;
     sheet.half_size = 0.5 * outline.size + Vector2::Constant(rim);
     sheet.print = std::make_shared<const BlackAt>(*session.target, piece);
     sheet.print_middle = outline.top_left + 0.5 * outline.size;

@@ -53,7 +53,7 @@ Plate plate_from(const MarkerPlate& marker) {
   Plate plate;
   plate.frame_from_plate = tcp_from_plate(marker);
   plate.half_size = Vector2::Constant(half_side(marker));
-  plate.pattern = Pattern::chess;
+  plate.pattern = SurfacePattern::chess;
   plate.cell = marker.cell;
   plate.dark = marker.black;
   plate.light = marker.white;
@@ -129,15 +129,17 @@ void find_part(const Item& item, double x, double y, Hit& hit) {
   const int row = static_cast<int>(std::floor(y / item.cell + 0.5 * item.rows));
   hit.part = 0;
   hit.dark = false;
-  if (item.pattern == Pattern::plain || column < 0 || row < 0 || column >= item.columns || row >= item.rows) return;
+  if (item.pattern == SurfacePattern::plain || column < 0 || row < 0 || column >= item.columns || row >= item.rows)
+    return;
   const double in_column = x / item.cell + 0.5 * item.columns - column - 0.5;
   const double in_row = y / item.cell + 0.5 * item.rows - row - 0.5;
   const int part = 1 + row * item.columns + column;
-  if (item.pattern == Pattern::chess) {
+  if (item.pattern == SurfacePattern::chess) {
     hit.part = part;
     hit.dark = (row + column) % 2 == 0;
-  } else if (item.pattern == Pattern::dots ? in_column * in_column + in_row * in_row < 0.08 : std::abs(in_row) < 0.17) {
-    hit.part = item.pattern == Pattern::dots ? part : 1 + row;
+  } else if (item.pattern == SurfacePattern::dots ? in_column * in_column + in_row * in_row < 0.08
+                                                  : std::abs(in_row) < 0.17) {
+    hit.part = item.pattern == SurfacePattern::dots ? part : 1 + row;
     hit.dark = true;
   }
 }

@@ -20,7 +20,7 @@ struct Item {
   Vector3 half_size = Vector3::Zero();           // m; a plate's z is 0
   Vector3 sphere_center = Vector3::Zero();       // camera frame, m: the ball that holds it
   double sphere_radius = 0;
-  Pattern pattern = Pattern::plain;
+  SurfacePattern pattern = SurfacePattern::plain;
   int columns = 0, rows = 0;
   double cell = 1;
   double dark = 0, light = 0;  // grey levels; solids and plain plates: `light`

@@ -304,6 +304,15 @@ TEST_F(Improve, TheExportIsTheLastModelBitForBit) {
   }
 }
 
+/// A plate is read along one direction: what noise makes of an error there is less than of a point's three coordinates.
+TEST_F(Improve, TheNoiseBesideAnErrorOfTouchesIsTheVerdictsOwn) {
+  const Json r = run(sample_session("probe_and_plate")).json();
+  const double noise = r["left"]["story"]["noise"], of_a_coordinate = r["steps"].back()["noise_m"];
+  EXPECT_GT(noise, of_a_coordinate);
+  EXPECT_LT(noise, 1.5 * of_a_coordinate);
+  EXPECT_EQ(r["steps"].back()["noise_rms_m"], noise);
+}
+
 TEST_F(Improve, TheFitOfWhatItAddedIsTheSame) {
   const Json improved = run(sample_session("hidden_1")).json();
   EXPECT_EQ(improved.at("inclusion_probabilities"), improved.at("certainty")) << "its older name";

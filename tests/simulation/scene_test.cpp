@@ -15,7 +15,7 @@ namespace {
 int chess_corners(const Scene& scene) {
   int count = 0;
   for (const Plate& plate : scene.plates)
-    if (plate.pattern == Pattern::chess) count += (plate.columns - 1) * (plate.rows - 1);
+    if (plate.pattern == SurfacePattern::chess) count += (plate.columns - 1) * (plate.rows - 1);
   return count;
 }
 

@@ -27,9 +27,9 @@ struct Example {
 std::vector<Example> examples(const Image& image, const std::vector<Eigen::Vector2d>& corners) {
   const double noise = image_noise(image);
   const auto candidates = saddle_candidates(image, 20, noise);
-  std::vector<Suspect> suspects;
+  std::vector<FittedSaddle> suspects;
   std::vector<CornerSigns> signs;
-  for (const Candidate& candidate : candidates) {
+  for (const CornerCandidate& candidate : candidates) {
     if (!candidate.stationary) continue;
     if (may_be_cross(image, candidate.position.array().round().cast<int>(), 20, noise) != Lighting::even) continue;
     const auto cross = cross_structure(image, candidate.position, 20);

@@ -21,9 +21,9 @@ namespace {
 
 using namespace corner_images;
 
-const Candidate* nearest(const std::vector<Candidate>& candidates, const Eigen::Vector2d& truth) {
-  const Candidate* best = nullptr;
-  for (const Candidate& candidate : candidates)
+const CornerCandidate* nearest(const std::vector<CornerCandidate>& candidates, const Eigen::Vector2d& truth) {
+  const CornerCandidate* best = nullptr;
+  for (const CornerCandidate& candidate : candidates)
     if ((candidate.position - truth).norm() < (best ? (best->position - truth).norm() : 3)) best = &candidate;
   return best;
 }
@@ -72,9 +72,9 @@ std::string small(const Image& image, const std::vector<Corner>& corners, const 
                      result);
 }
 
-std::string why(const Image& image, const std::vector<Candidate>& candidates, const Eigen::Vector2d& truth,
+std::string why(const Image& image, const std::vector<CornerCandidate>& candidates, const Eigen::Vector2d& truth,
                 double noise) {
-  const Candidate* const candidate = nearest(candidates, truth);
+  const CornerCandidate* const candidate = nearest(candidates, truth);
   if (!candidate) return "1 no saddle";
   if (!candidate->stationary) return "2 gradient vanishes elsewhere";
   const auto light = may_be_cross(image, (candidate->position.array() + 0.5).cast<int>(), 20, noise);

@@ -16,10 +16,11 @@
 namespace handsight::cli {
 namespace {
 
-/// The noise of one coordinate as it is reported beside an error.
-std::string noise_or_unknown(const std::optional<double>& value, bool tracker) {
-  if (!value) return "unknown";
-  return tracker ? fmt::format("{:.3f} mm", 1e3 * as_reported(*value, false)) : fmt::format("{:.3f} px", *value);
+/// The noise as it is reported beside an error.
+std::string noise_or_unknown(const ImprovementStep& s, bool tracker) {
+  const std::optional<double> noise = reported_noise(s.noise, s.rms_of_noise_m, !tracker);
+  if (!noise) return "unknown";
+  return tracker ? fmt::format("{:.3f} mm", 1e3 * *noise) : fmt::format("{:.3f} px", *noise);
 }
 
 /// What else went and came with a step that is not the first.
@@ -30,24 +31,20 @@ std::string changes_text(const ImprovementStep& s) {
          (s.exchanged.empty() ? "" : "; in its place " + listed(s.exchanged).english());
 }
 
-/// "backlash (axis_4) 23 %, payload 8 %"
-std::string inclusion_probability_text(const InclusionProbabilities& inclusion_probabilities, bool of_model) {
+/// "What may be there too: backlash (axis_4) 23 % and payload 8 %". How sure the model's own names are stands in the
+/// bill.
+void print_other_names(const Output& out, const InclusionProbabilities& inclusion_probabilities) {
   std::vector<std::string> texts;
   for (const InclusionProbability& n : inclusion_probabilities.names) {
-    if (n.is_in_model != of_model) continue;
+    if (n.is_in_model) continue;
     const std::string where = n.where.empty() ? "" : " (" + listed(n.where) + ")";
     // Never quite sure, nor quite sure that not.
     const std::string percent = n.probability > 0.999 ? "over 99.9" : two_digit_percent(std::max(n.probability, 0.001));
     texts.push_back(fmt::format("{}{} {} %", n.id, where, percent));
   }
-  return listed(texts);
-}
-
-void print_inclusion_probabilities(const Output& out, const InclusionProbabilities& inclusion_probabilities) {
-  const std::string of_model = inclusion_probability_text(inclusion_probabilities, true),
-                    others = inclusion_probability_text(inclusion_probabilities, false);
-  if (!of_model.empty()) out.line("How sure its names are: " + of_model + ".");
-  if (!others.empty()) out.line("What may be there too: " + others + ". Predictions allow for it.");
+  if (texts.empty()) return;
+  out.line("What may be there too: " + listed(texts) + ". Predictions allow for it.");
+  out.line();
 }
 
 Json inclusion_probabilities_json(const InclusionProbabilities& inclusion_probabilities) {
@@ -76,7 +73,8 @@ Json step_json(const ImprovementStep& s, bool tracker) {
           {"held_out_region_pixel", number(s.held_out_region.rms_pixel)},
           {"held_out_region_rms_m", number(s.held_out_region.rms_m)},
           {"held_out_region_mean_m", number(s.held_out_region.mean_m)},
-          {"noise_m", tracker ? number(s.noise) : null}};
+          {"noise_m", tracker ? number(s.noise) : null},
+          {"noise_rms_m", tracker ? number(reported_noise(s.noise, s.rms_of_noise_m, false)) : null}};
 }
 
 }  // namespace
@@ -95,7 +93,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
     const ImprovementStep& s = m.steps[i];
     const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted),
-                         error_text(s.held_out), error_text(s.held_out_region), noise_or_unknown(s.noise, tracker),
+                         error_text(s.held_out), error_text(s.held_out_region), noise_or_unknown(s, tracker),
                          listed(s.where)));
     if (!s.formula.empty()) out.line("     " + s.formula);
     if (!s.stands.empty()) out.line("     stands in for something else: no robot has " + listed(s.stands));
@@ -117,9 +115,9 @@ void print_improvement(const Output& out, const Session& session, const Improvem
   if (m.named_share && m.unnamed_share)
     out.line(fmt::format("Of what exceeded the noise at the start {} % has names, {} % follows something without one.",
                          whole_percent(*m.named_share), whole_percent(*m.unnamed_share)));
+  if (m.bill.empty()) out.line();
   print_bill(out, m.bill);
-  print_inclusion_probabilities(out, m.inclusion_probabilities);
-  out.line();
+  print_other_names(out, m.inclusion_probabilities);
   print_fit(out, m.last.model.session, m.last.model.fit, m.last.report, m.last.model_options);
   if (const auto& e = m.held_out_choosing)
     out.line(fmt::format(

@@ -66,7 +66,7 @@ def improve(session, effects=(), *, names_only=False):
 
 
 def compare(before, after, effects=()):
-    """What has changed: verdict, reason, changes (best first), numbers, hand_mean_mm ... of `handsight-cli compare`.
+    """What has changed: verdict, reason, changes (best first), numbers, hand_mean_m ... of `handsight-cli compare`.
 
     before: a session, or a calibration (what fit, improve or read_calibration returned) against which a few poses are
     enough. after: a later session. effects: in the model of both sessions, estimated.

@@ -10,6 +10,7 @@ ImprovementStep find_step(const Diagnosis& model) {
   s.held_out_region = model.report.held_out_region;
   s.held_out_session = model.report.held_out_session;
   s.noise = model.noise;
+  s.rms_of_noise_m = model.report.rms_of_noise_m;
   return s;
 }
 

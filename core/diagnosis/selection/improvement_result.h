@@ -26,7 +26,8 @@ struct ImprovementStep {
   std::vector<std::string> stands;  // numbers of it beyond four prior sigmas: it stands in for something else
   std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
   ErrorSummary fitted, held_out, held_out_region, held_out_session;
-  std::optional<double> noise;  // px or m
+  std::optional<double> noise;           // of a coordinate, px or m
+  std::optional<double> rms_of_noise_m;  // FitReport
 };
 
 /// A step that was tried and not taken.

@@ -145,6 +145,7 @@ class Pruning {
     step.fitted = now.fitted;
     step.held_out = now.held_out;
     step.noise = now.noise;
+    step.rms_of_noise_m = now.rms_of_noise_m;
     if (!removed.empty()) step.removed += (step.removed.empty() ? "" : ", ") + removed;
     change_.model = std::move(next);
     ln_evidence_.reset();

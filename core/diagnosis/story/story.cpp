@@ -155,8 +155,7 @@ StoryError story_error(const Fit& fit, const FitReport& report) {
     if (!e.error) e.error = measure_size(report.fitted, e.in_pixels);
     e.elsewhere = measure_size(report.held_out_region, e.in_pixels);
   }
-  // Of lengths what noise makes of them: a touch reads one coordinate, a tracker three.
-  if (fit.noise) e.noise = e.in_pixels ? *fit.noise : report.rms_of_noise_m.value_or(as_reported(*fit.noise, false));
+  e.noise = reported_noise(fit.noise, report.rms_of_noise_m, e.in_pixels);
   return e;
 }
 

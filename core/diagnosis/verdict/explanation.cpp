@@ -23,8 +23,7 @@ Message odds(double ln_bayes_factor) {
 Message noise_text(const Diagnosis& d) {
   if (!d.noise) return "unknown";
   const bool in_pixels = !d.model.session.is_tracker();
-  const double of_length = d.report.rms_of_noise_m.value_or(as_reported(*d.noise, false));
-  return reported_size(in_pixels ? *d.noise : of_length, in_pixels);
+  return reported_size(*reported_noise(d.noise, d.report.rms_of_noise_m, in_pixels), in_pixels);
 }
 
 /// "compliance of arm_2 1.2e-04 +- 3e-06 rad/(N m)"

@@ -90,7 +90,8 @@ int moved_tip_numbers(const Fit& fit, const Eigen::MatrixXd& untold) {
   return moved_numbers(untold.topRows(3 * fit.problem.marker_count));
 }
 
-/// Joints whose zero another place of tip and fixtures does as well.
+/// Joints whose zero another place of tip and fixtures does as well: all that it would move is the errors that are left,
+/// which turn with the robot.
 std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   constexpr double least_share = 1e-6;  // of what a zero does that is not also done by the others
   const Effect& zero = *find_effect("joint_offset");
@@ -103,7 +104,8 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   problem.robot_scale.reset();
   Unknowns u = estimate(fit);
   u.effects = Eigen::VectorXd::Zero(problem.effect_count());
-  Eigen::MatrixXd information = normal_equations(problem, u).information;
+  const NormalEquations equations = normal_equations(problem, u);
+  Eigen::MatrixXd information = equations.information;
   const Eigen::Index first = problem.effect_column(), count = problem.effect_count();
   for (Eigen::Index i = 0; i < count; ++i)
     information(first + i, first + i) -=
@@ -114,7 +116,8 @@ std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double all = information(first + i, first + i);
-    if (all - by_others(i, i) <= least_share * std::max(all, 1e-300))
+    // Turned by 1 rad, an error moves by its own length.
+    if (all - by_others(i, i) <= std::max(least_share * all, equations.data_cost()))
       names.push_back(chain.robot.joints[static_cast<std::size_t>(zeros[static_cast<std::size_t>(i)].place)].name);
   }
   return names;

@@ -18,4 +18,12 @@ struct ErrorSummary {
 /// over the lengths of three coordinates together.
 inline double as_reported(double noise, bool in_pixels) { return in_pixels ? noise : std::sqrt(3.0) * noise; }
 
+/// The same where it is known what noise makes of lengths (FitReport::rms_of_noise_m): a touch reads one coordinate, a
+/// tracker three.
+inline std::optional<double> reported_noise(std::optional<double> noise, std::optional<double> rms_of_noise_m,
+                                            bool in_pixels) {
+  if (!noise || in_pixels) return noise;
+  return rms_of_noise_m.value_or(as_reported(*noise, false));
+}
+
 }  // namespace handsight

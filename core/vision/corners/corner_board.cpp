@@ -33,7 +33,7 @@ double most_aside(double along) {
 
 }  // namespace
 
-Lattice::Node Lattice::make_node(const Suspect& s) {
+Lattice::Node Lattice::make_node(const FittedSaddle& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
   return {s.position, {along(s.edges[0]), along(s.edges[1])}, s.edges, s.level, s.half_contrast, s.blur};
 }
@@ -67,13 +67,13 @@ int& Lattice::first_near(const Eigen::Vector2d& position) {
   return first_[static_cast<std::size_t>(v * across_ + u)];
 }
 
-void Lattice::add(const Suspect& suspect) {
+void Lattice::add(const FittedSaddle& suspect) {
   int& first = first_near(suspect.position);
   next_.push_back(first), first = size();
   nodes_.push_back(make_node(suspect));
 }
 
-void Lattice::replace(int number, const Suspect& suspect) {
+void Lattice::replace(int number, const FittedSaddle& suspect) {
   int* link = &first_near(nodes_[number].position);
   while (*link != number) link = &next_[*link];
   *link = next_[number];
@@ -132,11 +132,13 @@ CornerModel Lattice::expected(const PredictedCorner& predicted) const {
   return model;
 }
 
-bool Lattice::suits(int number, const Suspect& suspect) const {
+bool Lattice::suits(int number, const FittedSaddle& suspect) const {
   return are_of_one_board(nodes_[number], make_node(suspect));
 }
 
-bool Lattice::may_suit(int number, const Suspect& seen) const { return edges_go_on(nodes_[number], make_node(seen)); }
+bool Lattice::may_suit(int number, const FittedSaddle& seen) const {
+  return edges_go_on(nodes_[number], make_node(seen));
+}
 
 Lattice::Nearest Lattice::nearest_within(int number, double reach) const {
   const Node& here = nodes_[number];

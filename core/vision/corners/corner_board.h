@@ -24,9 +24,9 @@ class Lattice {
  public:
   Lattice(int width, int height);
   /// Corners have numbers in the order in which they come.
-  void add(const Suspect& suspect);
+  void add(const FittedSaddle& suspect);
   /// What lies elsewhere after all.
-  void replace(int number, const Suspect& suspect);
+  void replace(int number, const FittedSaddle& suspect);
   int size() const { return static_cast<int>(nodes_.size()); }
   const Eigen::Vector2d& position(int number) const { return nodes_[number].position; }
 
@@ -41,9 +41,9 @@ class Lattice {
   /// What a predicted corner looks like, if it is what its witness is.
   CornerModel expected(const PredictedCorner& predicted) const;
   /// Whether a suspect may be a neighbour of this corner, wherever it is.
-  bool suits(int number, const Suspect& suspect) const;
+  bool suits(int number, const FittedSaddle& suspect) const;
   /// The same of what circles show of it, whose contrast glare and blur change: by edges and colours alone.
-  bool may_suit(int number, const Suspect& seen) const;
+  bool may_suit(int number, const FittedSaddle& seen) const;
   /// Whether a corner is within `distance` px.
   bool has_near(const Eigen::Vector2d& position, double distance) const;
   /// The nearest of these; -1 where there is none.
@@ -56,7 +56,7 @@ class Lattice {
     std::array<double, 2> edges;           // rad
     double level, half_contrast, blur;
   };
-  static Node make_node(const Suspect& suspect);
+  static Node make_node(const FittedSaddle& suspect);
   int& first_near(const Eigen::Vector2d& position);  // of the cell's corners
   static bool are_of_one_board(const Node& a, const Node& b);
   static bool edges_go_on(const Node& a, const Node& b);

@@ -123,7 +123,7 @@ void each_peak(const std::uint8_t* groups, int count, const Act& act) {
 }
 
 // One Newton step to where the gradient vanishes; false where that is not near.
-bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, Candidate& candidate) {
+bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, CornerCandidate& candidate) {
   const std::int16_t *up = smoothed.row(y - 1), *at = smoothed.row(y), *down = smoothed.row(y + 1);
   const int twice = 2 * at[x];
   const auto gx = static_cast<float>(at[x + 1] - at[x - 1]), gy = static_cast<float>(down[x] - up[x]);
@@ -142,26 +142,26 @@ bool saddle_point(Smoothed& smoothed, int x, int y, float saddle, Candidate& can
 }
 
 // Row by row as they are, the strongest of each tile.
-void keep_strongest(int width, std::vector<Candidate>& candidates) {
+void keep_strongest(int width, std::vector<CornerCandidate>& candidates) {
   if (candidates.size() <= most_of_tile) return;
   const int across = width / tile_size + 1;
-  const auto tile = [&](const Candidate& c) {
+  const auto tile = [&](const CornerCandidate& c) {
     return static_cast<std::size_t>(static_cast<int>(c.position.y()) / tile_size * across +
                                     static_cast<int>(c.position.x()) / tile_size);
   };
   const std::size_t tiles = tile(candidates.back()) + static_cast<std::size_t>(2 * across);
   std::vector<std::size_t> counts(tiles, 0);
-  for (const Candidate& c : candidates) ++counts[tile(c)];
+  for (const CornerCandidate& c : candidates) ++counts[tile(c)];
   if (*std::max_element(counts.begin(), counts.end()) <= most_of_tile) return;
   std::vector<std::vector<float>> depths(tiles);
-  for (const Candidate& c : candidates) depths[tile(c)].push_back(c.saddle);
+  for (const CornerCandidate& c : candidates) depths[tile(c)].push_back(c.saddle);
   std::vector<float> least(depths.size(), 0);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     if (depths[i].size() <= most_of_tile) continue;
     std::nth_element(depths[i].begin(), depths[i].begin() + most_of_tile, depths[i].end(), std::greater<>());
     least[i] = depths[i][most_of_tile];
   }
-  std::erase_if(candidates, [&](const Candidate& c) { return c.saddle < least[tile(c)]; });
+  std::erase_if(candidates, [&](const CornerCandidate& c) { return c.saddle < least[tile(c)]; });
 }
 
 // What a saddle must have to be one.
@@ -176,7 +176,7 @@ struct Band {
   int begin, end;
 };
 void find_in_band(const Image& image, const Band& band, const Asked& asked, Image* half,
-                  std::vector<Candidate>& candidates) {
+                  std::vector<CornerCandidate>& candidates) {
   const int width = image.width / 2, height = image.height / 2;
   const int first = std::max(band.begin, 3), last = std::min(band.end, height - 3);  // where saddles may be peaks
   candidates.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(band.end - band.begin) / 64);
@@ -189,7 +189,7 @@ void find_in_band(const Image& image, const Band& band, const Asked& asked, Imag
     const float* const at = saddles.row(y) + 3;
     find_peaks(widened.row(y - 1) + 3, at, widened.row(y + 1) + 3, width - 6, asked.least, peaks.data());
     each_peak(peaks.data(), width - 6, [&](int n) {
-      Candidate candidate;
+      CornerCandidate candidate;
       if (!saddle_point(smoothed, n + 3, y, at[n], candidate)) return;
       const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();  // none is negative
       candidate.ring = may_be_cross(image, pixel, asked.min_contrast, asked.noise);
@@ -217,7 +217,7 @@ void find_in_band(const Image& image, const Band& band, const Asked& asked, Imag
 
 }  // namespace
 
-std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
+std::vector<CornerCandidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half) {
   const int width = image.width / 2, height = image.height / 2;
   if (half && (half->width != width || half->height != height)) *half = Image(width, height);
   if (image.width < 14 || image.height < 14) return {};
@@ -227,13 +227,13 @@ std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast
   const float least = static_cast<float>(std::pow(unit * std::max(0.075 * min_contrast, 2 * 0.062 * noise), 2));
   const bool is_large = is_worth_threads(image);
   const int bands = is_large ? std::max(1, height / rows_of_band) : 1;
-  std::vector<std::vector<Candidate>> of_band(static_cast<std::size_t>(bands));
+  std::vector<std::vector<CornerCandidate>> of_band(static_cast<std::size_t>(bands));
   const auto edge = [&](int band) { return static_cast<int>(static_cast<std::int64_t>(height) * band / bands); };
   each_part(bands, is_large, [&](int band) {
     find_in_band(image, {edge(band), edge(band + 1)}, {least, min_contrast, noise}, half,
                  of_band[static_cast<std::size_t>(band)]);
   });
-  std::vector<Candidate> candidates = std::move(of_band.front());
+  std::vector<CornerCandidate> candidates = std::move(of_band.front());
   std::size_t count = candidates.size();
   for (int band = 1; band < bands; ++band) count += of_band[static_cast<std::size_t>(band)].size();
   candidates.reserve(count);

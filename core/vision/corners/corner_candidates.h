@@ -12,7 +12,7 @@
 
 namespace handsight {
 
-struct Candidate {
+struct CornerCandidate {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px, of the saddle point, good to about a pixel
   float saddle = 0;              // minus the Hessian's determinant, (grey levels per px^2)^2 of the smoothed image
   bool stationary = true;        // the smoothed grey levels' gradient vanishes within 3 px
@@ -24,7 +24,8 @@ struct Candidate {
 /// noise of sigma `noise` grey levels makes them. Row by row; of each tile of 128 x 128 px the strongest 400 at most.
 /// `half`, if given, becomes the image at half the resolution: the rounded mean of 2 x 2 pixels; one of that size
 /// already is written over, which spares a large image's memory being asked for again.
-std::vector<Candidate> saddle_candidates(const Image& image, double min_contrast, double noise, Image* half = nullptr);
+std::vector<CornerCandidate> saddle_candidates(const Image& image, double min_contrast, double noise,
+                                               Image* half = nullptr);
 
 /// Work on smaller images is done before other threads have begun.
 inline bool is_worth_threads(const Image& image) { return static_cast<double>(image.width) * image.height > 1.5e6; }

@@ -230,7 +230,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
   std::vector<Level> levels;
   levels.reserve(level_count);
   std::vector<Placed> placed;
-  std::vector<Suspect> known;  // where they lie in the present image
+  std::vector<FittedSaddle> known;  // where they lie in the present image
   for (int n = 0; n < level_count; ++n) {
     const Image& here = n > 0 ? images[n] : image;
     if (n > 0 && std::min(here.width, here.height) < least_size) break;
@@ -249,7 +249,7 @@ std::vector<Corner> detect_corners(const Image& image, const DetectorOptions& op
       known.push_back(found.suspect);
       if (!found.is_alone) placed.push_back(refined(levels, found));
     }
-    for (Suspect& suspect : known) suspect.position = in_halved(suspect.position, 1), suspect.blur *= 0.5;
+    for (FittedSaddle& suspect : known) suspect.position = in_halved(suspect.position, 1), suspect.blur *= 0.5;
   }
   for (int n = 0; n < static_cast<int>(levels.size()); ++n) take_last_steps(levels[n], n, placed);
   std::vector<Corner> corners;

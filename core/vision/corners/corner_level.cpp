@@ -24,24 +24,24 @@ constexpr double least_alone = -1;
 // What was found, each as a corner and as a suspect.
 struct Finds {
   std::vector<Found> all;
-  std::vector<Suspect> suspects;  // the same again, as they are weighed
-  void add(const Found& found, const Candidate& candidate) {
+  std::vector<FittedSaddle> suspects;  // the same again, as they are weighed
+  void add(const Found& found, const CornerCandidate& candidate) {
     all.push_back(found), suspects.push_back(found.suspect), suspects.back().candidate = candidate;
   }
   void replace(std::size_t i, const Found& found) {
-    const Candidate candidate = suspects[i].candidate;
+    const CornerCandidate candidate = suspects[i].candidate;
     all[i] = found, suspects[i] = found.suspect, suspects[i].candidate = candidate;
   }
 };
 
 struct Left {
-  const Candidate* candidate;
+  const CornerCandidate* candidate;
   bool was_fitted, is_open;
 };
 
 // Of a large image parts are looked at on several threads, and put together in their order.
 constexpr int part_size = 512;
-bool is_large(const Sight& sight) { return is_worth_threads(sight.image); }
+bool is_large(const CornerSight& sight) { return is_worth_threads(sight.image); }
 
 // What look(i) finds for i below `count`, with its number.
 struct Numbered {
@@ -57,7 +57,7 @@ std::size_t total_size(const Parts& parts, const SizeOf& measure_size) {
 }
 
 template <class Look>
-std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Look& look) {
+std::vector<Numbered> all_found(const CornerSight& sight, std::size_t count, const Look& look) {
   const std::size_t part = is_large(sight) ? part_size : std::max<std::size_t>(count, 1);
   std::vector<std::vector<Numbered>> parts((count + part - 1) / part);
   each_part(static_cast<int>(parts.size()), is_large(sight), [&](int p) {
@@ -74,10 +74,10 @@ std::vector<Numbered> all_found(const Sight& sight, std::size_t count, const Loo
 }
 
 // Looks long at what the first look left, and at what it found but believes to be none: a shadow spoils a fit too.
-void look_again(const Sight& sight, const SaddleField& field, const std::vector<Left>& left, Finds& finds) {
-  const auto is_worth_it = [&](const Candidate& candidate) { return field.others(candidate) <= few_points; };
+void look_again(const CornerSight& sight, const SaddleField& field, const std::vector<Left>& left, Finds& finds) {
+  const auto is_worth_it = [&](const CornerCandidate& candidate) { return field.others(candidate) <= few_points; };
   const auto beside_shadow = all_found(sight, finds.suspects.size(), [&](std::size_t i) -> std::optional<Found> {
-    const Suspect& suspect = finds.suspects[i];
+    const FittedSaddle& suspect = finds.suspects[i];
     if (suspect.log_odds > least_log_odds || !is_worth_it(suspect.candidate)) return std::nullopt;
     return shadow_look(sight, suspect.candidate);
   });
@@ -106,7 +106,7 @@ struct FirstLooks {
 
 template <class IsAsked>
 FirstLooks first_looks(const Level& level, const IsAsked& is_asked) {
-  const std::vector<Candidate>& candidates = level.candidates;
+  const std::vector<CornerCandidate>& candidates = level.candidates;
   const std::size_t part = is_large(level.sight) ? part_size : std::max<std::size_t>(candidates.size(), 1);
   std::vector<FirstLooks> parts((candidates.size() + part - 1) / part);
   each_part(static_cast<int>(parts.size()), is_large(level.sight), [&](int p) {
@@ -165,15 +165,15 @@ void mark_alone(const Lattice& lattice, int first, Level& level) {
 // How deep the saddles of the finer image are, place by place of the coarser one.
 class FinerSaddles {
  public:
-  FinerSaddles(int width, int height, const std::vector<Candidate>& finer)
+  FinerSaddles(int width, int height, const std::vector<CornerCandidate>& finer)
       : across_(width / cell_size + 3), deepest_(static_cast<std::size_t>(across_) * (height / cell_size + 3), 0) {
-    for (const Candidate& candidate : finer) {
+    for (const CornerCandidate& candidate : finer) {
       float& deepest = deepest_[number(in_halved(candidate.position, 1))];
       deepest = std::max(deepest, candidate.saddle);
     }
   }
   // What is sharper in the finer image was seen there.
-  bool tell_against(const Candidate& candidate) const {
+  bool tell_against(const CornerCandidate& candidate) const {
     const float* const middle = &deepest_[number(candidate.position)];
     float deepest = 0;
     for (const int row : {-across_, 0, across_})
@@ -195,9 +195,9 @@ class FinerSaddles {
 }  // namespace
 
 void find_corners(Level& level, Image& half) {
-  const Sight& sight = level.sight;
+  const CornerSight& sight = level.sight;
   level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, &half);
-  FirstLooks looks = first_looks(level, [](const Candidate&) { return true; });
+  FirstLooks looks = first_looks(level, [](const CornerCandidate&) { return true; });
   SaddleField field(sight.image.width, sight.image.height, level.candidates);
   take_likely(looks, field, level);
   Lattice lattice(sight.image.width, sight.image.height);
@@ -207,19 +207,20 @@ void find_corners(Level& level, Image& half) {
   keep_for_coarser(lattice, field, level.missing);
 }
 
-void find_blurred_corners(const Level& finer, const std::vector<Suspect>& known,
+void find_blurred_corners(const Level& finer, const std::vector<FittedSaddle>& known,
                           const std::vector<PredictedCorner>& missing, Level& level, Image* half) {
-  const Sight& sight = level.sight;
+  const CornerSight& sight = level.sight;
   level.candidates = saddle_candidates(sight.image, sight.options.min_contrast, sight.noise, half);
   const FinerSaddles sharper(sight.image.width, sight.image.height, finer.candidates);
-  FirstLooks looks = first_looks(level, [&](const Candidate& candidate) { return !sharper.tell_against(candidate); });
+  FirstLooks looks =
+      first_looks(level, [&](const CornerCandidate& candidate) { return !sharper.tell_against(candidate); });
   if (looks.is_empty() && missing.empty()) return;
   SaddleField field(sight.image.width, sight.image.height, level.candidates);
-  for (const Suspect& suspect : known) field.set_probability(field.at(suspect.position), 1);
+  for (const FittedSaddle& suspect : known) field.set_probability(field.at(suspect.position), 1);
   take_likely(looks, field, level);
   if (level.found.empty() && missing.empty()) return;
   Lattice lattice(sight.image.width, sight.image.height);
-  for (const Suspect& suspect : known) lattice.add(suspect);
+  for (const FittedSaddle& suspect : known) lattice.add(suspect);
   const int first = lattice.size();
   for (const Found& found : level.found) lattice.add(found.suspect);
   for (const PredictedCorner& predicted : missing)

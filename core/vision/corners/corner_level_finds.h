@@ -13,8 +13,8 @@ namespace handsight {
 
 /// One image, and what was found in it.
 struct Level {
-  Sight sight;
-  std::vector<Candidate> candidates;
+  CornerSight sight;
+  std::vector<CornerCandidate> candidates;
   std::vector<Found> found;
   std::vector<PredictedCorner> missing;  // what boards predicted in vain
   ShadowLines shadows;                   // by those found beside their edges

@@ -34,7 +34,7 @@ bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance)
 
 // Calls act(i, j) for all that are `distance` px apart at most.
 template <class Act>
-void each_near_pair(const std::vector<Suspect>& suspects, double distance, const Act& act) {
+void each_near_pair(const std::vector<FittedSaddle>& suspects, double distance, const Act& act) {
   struct Place {
     int strip;  // of rows, `distance` px high
     double u;
@@ -67,7 +67,7 @@ struct Likeness {
   double contrast;                // half, grey levels
 };
 
-Likeness likeness(const Suspect& s) {
+Likeness likeness(const FittedSaddle& s) {
   const auto along = [](double angle) { return Eigen::Vector2d(std::cos(angle), std::sin(angle)); };
   return {along(s.edges[0]), along(s.edges[1]), s.position, std::abs(s.half_contrast)};
 }
@@ -115,19 +115,19 @@ double log_odds_among(double own, double others, double board) {
   return own + weight_of_others * std::clamp(others, -2.0, 4.0) + weight_of_board * board;
 }
 
-SaddleField::SaddleField(int width, int height, const std::vector<Candidate>& candidates)
+SaddleField::SaddleField(int width, int height, const std::vector<CornerCandidate>& candidates)
     : across_(cell(width) + 1), down_(cell(height) + 1), first_(static_cast<std::size_t>(across_) * down_ + 1) {
-  const auto cell_of = [&](const Candidate& c) {
+  const auto cell_of = [&](const CornerCandidate& c) {
     return static_cast<std::size_t>(cell(c.position.y()) * across_ + cell(c.position.x()));
   };
-  for (const Candidate& c : candidates)
+  for (const CornerCandidate& c : candidates)
     if (c.stationary) ++first_[cell_of(c) + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   // Whole groups are read, so there are some more.
   const std::size_t count = static_cast<std::size_t>(first_.back()) + simd_lanes;
   u_.resize(count), v_.resize(count), depth_.assign(count, -1), says_.assign(count, 1);
   std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (const Candidate& c : candidates) {
+  for (const CornerCandidate& c : candidates) {
     if (!c.stationary) continue;
     const auto n = static_cast<std::size_t>(next[cell_of(c)]++);
     u_[n] = static_cast<float>(c.position.x()), v_[n] = static_cast<float>(c.position.y()), depth_[n] = c.saddle;
@@ -144,7 +144,7 @@ void SaddleField::each_row_round(const Eigen::Vector2d& position, double reach, 
         first_[static_cast<std::size_t>(j * across_ + right) + 1]);
 }
 
-double SaddleField::others(const Candidate& candidate) const {
+double SaddleField::others(const CornerCandidate& candidate) const {
   double more = 0;
   each_row_round(candidate.position, near_px, [&](int begin, int end) {
     more += said(&u_[begin], &v_[begin], &depth_[begin], &says_[begin], end - begin,
@@ -178,7 +178,7 @@ void SaddleField::set_probability(std::span<const int> numbers, double probabili
   for (const int n : numbers) says_[n] = static_cast<float>(1 - 2 * probability);
 }
 
-int SaddleField::counted(std::span<const int> numbers, const Candidate& candidate) const {
+int SaddleField::counted(std::span<const int> numbers, const CornerCandidate& candidate) const {
   const float least = as_deep * candidate.saddle;
   int count = 0;
   for (const int n : numbers) {  // without branches, which nobody could predict
@@ -189,7 +189,7 @@ int SaddleField::counted(std::span<const int> numbers, const Candidate& candidat
   return count;
 }
 
-std::vector<double> board_signs(const std::vector<Suspect>& suspects) {
+std::vector<double> board_signs(const std::vector<FittedSaddle>& suspects) {
   std::vector<Likeness> likenesses(suspects.size());
   std::transform(suspects.begin(), suspects.end(), likenesses.begin(), likeness);
   std::vector<double> signs(suspects.size());
@@ -210,10 +210,11 @@ struct Tie {
 };
 
 // All ties of one follow each other. `own`: the saddles that each of the suspects is.
-std::vector<Tie> ties_of(const std::vector<Suspect>& suspects, const std::vector<SaddleField::Few>& own,
+std::vector<Tie> ties_of(const std::vector<FittedSaddle>& suspects, const std::vector<SaddleField::Few>& own,
                          const SaddleField& field) {
-  std::vector<Candidate> candidates(suspects.size());
-  std::transform(suspects.begin(), suspects.end(), candidates.begin(), [](const Suspect& s) { return s.candidate; });
+  std::vector<CornerCandidate> candidates(suspects.size());
+  std::transform(suspects.begin(), suspects.end(), candidates.begin(),
+                 [](const FittedSaddle& s) { return s.candidate; });
   std::vector<Tie> ties;
   ties.reserve(8 * suspects.size());
   each_near_pair(suspects, near_px + 2 * same_px, [&](int i, int j) {
@@ -226,7 +227,7 @@ std::vector<Tie> ties_of(const std::vector<Suspect>& suspects, const std::vector
 
 }  // namespace
 
-void weigh(std::vector<Suspect>& suspects, SaddleField& field) {
+void weigh(std::vector<FittedSaddle>& suspects, SaddleField& field) {
   // Who speaks for a saddle that two were fitted to: the last.
   std::vector<int> owner(field.size(), -1);
   std::vector<SaddleField::Few> own(suspects.size());

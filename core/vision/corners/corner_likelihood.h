@@ -29,11 +29,11 @@ double corner_log_odds(const CornerSigns& signs);
 class SaddleField {
  public:
   /// Stationary ones only; the others are points of an edge's end as often as not. px.
-  SaddleField(int width, int height, const std::vector<Candidate>& candidates);
+  SaddleField(int width, int height, const std::vector<CornerCandidate>& candidates);
 
   /// By how many more of the saddles within 40 px of `candidate` and at least half as steep, itself left out, are no
   /// corners than are, as far as is known.
-  double others(const Candidate& candidate) const;
+  double others(const CornerCandidate& candidate) const;
   /// Numbers of some saddles, few enough to need no memory of their own.
   struct Few {
     std::array<int, 8> numbers;
@@ -46,7 +46,7 @@ class SaddleField {
   bool has_near(const Eigen::Vector2d& position, double distance) const;
   void set_probability(std::span<const int> numbers, double probability);
   /// How many of the saddles with these numbers `others` counts.
-  int counted(std::span<const int> numbers, const Candidate& candidate) const;
+  int counted(std::span<const int> numbers, const CornerCandidate& candidate) const;
   int size() const { return first_.back(); }
 
  private:
@@ -60,8 +60,8 @@ class SaddleField {
 };
 
 /// A saddle that was fitted.
-struct Suspect {
-  Candidate candidate;
+struct FittedSaddle {
+  CornerCandidate candidate;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // px
   std::array<double, 2> edges{};                       // rad
   double half_contrast = 0;                            // grey levels
@@ -72,14 +72,14 @@ struct Suspect {
 
 /// Whether a saddle is of a board, 0 to 1: by how many others within 40 px have edges along its own and half or twice
 /// its contrast at most. Up to 8 say nothing, as grain may lie along one direction too; 14 say all.
-std::vector<double> board_signs(const std::vector<Suspect>& suspects);
+std::vector<double> board_signs(const std::vector<FittedSaddle>& suspects);
 
 /// Log-odds of a saddle whose own are `own`, given those round it (SaddleField::others, of which -2 to 4 tell
 /// something; board_signs): texture makes saddles in crowds, and of these few are corners; on a board all are.
 double log_odds_among(double own, double others, double board = 0);
 
 /// Each saddle counts by how likely it is a corner, and this depends on the others: some rounds settle it.
-void weigh(std::vector<Suspect>& suspects, SaddleField& field);
+void weigh(std::vector<FittedSaddle>& suspects, SaddleField& field);
 
 /// What is reported has more.
 constexpr double least_log_odds = -2.9;

@@ -32,7 +32,7 @@ double in_half_turn(double angle) {
 
 // Of an X-corner the saddle's depth and the contrast of the sectors go together, whatever its blur and angle: the root
 // of the depth is 0.05 to 0.1 times the half contrast, per px^2, and less where cells are only some px wide.
-double relative_depth(const Candidate& candidate, const CrossStructure& cross) {
+double relative_depth(const CornerCandidate& candidate, const CrossStructure& cross) {
   return std::sqrt(candidate.saddle) / std::abs(cross.half_contrast);
 }
 
@@ -76,14 +76,14 @@ double contrast_of(const CornerModel& model) {
 
 // px, sigma of the largest window, as wide as asked for at most, that does not leave the image.
 constexpr int least_window = 3;  // px
-double sigma_with_room(const Sight& sight, const Eigen::Vector2d& position) {
+double sigma_with_room(const CornerSight& sight, const Eigen::Vector2d& position) {
   const int u = static_cast<int>(position.x()), v = static_cast<int>(position.y());
   const int room = std::min({u, v, sight.image.width - 2 - u, sight.image.height - 2 - v}) - 1;
   return std::min(sight.options.sigma, std::max(room, least_window) / 3.0);
 }
 
 // What the fit says is kept where the point of best symmetry, in the light that the fit found, agrees.
-std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double sigma) {
+std::optional<Found> checked(const CornerSight& sight, const CornerFit& fit, double sigma) {
   if (contrast_of(fit.model) < sight.options.min_contrast) return std::nullopt;
   if (fit.covariance.trace() > 2 * most_sigma * most_sigma || !has_possible_levels(fit)) return std::nullopt;
   Found found;
@@ -109,11 +109,12 @@ std::optional<Found> checked(const Sight& sight, const CornerFit& fit, double si
   return found;
 }
 
-std::optional<Found> checked(const Sight& sight, const CornerFit& fit) {
+std::optional<Found> checked(const CornerSight& sight, const CornerFit& fit) {
   return checked(sight, fit, sight.options.sigma);
 }
 
-std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
+std::optional<Found> corner_in_light(const CornerSight& sight, const Eigen::Vector2d& start,
+                                     const CrossStructure& cross) {
   const auto fit = fit_corner(sight.image, start, cross, sight.noise);
   if (!fit) return std::nullopt;
   auto plain = checked(sight, *fit);
@@ -125,14 +126,15 @@ std::optional<Found> corner_in_light(const Sight& sight, const Eigen::Vector2d& 
   return better ? shaded : plain;
 }
 
-std::optional<Found> corner_in_shadow(const Sight& sight, const Eigen::Vector2d& start, const CrossStructure& cross) {
+std::optional<Found> corner_in_shadow(const CornerSight& sight, const Eigen::Vector2d& start,
+                                      const CrossStructure& cross) {
   const auto fit =
       fit_beside_shadow(sight.image, start, cross, first_guess(start, cross), Guess::from_circles, sight.noise);
   return fit ? checked(sight, *fit) : std::nullopt;
 }
 
 // Circles that are read off the corner tell little: here they are read at the point of best symmetry.
-std::optional<Found> centred_look(const Sight& sight, const Eigen::Vector2d& start, bool was_fitted) {
+std::optional<Found> centred_look(const CornerSight& sight, const Eigen::Vector2d& start, bool was_fitted) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, 2.5, 2);
   if (!symmetric) return std::nullopt;
   if (was_fitted && (symmetric->position - start).norm() < least_move) return std::nullopt;
@@ -163,7 +165,7 @@ double model_uncertainty_of(const CornerModel& model, double asymmetry, double v
   return 1 + relative + uneven;
 }
 
-Look quick_look(const Sight& sight, const Candidate& candidate) {
+Look quick_look(const CornerSight& sight, const CornerCandidate& candidate) {
   Look look;  // without braces: they would fill it with zeros
   look.is_postponed = true;
   if (!candidate.stationary || candidate.ring == Lighting::shadowed) return look;
@@ -177,7 +179,7 @@ Look quick_look(const Sight& sight, const Candidate& candidate) {
   return look;
 }
 
-std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look) {
+std::optional<Found> long_look(const CornerSight& sight, const CornerCandidate& candidate, const SecondLook& look) {
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
   const bool may_be_centred = look.may_centre && sectors_suit(*cross, sight.noise, most_off_centre);
@@ -186,20 +188,20 @@ std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, c
   return corner_in_shadow(sight, candidate.position, *cross);
 }
 
-std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate) {
+std::optional<Found> shadow_look(const CornerSight& sight, const CornerCandidate& candidate) {
   const auto cross = cross_structure(sight.image, candidate.position, sight.options.min_contrast, Lighting::shadowed);
   if (!cross || !depth_suits(relative_depth(candidate, *cross))) return std::nullopt;
   return corner_in_shadow(sight, candidate.position, *cross);
 }
 
-std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps) {
+std::optional<Found> sure_look(const CornerSight& sight, const Eigen::Vector2d& start, double reach, int steps) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, steps);
   if (!symmetric) return std::nullopt;
   const auto cross = cross_structure(sight.image, symmetric->position, sight.options.min_contrast);
   return cross ? corner_in_light(sight, symmetric->position, *cross) : std::nullopt;
 }
 
-std::optional<Found> predicted_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+std::optional<Found> predicted_look(const CornerSight& sight, const Eigen::Vector2d& start, double reach,
                                     const SuitsBoard& suits) {
   const auto symmetric = symmetry_point(sight.image, start, sight.options.sigma, reach, 2);
   if (symmetric) {
@@ -211,19 +213,19 @@ std::optional<Found> predicted_look(const Sight& sight, const Eigen::Vector2d& s
   return cross && suits(*cross, start) ? corner_in_shadow(sight, start, *cross) : std::nullopt;
 }
 
-std::optional<Found> small_look(const Sight& sight, const CornerModel& expected) {
+std::optional<Found> small_look(const CornerSight& sight, const CornerModel& expected) {
   const auto fit = fit_small_corner(sight.image, expected.position, structure_of(expected), sight.noise);
   if (!fit || !is_same(fit->model, expected)) return std::nullopt;
   return checked(sight, *fit, sight.is_coarser ? sigma_with_room(sight, fit->model.position) : sight.options.sigma);
 }
 
-std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected) {
+std::optional<Found> shaded_look(const CornerSight& sight, const CornerModel& expected) {
   const auto fit =
       (has_shadow(expected) ? fit_in_known_shadow : fit_in_unknown_shadow)(sight.image, expected, sight.noise);
   return fit && is_same(fit->model, expected) ? checked(sight, *fit) : std::nullopt;
 }
 
-std::optional<Found> known_look(const Sight& sight, const CornerModel& known) {
+std::optional<Found> known_look(const CornerSight& sight, const CornerModel& known) {
   const auto fit = fit_corner(sight.image, known.position, structure_of(known), sight.noise);
   return fit && is_same(fit->model, known) ? checked(sight, *fit) : std::nullopt;
 }

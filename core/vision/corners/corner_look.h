@@ -13,7 +13,7 @@
 namespace handsight {
 
 /// What is looked at. `noise`: grey levels, sigma of a pixel. `is_coarser`: at less than the whole resolution.
-struct Sight {
+struct CornerSight {
   const Image& image;
   const DetectorOptions& options;
   double noise;
@@ -22,7 +22,7 @@ struct Sight {
 
 struct Found {
   Corner corner;
-  Suspect suspect;
+  FittedSaddle suspect;
   CornerFit fit;
   bool is_alone = false;         // no neighbour on a board, and not likely enough a corner for that
   double asymmetry = 0;          // grey levels^2, half the mean square difference of opposite points
@@ -43,7 +43,7 @@ struct Look {
 
 /// Of a candidate whose ring may be of a cross. What cannot be a corner is cheap to see of most: nothing is fitted that
 /// a cheap test speaks against.
-Look quick_look(const Sight& sight, const Candidate& candidate);
+Look quick_look(const CornerSight& sight, const CornerCandidate& candidate);
 
 /// How to look at a candidate again.
 struct SecondLook {
@@ -52,30 +52,30 @@ struct SecondLook {
 };
 
 /// Where few saddles near are no corners: centred by its symmetry, with less asked of it, then beside a shadow.
-std::optional<Found> long_look(const Sight& sight, const Candidate& candidate, const SecondLook& look);
+std::optional<Found> long_look(const CornerSight& sight, const CornerCandidate& candidate, const SecondLook& look);
 
 /// Beside a shadow only.
-std::optional<Found> shadow_look(const Sight& sight, const Candidate& candidate);
+std::optional<Found> shadow_look(const CornerSight& sight, const CornerCandidate& candidate);
 
 /// Where a corner must be within `reach` px, if at all: centred by its symmetry, then fitted, whatever cheap tests say.
-std::optional<Found> sure_look(const Sight& sight, const Eigen::Vector2d& start, double reach, int steps = 3);
+std::optional<Found> sure_look(const CornerSight& sight, const Eigen::Vector2d& start, double reach, int steps = 3);
 
 /// Whether what the circles show at a place goes on the board that predicted it.
 using SuitsBoard = std::function<bool(const CrossStructure&, const Eigen::Vector2d& position)>;
 
 /// The same where the board's colours and edges go on there, and beside a shadow where there is none in even light.
-std::optional<Found> predicted_look(const Sight& sight, const Eigen::Vector2d& start, double reach,
+std::optional<Found> predicted_look(const CornerSight& sight, const Eigen::Vector2d& start, double reach,
                                     const SuitsBoard& suits);
 
 /// Where a corner is expected and the next ones may be nearer than 4 px: a fit on a disc of 3 px, without circles. In a
 /// coarser image, whose border is nearer, the window of its symmetry becomes as small as it must not to leave the
 /// image.
-std::optional<Found> small_look(const Sight& sight, const CornerModel& expected);
+std::optional<Found> small_look(const CornerSight& sight, const CornerModel& expected);
 
 /// Where a corner and a shadow's edge beside it are expected; without one the edge is looked for.
-std::optional<Found> shaded_look(const Sight& sight, const CornerModel& expected);
+std::optional<Found> shaded_look(const CornerSight& sight, const CornerModel& expected);
 
 /// A fit from numbers that are known well, as from a coarser image; nothing where what comes out is another corner.
-std::optional<Found> known_look(const Sight& sight, const CornerModel& known);
+std::optional<Found> known_look(const CornerSight& sight, const CornerModel& known);
 
 }  // namespace handsight

@@ -13,7 +13,7 @@ constexpr double same_px = 2;    // px: nearer ones are the same
 constexpr double blurred = 1.5;  // px, of a corner that may have neighbours too blurred for this image
 
 // Beyond a board's rim mostly nothing looks like a corner: there the small look, which knows what to look for, must do.
-bool may_be_there(const Sight& sight, const SaddleField& field, const PredictedCorner& predicted) {
+bool may_be_there(const CornerSight& sight, const SaddleField& field, const PredictedCorner& predicted) {
   if (field.has_near(predicted.position, reach_of(predicted))) return true;
   const Eigen::Vector2i pixel = (predicted.position.array() + 0.5).floor().cast<int>();
   const auto inside = [](int at, int size) { return at >= 3 && at + 3 < size; };
@@ -57,7 +57,7 @@ void take(const Found& found, Lattice& lattice, Level& level) {
 
 bool take_if_there(Lattice& lattice, const SaddleField& field, const PredictedCorner& predicted, Level& level) {
   const auto suits = [&](const CrossStructure& cross, const Eigen::Vector2d& position) {
-    Suspect seen;
+    FittedSaddle seen;
     seen.position = position, seen.edges = cross.edges, seen.half_contrast = cross.half_contrast;
     return lattice.may_suit(predicted.witness, seen);
   };

@@ -7,8 +7,8 @@ namespace handsight {
 namespace {
 
 // A corner of a board of 20 px cells along the axes, in column i and row j.
-Suspect of_board(int i, int j) {
-  Suspect suspect;
+FittedSaddle of_board(int i, int j) {
+  FittedSaddle suspect;
   suspect.position = {100.0 + 20 * i, 90.0 + 20 * j};
   suspect.edges = {0, M_PI / 2};
   suspect.half_contrast = (i + j) % 2 ? -50 : 50;
@@ -19,7 +19,7 @@ TEST(CornerBoard, NeighboursLieAlongTheEdgesAndHaveOppositeColours) {
   Lattice lattice(320, 240);
   lattice.add(of_board(0, 0)), lattice.add(of_board(1, 0)), lattice.add(of_board(0, -1)), lattice.add(of_board(1, 1));
   EXPECT_EQ(lattice.neighbours(0), (std::array<int, 4>{1, -1, -1, 2}));
-  Suspect same = of_board(-1, 0);
+  FittedSaddle same = of_board(-1, 0);
   same.half_contrast *= -1;  // as the corner itself: no board has that
   lattice.add(same);
   EXPECT_EQ(lattice.neighbours(0)[1], -1);
@@ -29,7 +29,7 @@ TEST(CornerBoard, NeighboursLieAlongTheEdgesAndHaveOppositeColours) {
 
 TEST(CornerBoard, AnEdgesAngleNearHalfATurnIsTheSameDirection) {
   Lattice lattice(320, 240);
-  Suspect turned = of_board(1, 0);
+  FittedSaddle turned = of_board(1, 0);
   turned.edges = {M_PI / 2, M_PI - 0.01}, turned.half_contrast = 50;  // the same colours, told the other way round
   lattice.add(of_board(0, 0)), lattice.add(turned);
   EXPECT_EQ(lattice.neighbours(0)[0], 1);
@@ -40,7 +40,7 @@ TEST(CornerBoard, InSmallCellsNeighboursMayLieAsideOfTheEdges) {
   for (const double size : {7.0, 20.0}) {
     Lattice lattice(320, 240);
     for (const int i : {0, 1}) {
-      Suspect suspect = of_board(i, 0);
+      FittedSaddle suspect = of_board(i, 0);
       suspect.position.x() = 100 + i * size, suspect.edges[0] = 0.4;
       lattice.add(suspect);
     }
@@ -96,7 +96,7 @@ TEST(CornerBoard, KnowsWhatIsNear) {
 // A shadow changes contrast and grey level by the same; another board does not.
 TEST(CornerBoard, AShadowBetweenNeighboursDividesNoBoard) {
   Lattice lattice(320, 240);
-  Suspect lit = of_board(0, 0), dark = of_board(1, 0), other = of_board(-1, 0);
+  FittedSaddle lit = of_board(0, 0), dark = of_board(1, 0), other = of_board(-1, 0);
   lit.level = 120, dark.level = 36, dark.half_contrast *= 0.3, other.level = 120, other.half_contrast *= 0.3;
   lattice.add(lit), lattice.add(dark), lattice.add(other);
   EXPECT_EQ(lattice.neighbours(0), (std::array<int, 4>{1, -1, -1, -1}));
@@ -104,7 +104,7 @@ TEST(CornerBoard, AShadowBetweenNeighboursDividesNoBoard) {
 
 TEST(CornerBoard, TellsWhereTheLightChangesFromOneCornerToTheNextButOne) {
   Lattice lattice(320, 240);
-  Suspect beyond = of_board(2, 0);
+  FittedSaddle beyond = of_board(2, 0);
   beyond.half_contrast *= 0.5;
   lattice.add(of_board(0, 0)), lattice.add(of_board(-1, 0)), lattice.add(beyond), lattice.add(of_board(0, 2));
   EXPECT_TRUE(lattice.light_changes_at({of_board(1, 0).position, 20, 0, 1}));
@@ -115,7 +115,7 @@ TEST(CornerBoard, TellsWhereTheLightChangesFromOneCornerToTheNextButOne) {
 TEST(CornerBoard, WhatLiesElsewhereAfterAllIsFoundThere) {
   Lattice lattice(320, 240);
   for (int i = 0; i < 4; ++i) lattice.add(of_board(i, 0));
-  Suspect moved = of_board(1, 0);
+  FittedSaddle moved = of_board(1, 0);
   const Eigen::Vector2d before = moved.position;
   moved.position += Eigen::Vector2d(70, 40);  // in another cell of the lattice
   lattice.replace(1, moved);

@@ -44,7 +44,7 @@ TEST(SaddleCandidates, KnowWhatTheirRingsMayBeOf) {
   std::mt19937 random(4);
   const Image image = corner_images::busy_scene(54, 4, random);
   std::size_t crosses = 0, none = 0;
-  for (const Candidate& candidate : saddle_candidates(image, 20, 4)) {
+  for (const CornerCandidate& candidate : saddle_candidates(image, 20, 4)) {
     const Eigen::Vector2i pixel = (candidate.position.array() + 0.5).cast<int>();
     EXPECT_EQ(candidate.ring, may_be_cross(image, pixel, 20, 4));
     ++(candidate.ring ? crosses : none);
@@ -62,7 +62,7 @@ TEST(SaddleCandidates, EveryTileKeepsItsStrongest) {
   for (int v = 900; v < 940; ++v)
     for (int u = 940; u < 980; ++u) image.row(v)[u] = ((u < 960) == (v < 920)) ? 110 : 140;
   bool found = false;
-  for (const Candidate& candidate : saddle_candidates(image, 20, 2))
+  for (const CornerCandidate& candidate : saddle_candidates(image, 20, 2))
     found |= (candidate.position - Eigen::Vector2d(959.5, 919.5)).norm() < 2;
   EXPECT_TRUE(found);
 }
@@ -77,8 +77,8 @@ TEST(SaddleCandidates, DoNotDependOnTheBandsOfALargeImage) {
     std::copy_n(large.row(top), part.pixels.size(), part.pixels.begin());
     Image half_of_large, half_of_part;
     const auto inside = [&](const Image& image, int from, Image& half) {
-      std::vector<Candidate> kept;
-      for (Candidate candidate : saddle_candidates(image, 60, 2, &half)) {
+      std::vector<CornerCandidate> kept;
+      for (CornerCandidate candidate : saddle_candidates(image, 60, 2, &half)) {
         candidate.position.y() += from - top;
         if (candidate.position.y() > 20 && candidate.position.y() < 1080) kept.push_back(candidate);
       }

@@ -9,9 +9,9 @@
 namespace handsight {
 namespace {
 
-std::vector<Candidate> scattered(int count, int width, int height, std::mt19937& random) {
+std::vector<CornerCandidate> scattered(int count, int width, int height, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Candidate> candidates;
+  std::vector<CornerCandidate> candidates;
   for (int i = 0; i < count; ++i)
     candidates.push_back({{unit(random) * (width - 1), unit(random) * (height - 1)},
                           static_cast<float>(1 + 9 * unit(random)),
@@ -27,14 +27,14 @@ TEST(SaddleField, CountsWhatIsNearAndAsDeepWhateverTheImagesSize) {
     SaddleField field(width, height, candidates);
     std::vector<double> probability(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      const bool alone = std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+      const bool alone = std::none_of(candidates.begin(), candidates.end(), [&](const CornerCandidate& other) {
         return &other != &candidates[i] && (other.position - candidates[i].position).norm() < 2;
       });
       if (!alone) continue;
       probability[i] = unit(random);
       field.set_probability(field.at(candidates[i].position), probability[i]);
     }
-    for (const Candidate& own : candidates) {
+    for (const CornerCandidate& own : candidates) {
       double others = 0;
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         const double distance = (candidates[i].position - own.position).norm();
@@ -47,8 +47,8 @@ TEST(SaddleField, CountsWhatIsNearAndAsDeepWhateverTheImagesSize) {
 }
 
 // Saddles `pitch` px apart, all of which say as much of themselves as they leave open.
-std::vector<Suspect> crowd(double own, double pitch = 20) {
-  std::vector<Suspect> all;
+std::vector<FittedSaddle> crowd(double own, double pitch = 20) {
+  std::vector<FittedSaddle> all;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
       const Eigen::Vector2d at(20 + pitch * i, 20 + pitch * j);
@@ -57,21 +57,21 @@ std::vector<Suspect> crowd(double own, double pitch = 20) {
   return all;
 }
 
-std::vector<Candidate> list_candidates(const std::vector<Suspect>& suspects) {
-  std::vector<Candidate> candidates;
-  for (const Suspect& suspect : suspects) candidates.push_back(suspect.candidate);
+std::vector<CornerCandidate> list_candidates(const std::vector<FittedSaddle>& suspects) {
+  std::vector<CornerCandidate> candidates;
+  for (const FittedSaddle& suspect : suspects) candidates.push_back(suspect.candidate);
   return candidates;
 }
 
 TEST(Weigh, CornersOfABoardSpeakForEachOther) {
-  std::vector<Suspect> board = crowd(0.5);
+  std::vector<FittedSaddle> board = crowd(0.5);
   SaddleField field(140, 140, list_candidates(board));
   weigh(board, field);
-  for (const Suspect& suspect : board) EXPECT_GT(suspect.log_odds, 1);
+  for (const FittedSaddle& suspect : board) EXPECT_GT(suspect.log_odds, 1);
 }
 
 TEST(Weigh, AmongSaddlesThatAreNoneACornerMustShowMore) {
-  std::vector<Suspect> texture = crowd(-6);
+  std::vector<FittedSaddle> texture = crowd(-6);
   texture[12].own = texture[12].log_odds = 2;  // the one in the middle
   SaddleField field(140, 140, list_candidates(texture));
   weigh(texture, field);
@@ -82,9 +82,9 @@ TEST(Weigh, AmongSaddlesThatAreNoneACornerMustShowMore) {
 }
 
 TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
-  std::vector<Suspect> board = crowd(0, 15);
-  for (Suspect& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
-  const auto of = [](const std::vector<Suspect>& suspects) { return board_signs(suspects)[suspects.size() / 2]; };
+  std::vector<FittedSaddle> board = crowd(0, 15);
+  for (FittedSaddle& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
+  const auto of = [](const std::vector<FittedSaddle>& suspects) { return board_signs(suspects)[suspects.size() / 2]; };
   EXPECT_DOUBLE_EQ(of(board), 1);  // 20 neighbours within 40 px
   auto changed = board;            // the other colours' corners, of which the edges come the other way round
   for (std::size_t i = 0; i < board.size(); i += 2)
@@ -93,7 +93,7 @@ TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
   EXPECT_EQ(of({board.begin() + 8, board.begin() + 16}), 0) << "seven may be chance";
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(0, M_PI);
-  for (Suspect& suspect : changed) suspect.edges = {angle(random), angle(random)};
+  for (FittedSaddle& suspect : changed) suspect.edges = {angle(random), angle(random)};
   EXPECT_EQ(of(changed), 0);
   changed = board;
   for (std::size_t i = 0; i < board.size(); ++i) changed[i].half_contrast = i == 12 ? 50 : 20;
@@ -103,13 +103,13 @@ TEST(BoardSigns, SeeManyWithEdgesAndContrastsAlike) {
 TEST(BoardSigns, CountAllThatAreNearWhereverTheyLie) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(0, 300);
-  std::vector<Suspect> all(250);
-  for (Suspect& suspect : all)
+  std::vector<FittedSaddle> all(250);
+  for (FittedSaddle& suspect : all)
     suspect.position = {place(random), place(random)}, suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
   const std::vector<double> signs = board_signs(all);
   bool some = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto near = std::count_if(all.begin(), all.end(), [&](const Suspect& other) {
+    const auto near = std::count_if(all.begin(), all.end(), [&](const FittedSaddle& other) {
       const double distance = (other.position - all[i].position).norm();
       return distance >= 2 && distance < 40;
     });
@@ -121,15 +121,15 @@ TEST(BoardSigns, CountAllThatAreNearWhereverTheyLie) {
 }
 
 TEST(Weigh, ABoardsCornersNeedNotAllBeFound) {
-  std::vector<Suspect> board = crowd(1, 15);
-  std::vector<Candidate> candidates = list_candidates(board);
-  for (const Suspect& suspect : board)  // as many again that no fit took
+  std::vector<FittedSaddle> board = crowd(1, 15);
+  std::vector<CornerCandidate> candidates = list_candidates(board);
+  for (const FittedSaddle& suspect : board)  // as many again that no fit took
     candidates.push_back({suspect.position + Eigen::Vector2d(7, 7), 5, true});
   SaddleField field(140, 140, candidates);
   auto texture = board;
   weigh(texture, field);
   EXPECT_LT(texture[12].log_odds, least_log_odds);
-  for (Suspect& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
+  for (FittedSaddle& suspect : board) suspect.edges = {0.3, 1.7}, suspect.half_contrast = 50;
   weigh(board, field);
   EXPECT_GT(board[12].log_odds, least_log_odds);
 }
