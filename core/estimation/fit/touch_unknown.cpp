@@ -90,8 +90,7 @@ int moved_tip_numbers(const Fit& fit, const Eigen::MatrixXd& untold) {
   return moved_numbers(untold.topRows(3 * fit.problem.marker_count));
 }
 
-/// Joints whose zero another place of tip and fixtures does as well: all that it would move is the errors that are left,
-/// which turn with the robot.
+/// Joints whose zero another place of tip and fixtures does as well: beyond them it moves no more than turned errors.
 std::vector<std::string> hidden_zeros(const Session& session, const Fit& fit) {
   constexpr double least_share = 1e-6;  // of what a zero does that is not also done by the others
   const Effect& zero = *find_effect("joint_offset");
