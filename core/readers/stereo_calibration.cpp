@@ -259,6 +259,11 @@ StereoRig parse_stereo_calibration(const std::vector<StereoCalibrationText>& tex
     read_one(one.text, one.file, found);
     names += (names.empty() ? "" : ", ") + one.file;
   }
+  if (!names.empty() && !found.camera[0] && !found.camera[1] && !found.rotation && !found.translation)
+    throw InputError(message(
+        "{}: holds neither a camera (M1, K1 or cameraMatrix1) nor numbered poses (4x4, or R_1 and t_1); write poses as "
+        "a table, in each row x y z and a turn.",
+        names));
   const auto require = [&](bool there, const char* what) {
     if (!there)
       throw InputError(message("{}: has no {}; name the file of OpenCV's stereoCalibrate that has it too.",

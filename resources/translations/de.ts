@@ -8363,6 +8363,10 @@
         <translation>Zwei der Marker sind dieselbe Ecke (Seiten %1 mm); nimm eine andere Ecke.</translation>
     </message>
     <message>
+        <source>where a whole fixture is held out, the error rises from %1 to %2</source>
+        <translation>wo eine ganze Vorrichtung zurückgehalten wird, steigt der Fehler von %1 auf %2</translation>
+    </message>
+    <message>
         <source>where a whole region of poses is held out, the error rises from %1 to %2</source>
         <translation>wo ein ganzer Bereich von Posen ungesehen bleibt, steigt der Fehler von %1 auf %2</translation>
     </message>
@@ -10617,6 +10621,10 @@
     <message>
         <source>it holds something that is no number</source>
         <translation>sie enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1: holds neither a camera (M1, K1 or cameraMatrix1) nor numbered poses (4x4, or R_1 and t_1); write poses as a table, in each row x y z and a turn.</source>
+        <translation>%1: enthält weder eine Kamera (M1, K1 oder cameraMatrix1) noch nummerierte Posen (4x4, oder R_1 und t_1); schreibe Posen als Tabelle, in jeder Zeile x y z und eine Drehung.</translation>
     </message>
     <message>
         <source>left camera matrix (M1, K1 or cameraMatrix1)</source>

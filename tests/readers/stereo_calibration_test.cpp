@@ -104,6 +104,7 @@ TEST_F(StereoCalibration, WhatIsMissingOrWrongIsNamed) {
   const auto intrinsics = write("intrinsics.yml", yaml);
   expect_refusal({intrinsics}, "rotation R");
   expect_refusal({write("extrinsics.yml", extrinsics, "-0.1, 0., 0.")}, "left camera matrix");
+  expect_refusal({write("poses.yml", "%YAML:1.0\npose1: [ 722., 38., 372., 0.1, 3., -0.1 ]\n")}, "nor numbered poses");
   expect_refusal({write("notes.txt", "these are my notes\n")}, "FileStorage");
   expect_refusal({folder.path / "nowhere.yml"}, "nowhere.yml");
   std::string sheared = extrinsics;

@@ -33,8 +33,10 @@ Message worse_elsewhere(const Diagnosis& before, Diagnosis& after) {
   set_errors_elsewhere(after);
   const ErrorSummary before_it = session_error(before), &with_it = after.report.held_out_session;
   if (!size(before_it) || !size(with_it) || *size(with_it) <= most_elsewhere * *size(before_it)) return "";
-  return message("where a whole session is held out, the error rises from {} to {}", error_text(before_it),
-                 error_text(with_it));
+  return after.model.session.is_touch() ? message("where a whole fixture is held out, the error rises from {} to {}",
+                                                  error_text(before_it), error_text(with_it))
+                                        : message("where a whole session is held out, the error rises from {} to {}",
+                                                  error_text(before_it), error_text(with_it));
 }
 
 }  // namespace handsight
