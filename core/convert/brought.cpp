@@ -102,7 +102,8 @@ void bring_poses(const fs::path& path, const std::string& file, const Robot* rob
   if (fs::is_directory(path)) return add_poses(read_pose_files(pose_files_in(path), file, b.notes), file, b);
   const std::string text = read_text(path);
   if (is_storage_text(text)) {
-    add_poses(poses_of_storage(text, file, b.notes), file, b);
+    const auto rows = pose_rows_of_storage(text, file);
+    add_poses(rows ? read_pose_table(*rows, false, o.poses, b.notes) : poses_of_storage(text, file, b.notes), file, b);
   } else if (is_list_of_poses(text, file)) {
     add_poses(read_pose_list(parse_yaml(text, file), file, b.notes), file, b);
   } else {

@@ -52,8 +52,9 @@ std::vector<std::string> list_names(const Robot* robot) {
 /// A storage of poses, not of cameras.
 FileKind storage_kind(const fs::path& path, const std::string& text) {
   std::vector<Message> notes;
-  const bool has_poses =
-      text.find("amera") == std::string::npos && !poses_of_storage(text, shown_path(path.filename()), notes).empty();
+  const std::string file = shown_path(path.filename());
+  const bool has_poses = text.find("amera") == std::string::npos &&
+                         (pose_rows_of_storage(text, file) || !poses_of_storage(text, file, notes).empty());
   return has_poses ? FileKind::poses : FileKind::storage;
 }
 

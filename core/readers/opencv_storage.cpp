@@ -113,7 +113,29 @@ StorageEntry bracketed(std::string_view text) {
   return numbers ? list_of(*numbers, inner) : not_a_number(bad_word);
 }
 
+StorageEntry yaml_entry(std::string_view body);
+
+/// A list of matrices, a row for each: as vectors of rotation and place of many images are written.
+StorageEntry list_of_matrices(std::string_view body, std::string_view mark) {
+  std::vector<double> numbers;
+  std::size_t rows = 0;
+  for (std::size_t at = body.find(mark); at != std::string_view::npos;) {
+    const std::size_t next = body.find(mark, at + mark.size());
+    const std::string_view one = body.substr(at + mark.size(), next - at - mark.size());
+    const StorageEntry matrix = yaml_entry(one.substr(0, one.rfind(']') + 1));
+    if (!matrix.fault.empty()) return matrix;
+    if (rows++ > 0 && numbers.size() != (rows - 1) * matrix.numbers.size())
+      return faulty("its matrices differ in size");
+    numbers.insert(numbers.end(), matrix.numbers.begin(), matrix.numbers.end());
+    at = next;
+  }
+  const std::size_t cols = numbers.size() / rows;
+  return {static_cast<int>(rows), static_cast<int>(cols), std::move(numbers), {}};
+}
+
 StorageEntry yaml_entry(std::string_view body) {
+  constexpr std::string_view mark = "- !!opencv-matrix";
+  if (body.find(mark) != std::string_view::npos) return list_of_matrices(body, mark);
   if (const auto data = after_name(body, "data")) {
     if (data->find('[') == std::string_view::npos) return faulty("its data is no list");
     StorageEntry numbers = bracketed(*data);

@@ -11,7 +11,8 @@
 
 namespace handsight {
 
-/// The numbers of one entry: a matrix row by row, a list (one column, or a row for each inner list), one number.
+/// The numbers of one entry: a matrix row by row, a list (one column, or a row for each inner list or matrix), one
+/// number.
 struct StorageEntry {
   int rows = 0, cols = 0;
   std::vector<double> numbers;  // rows * cols of them

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/letters.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "geometry/angle_kinds.h"
@@ -238,6 +239,65 @@ std::vector<ReadPoses> read_pose_files(const std::vector<fs::path>& files, const
                                  shown_path(file), at->number));
   }
   return series_of(groups, what, notes);
+}
+
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+/// "pose1: [...]", by number; nothing where two names have numbers, as of two things.
+Rows numbered_rows(const std::map<std::string, StorageEntry>& entries) {
+  std::map<std::int64_t, std::vector<double>> rows;
+  std::string only;
+  for (const auto& [name, entry] : entries) {
+    const auto at = numbered(name);
+    const std::size_t count = entry.numbers.size();
+    if (!at || !entry.fault.empty() || (count != 6 && count != 7)) continue;
+    if (!rows.empty() && (at->name != only || count != rows.begin()->second.size())) return {};
+    only = at->name;
+    rows[at->number] = entry.numbers;
+  }
+  Rows list;
+  for (auto& [number, row] : rows) list.push_back(std::move(row));
+  return list;
+}
+
+/// "Rotation_Vec" and "Translation_Vec", three numbers of each pose.
+Rows rows_of_two_lists(const std::map<std::string, StorageEntry>& entries) {
+  const auto find_list = [&](std::initializer_list<const char*> words) -> const StorageEntry* {
+    const StorageEntry* only = nullptr;
+    for (const auto& [name, entry] : entries) {
+      const std::string lower = lower_case(name);
+      const bool is_named = std::any_of(words.begin(), words.end(),
+                                        [&](const char* word) { return lower.find(word) != std::string::npos; });
+      if (!is_named || !entry.fault.empty() || entry.cols != 3 || entry.rows < 2) continue;
+      if (only) return nullptr;
+      only = &entry;
+    }
+    return only;
+  };
+  const StorageEntry *turns = find_list({"rotation", "rvec"}), *places = find_list({"translation", "tvec"});
+  if (!turns || !places || turns->rows != places->rows) return {};
+  Rows list;
+  for (std::ptrdiff_t i = 0; i < turns->rows; ++i) {
+    auto& row = list.emplace_back(places->numbers.begin() + 3 * i, places->numbers.begin() + 3 * i + 3);
+    row.insert(row.end(), turns->numbers.begin() + 3 * i, turns->numbers.begin() + 3 * i + 3);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<Table> pose_rows_of_storage(const std::string& text, const std::string& file) {
+  const auto entries = parse_opencv_storage(text, file);
+  Table table;
+  table.file = file;
+  table.rows = numbered_rows(entries);
+  if (table.rows.empty()) table.rows = rows_of_two_lists(entries);
+  if (table.rows.size() < 2) return std::nullopt;
+  table.columns.resize(table.rows.front().size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) table.lines.push_back(static_cast<int>(i) + 1);
+  return table;
 }
 
 std::vector<ReadPoses> poses_of_storage(const std::string& text, const std::string& file, std::vector<Message>& notes) {

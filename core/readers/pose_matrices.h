@@ -31,4 +31,9 @@ std::vector<ReadPoses> read_pose_files(const std::vector<std::filesystem::path>&
 /// "t_01"). Empty where it holds fewer than two.
 std::vector<ReadPoses> poses_of_storage(const std::string& text, const std::string& file, std::vector<Message>& notes);
 
+/// Poses of an OpenCV storage as a table of places and turns, without a header: numbered entries of six or seven
+/// numbers
+/// ("pose1: [...]"), or a list of rotation vectors and one of places. Nothing where it holds fewer than two.
+std::optional<Table> pose_rows_of_storage(const std::string& text, const std::string& file);
+
 }  // namespace handsight

@@ -119,6 +119,27 @@ TEST_F(PoseLists, AFileForEachPose) {
   EXPECT_THAT(c.notes, Contains(HasSubstr("paired by their numbers")));
 }
 
+/// As programs with OpenCV keep what a robot shows and what solvePnP finds: a rotation vector and a place each.
+TEST_F(PoseLists, StoragesOfVectors) {
+  std::string robot = "%YAML:1.0\n---\ndistance_unit: mm\n", turns, places;
+  const auto matrix_of = [](const Vector3& v) {
+    return fmt::format(
+        "   - !!opencv-matrix\n      rows: 3\n      cols: 1\n      dt: d\n      data: [ {:.9g},\n          {:.9g}, "
+        "{:.9g} ]\n",
+        v.x(), v.y(), v.z());
+  };
+  for (std::size_t i = 0; i < flange.size(); ++i) {
+    const Vector3 mm = 1000 * flange[i].translation;
+    robot += fmt::format("pose{}: [ {:.9g}, {:.9g}, {:.9g},\n    {} ]\n", i + 1, mm.x(), mm.y(), mm.z(),
+                         joined(vector(flange[i]), ", "));
+    turns += matrix_of(vector_from_rotation(target[i].rotation));
+    places += matrix_of(1000 * target[i].translation);
+  }
+  const std::string board =
+      "%YAML:1.0\n---\nWhen: \"Tue May 10\"\nRotation_Vec:\n" + turns + "Translation_Vec:\n" + places;
+  expect_right(converted({write("robot_poses.yaml", robot), write("board_pose.yml", board)}).session, "vectors");
+}
+
 TEST_F(PoseLists, RowsArePairedByWhatBothHave) {
   std::vector<std::string> numbers, names, times, late;
   for (std::size_t i = 0; i < flange.size(); ++i) {
