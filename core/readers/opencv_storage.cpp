@@ -122,7 +122,7 @@ StorageEntry list_of_matrices(std::string_view body, std::string_view mark) {
   for (std::size_t at = body.find(mark); at != std::string_view::npos;) {
     const std::size_t next = body.find(mark, at + mark.size());
     const std::string_view one = body.substr(at + mark.size(), next - at - mark.size());
-    const StorageEntry matrix = yaml_entry(one.substr(0, one.rfind(']') + 1));
+    StorageEntry matrix = yaml_entry(one.substr(0, one.rfind(']') + 1));
     if (!matrix.fault.empty()) return matrix;
     if (rows++ > 0 && numbers.size() != (rows - 1) * matrix.numbers.size())
       return faulty("its matrices differ in size");
