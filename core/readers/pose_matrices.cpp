@@ -290,6 +290,9 @@ Rows rows_of_two_lists(const std::map<std::string, StorageEntry>& entries) {
 
 std::optional<Table> pose_rows_of_storage(const std::string& text, const std::string& file) {
   const auto entries = parse_opencv_storage(text, file);
+  // Beside a camera's matrix such lists are where its calibration saw the board.
+  if (std::any_of(entries.begin(), entries.end(), [](const auto& e) { return is_matrix(e.second, 3, 3); }))
+    return std::nullopt;
   Table table;
   table.file = file;
   table.rows = numbered_rows(entries);

@@ -33,7 +33,8 @@ std::vector<ReadPoses> poses_of_storage(const std::string& text, const std::stri
 
 /// Poses of an OpenCV storage as a table of places and turns, without a header: numbered entries of six or seven
 /// numbers
-/// ("pose1: [...]"), or a list of rotation vectors and one of places. Nothing where it holds fewer than two.
+/// ("pose1: [...]"), or a list of rotation vectors and one of places. Nothing where it holds fewer than two, or a
+/// 3x3 matrix, as cameras have.
 std::optional<Table> pose_rows_of_storage(const std::string& text, const std::string& file);
 
 }  // namespace handsight

@@ -212,7 +212,7 @@ TEST(House, WhatManyNeedStandsInOnePlace) {
 /// The types that a source defines for others to see, "handsight::app::Player": those outside an unnamed namespace.
 std::vector<std::string> shown_types(const std::string& text) {
   static const std::regex line(
-      "^(?:namespace ([\\w:]*) ?\\{$|(\\}  // namespace)|(?:enum class|enum|struct|class) (\\w+) .*[{;]$)",
+      "^(?:namespace ([\\w:]*) ?\\{$|(\\}  // namespace)|(?:enum class|enum|struct|class) (\\w+) [^;{]*\\{)",
       std::regex::multiline);
   std::vector<std::string> inside, types;
   for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
@@ -220,7 +220,7 @@ std::vector<std::string> shown_types(const std::string& text) {
     const bool is_hidden = std::find(inside.begin(), inside.end(), "") != inside.end();
     if (m[2].matched && !inside.empty()) {
       inside.pop_back();
-    } else if (m[3].matched && !is_hidden && m.str().back() == '{') {
+    } else if (m[3].matched && !is_hidden) {
       std::string name;
       for (const std::string& outer : inside) name += outer + "::";
       types.push_back(name + m.str(3));

@@ -138,6 +138,10 @@ TEST_F(PoseLists, StoragesOfVectors) {
   const std::string board =
       "%YAML:1.0\n---\nWhen: \"Tue May 10\"\nRotation_Vec:\n" + turns + "Translation_Vec:\n" + places;
   expect_right(converted({write("robot_poses.yaml", robot), write("board_pose.yml", board)}).session, "vectors");
+  const std::string camera =
+      board + "M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 900, 0, 640, 0, 900, 360, 0, 0, 1 ]\n";
+  EXPECT_THAT(refusal({write("camera.yml", camera)}), HasSubstr("right camera matrix"))
+      << "a camera that saw the board";
 }
 
 TEST_F(PoseLists, RowsArePairedByWhatBothHave) {
