@@ -140,8 +140,8 @@ TEST_F(PoseLists, StoragesOfVectors) {
   expect_right(converted({write("robot_poses.yaml", robot), write("board_pose.yml", board)}).session, "vectors");
   const std::string camera =
       board + "M1: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 900, 0, 640, 0, 900, 360, 0, 0, 1 ]\n";
-  EXPECT_THAT(refusal({write("camera.yml", camera)}), HasSubstr("right camera matrix"))
-      << "a camera that saw the board";
+  EXPECT_THAT(refusal({write("camera.yml", camera)}), HasSubstr("There is no robot"))
+      << "a camera and where it saw the board";
 }
 
 TEST_F(PoseLists, RowsArePairedByWhatBothHave) {
