@@ -274,6 +274,10 @@ std::vector<widgets::EffectRow> effect_rows(const Workbench& workbench, const Mo
                        ? QObject::tr("It would leave %1; odds against nothing missing %2.")
                              .arg(widgets::size_text(left), odds_text(candidate->ln_bayes_factor))
                        : QObject::tr("Odds against nothing missing %1.").arg(odds_text(candidate->ln_bayes_factor));
+    } else if (!candidate->held_back.empty()) {
+      row.where = places_text(candidate->where);
+      row.verdict = EffectVerdict::may_be_there;
+      row.reason = QObject::tr("Not named: %1.").arg(translated(candidate->held_back));
     } else if (is_invisible) {
       row.verdict = EffectVerdict::cannot_be_seen;
       row.reason = translated(effect.visibility);

@@ -41,6 +41,7 @@ const BlunderKind* find_blunder_kind(const std::string& id);
 // Room by room.
 std::vector<BlunderKind> joint_blunders();
 std::vector<BlunderKind> pairing_blunders();
+std::vector<BlunderKind> order_blunders();
 std::vector<BlunderKind> pose_blunders();
 std::vector<BlunderKind> image_blunders();
 std::vector<BlunderKind> picture_blunders();

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "blunders/pairing_order.h"
 #include "blunders/places.h"
 #include "blunders/quick_fits.h"
 #include "blunders/reported_error.h"
@@ -275,7 +276,6 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
   const std::vector<Trial> tried = trials.run(goes_on);
   const std::vector<const Trial*> promising = most_promising(tried);
   const bool may_stray = session.pose_sensor.has_value();
-  if (promising.empty() && !may_stray) return {};
   const FitError before{
       has_unknown_lever(session) ? fit(whole, {.smallest_step = 1e-9}).residual_rms : given.residual_rms,
       reported_error(session, given)};
@@ -292,13 +292,14 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
       say_what_else(claims, claim, blunders);
       return blunders;
     }
-  auto strays = may_stray ? find_stray_poses(whole, before.rms) : std::nullopt;
-  if (!strays) return {};
-  strays->error_before = before.reported;
-  Session others = session;
-  find_blunder_kind(strays->id)->mend(strays->where, others);
-  strays->error_after = reported_error(others, fit(others, {.smallest_step = 1e-9}));
-  return {*strays};
+  auto found = find_pairing_order(whole, before.rms);
+  if (!found && may_stray) found = find_stray_poses(whole, before.rms);
+  if (!found) return {};
+  found->error_before = before.reported;
+  Session right = session;
+  find_blunder_kind(found->id)->mend(found->where, right);
+  found->error_after = reported_error(right, fit(right, {.smallest_step = 1e-9}));
+  return {*found};
 }
 
 }  // namespace handsight

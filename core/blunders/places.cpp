@@ -42,6 +42,16 @@ std::pair<std::string, std::string> name_and_value(const std::string& where) {
   return {where.substr(0, equals), where.substr(equals + 1)};
 }
 
+std::vector<std::string> words_of_list(const std::string& where) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= where.size();) {
+    const std::size_t end = std::min(where.find(',', begin), where.size());
+    words.push_back(where.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
 double number_in(const std::string& value, const std::string& id) {
   const auto numbers = parse_numbers(value);
   if (!numbers || numbers->size() != 1) throw InputError(message("{}: {} is no number.", id, in_quotes(value)));

@@ -17,6 +17,9 @@ std::pair<std::string, std::string> two_words(const std::string& where, const st
 /// "a=b" in two; the second is empty where there is no "=".
 std::pair<std::string, std::string> name_and_value(const std::string& where);
 
+/// "a,b,c" word by word; one empty word of an empty text.
+std::vector<std::string> words_of_list(const std::string& where);
+
 /// The number of a value; InputError where it is none.
 double number_in(const std::string& value, const std::string& id);
 

@@ -48,12 +48,10 @@ std::string place_of(const std::vector<std::int64_t>& ids) { return fmt::format(
 
 std::vector<std::int64_t> ids_in(const std::string& where) {
   std::vector<std::int64_t> ids;
-  for (std::size_t begin = 0; begin <= where.size();) {
-    const std::size_t end = std::min(where.find(',', begin), where.size());
-    const auto id = parse_integer(where.substr(begin, end - begin));
+  for (const std::string& word : words_of_list(where)) {
+    const auto id = parse_integer(word);
     if (!id) throw InputError(message("stray_poses: {:?} is no list of observations such as 3,5,8.", where));
     ids.push_back(*id);
-    begin = end + 1;
   }
   return ids;
 }

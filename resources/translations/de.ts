@@ -2291,6 +2291,10 @@
         <translation>Beobachtungen</translation>
     </message>
     <message>
+        <source>Not named: %1.</source>
+        <translation>Nicht genannt: %1.</translation>
+    </message>
+    <message>
         <source>Odds against nothing missing %1.</source>
         <translation>Chancen gegen „nichts fehlt“ %1.</translation>
     </message>
@@ -8595,6 +8599,38 @@
         <translation>pairing_shift: die Sitzung hat %1 Beobachtungen, weniger als das.</translation>
     </message>
     <message>
+        <source>measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>What was seen and where the robot stood are in opposite orders: the first belongs to the last.</source>
+        <translation>Was gesehen wurde und wo der Roboter stand, ist gegenläufig geordnet: das Erste gehört zum Letzten.</translation>
+    </message>
+    <message>
+        <source>What was seen and where the robot stood are in different orders: one of the two was sorted as text, so that 10 comes before 2.</source>
+        <translation>Was gesehen wurde und wo der Roboter stand, ist verschieden geordnet: eines von beiden wurde als Text sortiert, so dass 10 vor 2 kommt.</translation>
+    </message>
+    <message>
+        <source>What was seen and where the robot stood are in different orders: the motions between them say for %1 of %2 %3 which belongs to which.</source>
+        <translation>Was gesehen wurde und wo der Roboter stand, ist verschieden geordnet: die Bewegungen dazwischen sagen für %1 von %2 (%3), was zu wem gehört.</translation>
+    </message>
+    <message>
+        <source>Sort both by number (files as 001, 002 ... 010) and convert again, or in %1 pair what was seen with the robot's readings of these observations, in turn: %2.</source>
+        <translation>Ordne beides nach Nummern (Dateien als 001, 002 ... 010) und wandle noch einmal um, oder paare in %1, was gesehen wurde, der Reihe nach mit den Gelenkwerten oder Posen dieser Beobachtungen: %2.</translation>
+    </message>
+    <message>
+        <source>pairing_order: %1 is no list of the observations that show something.</source>
+        <translation>pairing_order: %1 ist keine Liste der Beobachtungen, die etwas zeigen.</translation>
+    </message>
+    <message>
+        <source>pairing_order: %1 observations are named where %2 show something.</source>
+        <translation>pairing_order: %1 Beobachtungen sind genannt, wo %2 etwas zeigen.</translation>
+    </message>
+    <message>
+        <source>which of the robot's readings belongs to it is not known</source>
+        <translation>welche Stellung des Roboters dazu gehört, ist nicht bekannt</translation>
+    </message>
+    <message>
         <source>What was seen and where the robot stood are paired %1 off: each %2 belongs to the robot's %3 %4 %5.</source>
         <translation>Was gesehen wurde und wo der Roboter stand, ist um %1 versetzt gepaart: zu jeder Messung (%2) gehört das des Roboters (%3) %4 %5.</translation>
     </message>
@@ -9181,6 +9217,10 @@
     <message>
         <source>the hand against the last link</source>
         <translation>die Hand gegen das letzte Glied</translation>
+    </message>
+    <message>
+        <source> Not named: %1.</source>
+        <translation> Nicht genannt: %1.</translation>
     </message>
     <message>
         <source> Nothing in the residuals speaks for it.</source>

@@ -97,6 +97,7 @@ Json candidate_json(const Session& session, const DiagnosisCandidate& c) {
          {"noncentrality_of_prior_sigma", number(c.visibility)},
          {"noncentrality_of_plausible_size", number(c.visibility)},  // its older name
          {"cannot_be_told_from", c.indistinguishable_from},
+         {"held_back", c.held_back.empty() ? null : Json(c.held_back.english())},
          {"check", check_json(c)},
          {"explanation", c.explanation}};
   j["unnamed"] = c.unnamed.has_value();
@@ -254,6 +255,8 @@ void print_diagnosis(const Output& out, const Session& session, const Diagnosis&
   }
   out.line(fmt::format("An effect counts from ln BF {:.1f} on: with nothing missing one session in 200 would reach it.",
                        d.threshold));
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (!c.held_back.empty()) out.line(fmt::format("{} is not named: {}.", c.id, c.held_back));
   if (!d.patterns.empty()) {
     out.line();
     out.line("Where it fails");

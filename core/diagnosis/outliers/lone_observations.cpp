@@ -12,7 +12,7 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t fewest_others = 8, one_in = 20;
-constexpr double apart = 4;          // rms over that of the next, while they still pull at the fit
+constexpr double apart = 2;          // rms over that of the next, while they still pull at the fit: only a suspicion
 constexpr double apart_beside = 6;   // ... over the worst of the others, once they no longer do
 constexpr double beyond_noise = 10;  // rms over the noise
 

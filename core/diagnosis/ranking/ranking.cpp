@@ -9,6 +9,7 @@
 #include "base/combinations.h"
 #include "base/threads.h"
 #include "diagnosis/evidence/repeatability_levels.h"
+#include "diagnosis/ranking/slips.h"
 
 namespace handsight {
 namespace {
@@ -255,7 +256,7 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
     for (std::size_t s = 1; s < evidence.size(); ++s)
       if (evidence[s] + effects[s][e].ln_bayes_factor > evidence[best] + effects[best][e].ln_bayes_factor) best = s;
     RankedEffect r = effects[best][e];
-    r.ln_bayes_factor += evidence[best] - *top;
+    r.ln_bayes_factor += evidence[best] - *top - ln_odds_against(r.candidate->units.front().term);
     r.ln_best += evidence[best] - *top;
     r.visibility = effects[0][e].visibility;
     ranking.effects.push_back(std::move(r));

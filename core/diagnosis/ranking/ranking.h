@@ -13,7 +13,8 @@ inline constexpr double ln_odds_of_unnamed = -3;
 
 struct RankedEffect {
   const CandidateEffect* candidate = nullptr;
-  double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best
+  double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best; odds
+                                   // against what is rare included (slips.h)
   std::vector<std::size_t> units;  // the best choice of places
   double ln_best = 0;              // of that choice alone
   LinearEstimate estimate;         // of its parameters, unit by unit, in prior sigmas

@@ -20,7 +20,8 @@ bool follows_time(const EffectTerm& term) {
 
 bool is_change_between_sessions(const EffectTerm& term) { return term.id.ends_with("_changed"); }
 
-double ln_odds_against_time(const EffectTerm& term) {
+double ln_odds_against(const EffectTerm& term) {
+  if (is_change_between_sessions(term)) return ln_odds_against_change;
   if (!follows_time(term)) return 0;
   return slip_order({term}) ? ln_odds_against_slip : ln_odds_against_drift;
 }

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "diagnosis/ranking/curves.h"
-#include "diagnosis/ranking/posture_remainder.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/model_search.h"
@@ -82,29 +81,6 @@ void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, M
   change.steps.push_back(std::move(step));
 }
 
-/// Slips and drifts must overcome the odds against them, also beside whatever may follow the posture: poses seldom come
-/// in random order. Why one is refused; empty where it is not, and for everything else.
-Message unlikely_in_time(const Diagnosis& model, const DiagnosisCandidate& candidate) {
-  if (candidate.unnamed) return "";
-  if (is_change_between_sessions(candidate.terms.front()))
-    return candidate.ln_bayes_factor >= model.threshold + ln_odds_against_change
-               ? ""
-               : "what belongs to the robot seldom changes between sessions, and the evidence is too weak for that";
-  if (!follows_time(candidate.terms.front())) return "";
-  const double least = model.threshold + ln_odds_against_time(candidate.terms.front());
-  const char* kind = slip_order(candidate.terms) ? "slips" : "drifts";
-  if (candidate.ln_bayes_factor < least)
-    return message("{} are rare, and its evidence of ln {:.1f} is below the ln {:.1f} that is asked of them", kind,
-                   candidate.ln_bayes_factor, least);
-  const NoiseModel by = noise_model(model.model.fit);
-  const double beside = ln_factor_beside_posture(model.model.fit, candidate.terms, model.repeatability, by);
-  if (beside >= least) return "";
-  return message(
-      "what follows the posture may explain as much: beside that its evidence is ln {:.1f}, below the "
-      "ln {:.1f} that is asked of {}",
-      beside, least, kind);
-}
-
 }  // namespace
 
 bool is_outdone(const Diagnosis& d) {
@@ -119,8 +95,8 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
                           const DiagnosisCandidate& candidate) {
   ModelChange change;
   const std::string id = candidate.unnamed ? candidate.terms.front().id : candidate.id;
-  if (const Message why = unlikely_in_time(model, candidate); !why.empty()) {
-    change.refused.push_back({id, candidate.where, why});
+  if (!candidate.held_back.empty()) {
+    change.refused.push_back({id, candidate.where, candidate.held_back});
     return change;
   }
   FitOptions from = candidate.full_fit.value_or(model.model_options);
@@ -178,7 +154,8 @@ std::vector<const DiagnosisCandidate*> candidates_to_try(const Diagnosis& model,
   if (model.verdict == Verdict::too_few_observations || model.verdict == Verdict::adequate) return order;
   for (const DiagnosisCandidate& c : model.candidates) {
     const bool can_be_taken = !c.unnamed || (with_curves && c.refitted);
-    if (c.ln_bayes_factor < model.threshold || !can_be_taken) continue;
+    const bool passes = c.ln_bayes_factor >= model.threshold || !c.held_back.empty();  // that is refused, with its why
+    if (!passes || !can_be_taken) continue;
     if (has_no_answer(model.model.fit) && !c.refitted)
       continue;  // nor has the fit with it, or it was not among the likeliest
     order.push_back(&c);

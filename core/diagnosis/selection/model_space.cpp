@@ -12,9 +12,8 @@
 namespace handsight {
 namespace {
 
-double ln_odds_against(const EffectTerm& term) {
-  if (is_curve(term)) return ln_ways_of_curves - ln_odds_of_unnamed;
-  return ln_odds_against_time(term);
+double ln_odds_against_name(const EffectTerm& term) {
+  return is_curve(term) ? ln_ways_of_curves - ln_odds_of_unnamed : ln_odds_against(term);
 }
 
 /// What one of the linear model's columns of the base is, in the problem's unit.
@@ -55,7 +54,7 @@ ModelSpace::ModelSpace(const Diagnosis& model, std::size_t first, double cost_of
 std::size_t ModelSpace::display_name(const EffectTerm& term, double cost) {
   std::size_t n = 0;
   while (n < names_.size() && names_[n].id != term.id) ++n;
-  if (n == names_.size()) names_.push_back({term.id, cost + ln_odds_against(term)});
+  if (n == names_.size()) names_.push_back({term.id, cost + ln_odds_against_name(term)});
   return n;
 }
 

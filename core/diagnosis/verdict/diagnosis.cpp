@@ -14,6 +14,7 @@
 #include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/full_fits.h"
 #include "diagnosis/verdict/judging.h"
+#include "diagnosis/verdict/rare_causes.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "diagnosis/verdict/sampled.h"
 #include "effects/target_effects.h"
@@ -81,6 +82,8 @@ class Work {
     const auto fits = fit_the_best_in_full(
         session_, options_, search_, [this] { return goes_on(done_); }, d_);
     if (stopped_ || !goes_on(0.95)) return stopped();
+    hold_back_rare_causes(d_);
+    sort_candidates(d_.candidates);
     tell_apart();
     forget_what_was_seen();
     judge(session_, search_.noise_model.knowledge.known, fits, d_);
@@ -206,7 +209,8 @@ class Work {
     std::erase_if(d_.invisible, [&](const std::string& id) {
       return std::any_of(d_.candidates.begin(), d_.candidates.end(),
                          [&](const DiagnosisCandidate& c) {
-                           return c.id == id && !c.unnamed && c.ln_bayes_factor >= d_.threshold;
+                           const bool speaks = c.ln_bayes_factor >= d_.threshold || !c.held_back.empty();
+                           return c.id == id && !c.unnamed && speaks;
                          }) ||
              std::any_of(d_.model.fit.effects.begin(), d_.model.fit.effects.end(),
                          [&](const FittedEffect& f) { return f.term.id == id; });

@@ -37,7 +37,8 @@ struct DiagnosisCandidate {
   Eigen::MatrixXd covariance;          // of the terms' numbers that are no choices, in their order
   std::vector<FitIteration> path;      // of the full fit, from the linear estimate on
   std::optional<FitOptions> full_fit;  // after the full fit: the model with these terms, at its answer
-  double ln_bayes_factor = 0;
+  double ln_bayes_factor = 0;          // prior odds against what is rare or has no name included
+  Message held_back;                   // why what would pass otherwise does not: slips are rare (rare_causes.h)
   double p_value = 1;
   Repeatability repeatability;  // at which the evidence is largest
   bool refitted = false;

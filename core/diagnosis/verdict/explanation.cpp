@@ -108,11 +108,12 @@ Message explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& 
   }
   const Effect& effect = term_effect(c.terms.front());
   Message text = looked_up(effect.cause);
-  if (c.ln_bayes_factor < 0) {
+  if (c.ln_bayes_factor < 0 && c.held_back.empty()) {
     text += c.visibility < 30 ? message(" These poses could not show it: {}", looked_up(effect.visibility))
                               : " Nothing in the residuals speaks for it.";
     return text;
   }
+  if (!c.held_back.empty()) text += message(" Not named: {}.", c.held_back);
   text += message(" Odds against nothing missing: {}; {}.", odds(c.ln_bayes_factor), numbers_text(c, session));
   text += speaks_for(c, d);
   if (!c.plausible) text += " Its size is more than three times what is usual.";
