@@ -116,12 +116,13 @@ Conversion assemble(const std::optional<FieldUrdf>& robot, const std::optional<B
     auto [flange, target] = flange_and_target(b.poses, o.target_frame);
     return from_flange(std::move(flange), std::move(target), !o.eye_on_base, o, std::move(c));
   }
+  if (!robot && !b.joints && b.poses.size() == 1 && b.points && b.image_folders.empty())
+    return from_flange_points(b.poses[0], *b.points, !o.eye_on_base, o, std::move(c));
   if (!robot && !b.joints && b.poses.size() == 1 && b.image_folders.empty())
     throw InputError(
-        message("{}: holds the only poses that are here{}; name those of the other (of the flange, of the target) "
-                "too, or a folder "
-                "of images of a board.",
-                b.poses[0].file, b.points ? " (what has x y z without a whole turn is a table of points)" : ""));
+        message("{}: holds the only poses that are here; name those of the other (of the flange, of the target) too, "
+                "points that a sensor measured, or a folder of images of a board.",
+                b.poses[0].file));
   if (!robot && !b.joints && b.poses.size() == 1 && !b.image_folders.empty())
     return from_flange_images(b, o, std::move(c));
   if (!robot) throw InputError("There is no robot; name its URDF with --robot, or a table of its flange's poses.");

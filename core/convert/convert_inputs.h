@@ -26,6 +26,10 @@ NamedPoses hand_of(const FieldUrdf& robot, const SessionParts& parts);
 Conversion from_flange(NamedPoses flange, NamedPoses target, bool eye_in_hand, const ConvertOptions& options,
                        Conversion conversion);
 
+/// The same with points of one marker, which a sensor measured without a turn.
+Conversion from_flange_points(NamedPoses flange, const PointSeries& points, bool eye_in_hand,
+                              const ConvertOptions& options, Conversion conversion);
+
 /// The same with folders of images of a board or of tags in place of the target's poses.
 Conversion from_flange_images(const Brought& brought, const ConvertOptions& options, Conversion conversion);
 

@@ -11859,12 +11859,32 @@
         <translation>%1: %2 können %3 sein oder %4; nenne die Spalten roll pitch yaw oder rvx rvy rvz, mit ihrer Einheit ([deg]).</translation>
     </message>
     <message>
-        <source>%1: holds the only poses that are here%2; name those of the other (of the flange, of the target) too, or a folder of images of a board.</source>
-        <translation>%1: hat die einzigen Posen hier%2; nenne auch die der anderen (des Flansches, des Ziels) oder einen Ordner mit Bildern einer Tafel.</translation>
+        <source>%1: holds the only poses that are here; name those of the other (of the flange, of the target) too, points that a sensor measured, or a folder of images of a board.</source>
+        <translation>%1: enthält die einzigen Posen, die da sind; nenne auch die des anderen (des Flansches, des Ziels), Punkte, die ein Sensor gemessen hat, oder einen Ordner mit Bildern eines Bretts.</translation>
     </message>
     <message>
-        <source> (what has x y z without a whole turn is a table of points)</source>
-        <translation> (was x y z ohne eine ganze Drehung hat, ist eine Tabelle von Punkten)</translation>
+        <source>%1: %2 may be %3, or %4: the points go with both (%5 and %6 are left); say it with --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) and --degrees, or in the header ([deg]).</source>
+        <translation>%1: %2 können %3 sein oder %4: die Punkte passen zu beiden (%5 und %6 bleiben); sag es mit --angles (rotation_vector, rpy, abc, wpr, oat, staubli ...) und --degrees, oder im Kopf ([deg]).</translation>
+    </message>
+    <message>
+        <source>%1: %2 are read as %3: %4 is left of the points, and %5 by the next best reading.</source>
+        <translation>%1: %2 werden als %3 gelesen: %4 bleibt von den Punkten, und %5 mit der nächstbesten Lesart.</translation>
+    </message>
+    <message>
+        <source>There are poses of the flange and points of %1 markers; expected one marker, or the robot's URDF and a table of its joint readings.</source>
+        <translation>Es gibt Posen des Flansches und Punkte von %1 Markern; erwartet wird ein Marker, oder die URDF des Roboters und eine Tabelle seiner Gelenkwerte.</translation>
+    </message>
+    <message>
+        <source>The flange carries the sensor, which sees a marker that stands still; where the flange carries the marker: --eye-on-base.</source>
+        <translation>Der Flansch trägt den Sensor, der einen stehenden Marker sieht; trägt der Flansch den Marker: --eye-on-base.</translation>
+    </message>
+    <message>
+        <source>The flange carries the marker, which a sensor that stands still sees.</source>
+        <translation>Der Flansch trägt den Marker, den ein stehender Sensor sieht.</translation>
+    </message>
+    <message>
+        <source>more than a metre</source>
+        <translation>mehr als ein Meter</translation>
     </message>
     <message>
         <source>--apart %1: write two fixtures, by=METRES and sigma=METRES.</source>

@@ -13,6 +13,7 @@
 #include "chain/sighting.h"
 #include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/selection/improvement.h"
+#include "session/pose_points.h"
 #include "session/session_xml.h"
 
 namespace handsight::trials {
@@ -49,6 +50,24 @@ bool see_alike(const Sighting& a, const Sighting& b) {
                     [](const CameraPoint& x, const CameraPoint& y) { return x.camera == y.camera; });
 }
 
+/// Where a fit predicts the target's pose in an observation.
+Rigid predicted_pose(const Fit& fit, const ProblemObservation& o) {
+  return sensor_from_tcp_at(o, estimate(fit)) * fit.tcp_from_body;
+}
+
+/// Poses have the errors of others in the target's axes.
+void deal_poses(const Fit& nominal, const Fit& model, const Session& session, const std::vector<std::size_t>& from,
+                Session& dealt) {
+  const std::vector<ProblemObservation>& used = nominal.problem.observations;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const ProblemObservation& giver = model.problem.observations[from[i]];
+    const Rigid& given = *session.observations[static_cast<std::size_t>(giver.index)].target_pose;
+    const Rigid error = inverse(predicted_pose(model, giver)) * given;
+    dealt.observations[static_cast<std::size_t>(used[i].index)].target_pose = predicted_pose(nominal, used[i]) * error;
+  }
+  show_poses(dealt, pose_lever(*session.pose_sensor));
+}
+
 /// What a nominal robot would have shown, with the errors that the model leaves of other poses.
 Session dealt_anew(const Session& session, const Fit& nominal, const Fit& model, std::mt19937_64& random) {
   const std::vector<ProblemObservation>& used = nominal.problem.observations;
@@ -61,6 +80,10 @@ Session dealt_anew(const Session& session, const Fit& nominal, const Fit& model,
           return &dealt.observations[static_cast<std::size_t>(u.index)] == &o;
         }))
       o.decision = Decision::excluded;
+  if (session.pose_sensor) {
+    deal_poses(nominal, model, session, from, dealt);
+    return dealt;
+  }
   for (std::size_t i = 0; i < used.size(); ++i) {
     const ProblemObservation& giver = model.problem.observations[from[i]];
     // What the giver did not see has no error to be dealt.
@@ -79,10 +102,6 @@ int real_noise(int draws, std::uint64_t seed, const std::vector<std::string>& fo
   int sessions = 0, named = 0, sure = 0, adequate = 0;
   for (const std::string& folder : folders) {
     const Session session = read_session(folder);
-    if (session.pose_sensor) {
-      fmt::print("{}: measures whole poses, whose errors are not dealt here\n", folder);
-      continue;
-    }
     const Improvement best = quiet_improvement(session);
     const CleanFit nominal{best.last.model.session, fit(best.last.model.session, {}), {}};
     std::mt19937_64 random(seed);
