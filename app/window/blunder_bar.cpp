@@ -37,10 +37,13 @@ std::vector<Blunder> searched(const Session& session, JobControl& control) {
     const auto sample = take_sample(session, most_observations, most_observations);
     const Session& few = sample ? sample->session : session;
     const Fit quick = fit(few, {.smallest_step = 1e-6});
-    return find_blunders(few, quick, [&](double share) {
+    std::vector<Blunder> found = find_blunders(few, quick, [&](double share) {
       control.report(share);
       return !control.is_cancelled();
     });
+    const bool may_be_order = sample && (found.empty() || found.front().id == "pairing_order");
+    if (!may_be_order || control.is_cancelled()) return found;
+    return find_wrong_order(session, fit(session, {.smallest_step = 1e-6}));  // of all, which a part does not show
   } catch (const InputError&) {
     return {};
   }

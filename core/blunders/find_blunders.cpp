@@ -164,6 +164,16 @@ std::vector<Blunder> reported(const Session& session, const Trial& trial, double
   return blunders;
 }
 
+/// Found in the whole session, not by trial.
+std::vector<Blunder> reported(const Session& session, std::optional<Blunder> found, const FitError& before) {
+  if (!found) return {};
+  found->error_before = before.reported;
+  Session right = session;
+  find_blunder_kind(found->id)->mend(found->where, right);
+  found->error_after = reported_error(right, fit(right, {.smallest_step = 1e-9}));
+  return {*found};
+}
+
 /// As who has put it right will read it: with the sensor's own lever, which `with_one_lever` does without.
 double reported_once_right(const Session& given, const Trial& trial) {
   const Session right = put_right(given, trial.mends);
@@ -266,6 +276,11 @@ bool may_be_a_blunder(const Session& session, const Fit& fit) {
   return fit.residual_rms > (fit.noise ? many_times * *fit.noise : tracker ? several_m : several_pixels);
 }
 
+std::vector<Blunder> find_wrong_order(const Session& session, const Fit& given) {
+  return reported(session, find_pairing_order(with_one_lever(session), given.residual_rms),
+                  {given.residual_rms, reported_error(session, given)});
+}
+
 std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
                                    const std::function<bool(double)>& on_progress) {
   if (!session.parts.empty()) return {};  // each session of a collection is asked by itself
@@ -294,12 +309,7 @@ std::vector<Blunder> find_blunders(const Session& session, const Fit& given,
     }
   auto found = find_pairing_order(whole, before.rms);
   if (!found && may_stray) found = find_stray_poses(whole, before.rms);
-  if (!found) return {};
-  found->error_before = before.reported;
-  Session right = session;
-  find_blunder_kind(found->id)->mend(found->where, right);
-  found->error_after = reported_error(right, fit(right, {.smallest_step = 1e-9}));
-  return {*found};
+  return reported(session, found, before);
 }
 
 }  // namespace handsight

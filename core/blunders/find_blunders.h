@@ -21,4 +21,8 @@ bool may_be_a_blunder(const Session& session, const Fit& fit);
 std::vector<Blunder> find_blunders(const Session& session, const Fit& fit,
                                    const std::function<bool(double)>& on_progress = {});
 
+/// Of these only what was seen in another order than the robot's (pairing_order.h), which a part of a session does not
+/// show.
+std::vector<Blunder> find_wrong_order(const Session& session, const Fit& fit);
+
 }  // namespace handsight

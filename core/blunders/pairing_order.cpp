@@ -187,14 +187,23 @@ void put_in_order(const std::string& where, Session& session) {
   }
 }
 
-Message text_of(const std::string& where, const Session& session) {
-  const std::vector<std::size_t> used = used_places(session);
-  const Order order = order_in(where, session, used);
+/// Is it one that programs make, and which: sorted as text, or backwards.
+struct UsualOrder {
+  bool is_as_text = false, is_backwards = false;
+};
+
+UsualOrder find_usual(const Order& order) {
   const std::vector<Order> usual = list_usual_orders(order.size());
-  const auto known = std::find(usual.begin(), usual.end(), order);
-  if (known != usual.end() && known + 1 == usual.end())
+  if (!usual.empty() && order == usual.back()) return {.is_backwards = true};
+  return {.is_as_text = std::find(usual.begin(), usual.end(), order) != usual.end()};
+}
+
+Message text_of(const std::string& where, const Session& session) {
+  const Order order = order_in(where, session, used_places(session));
+  const UsualOrder usual = find_usual(order);
+  if (usual.is_backwards)
     return "What was seen and where the robot stood are in opposite orders: the first belongs to the last.";
-  if (known != usual.end())
+  if (usual.is_as_text)
     return "What was seen and where the robot stood are in different orders: one of the two was sorted as text, so "
            "that "
            "10 comes before 2.";
@@ -206,9 +215,14 @@ Message text_of(const std::string& where, const Session& session) {
 }
 
 Message fix_of(const std::string& where, const Session& session) {
+  const UsualOrder usual = find_usual(order_in(where, session, used_places(session)));
+  if (usual.is_backwards) return "Turn one of the two tables or lists of files round and convert again.";
+  if (usual.is_as_text)
+    return "Sort both by number (or name the files 001, 002 ... 010, so that text and number agree) and convert again.";
   return message(
-      "Sort both by number (files as 001, 002 ... 010) and convert again, or in {} pair what was seen with the robot's "
-      "readings of these observations, in turn: {}.",
+      "In {} pair what was seen with the robot's readings of these observations, in turn: {}; or sort both by one "
+      "number "
+      "and convert again.",
       session_name(session), shortened(where, 200));
 }
 

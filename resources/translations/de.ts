@@ -8615,8 +8615,16 @@
         <translation>Was gesehen wurde und wo der Roboter stand, ist verschieden geordnet: die Bewegungen dazwischen sagen für %1 von %2 (%3), was zu wem gehört.</translation>
     </message>
     <message>
-        <source>Sort both by number (files as 001, 002 ... 010) and convert again, or in %1 pair what was seen with the robot's readings of these observations, in turn: %2.</source>
-        <translation>Ordne beides nach Nummern (Dateien als 001, 002 ... 010) und wandle noch einmal um, oder paare in %1, was gesehen wurde, der Reihe nach mit den Gelenkwerten oder Posen dieser Beobachtungen: %2.</translation>
+        <source>Turn one of the two tables or lists of files round and convert again.</source>
+        <translation>Drehe eine der beiden Tabellen oder Dateilisten um und wandle noch einmal um.</translation>
+    </message>
+    <message>
+        <source>Sort both by number (or name the files 001, 002 ... 010, so that text and number agree) and convert again.</source>
+        <translation>Ordne beides nach Nummern (oder nenne die Dateien 001, 002 ... 010, so dass Text und Nummer übereinstimmen) und wandle noch einmal um.</translation>
+    </message>
+    <message>
+        <source>In %1 pair what was seen with the robot's readings of these observations, in turn: %2; or sort both by one number and convert again.</source>
+        <translation>Paare in %1, was gesehen wurde, der Reihe nach mit den Gelenkwerten oder Posen dieser Beobachtungen: %2; oder ordne beides nach einer Nummer und wandle noch einmal um.</translation>
     </message>
     <message>
         <source>pairing_order: %1 is no list of the observations that show something.</source>

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "app/window/pages.h"
 #include "base/files.h"
 #include "cli/cli_runner.h"
@@ -19,15 +21,21 @@ namespace {
 
 class BlunderPage : public testing::Test {
  protected:
-  /// The arm on the stand; of the wrong one a joint counts the other way.
-  std::filesystem::path write(const std::string& name, bool is_wrong) {
+  static Session simulated(int observations) {
     Session s = fixture::stand_session(4);
     s.mount.estimate = true;
     SimulationOptions options;
-    options.observations = 30;
-    s = simulate_session(s, options).session;
+    options.observations = observations;
+    return simulate_session(s, options).session;
+  }
+  /// The arm on the stand; of the wrong one a joint counts the other way.
+  std::filesystem::path write(const std::string& name, bool is_wrong) {
+    Session s = simulated(30);
     if (is_wrong)
       for (Observation& o : s.observations) o.position[2] *= -1;
+    return write(name, std::move(s));
+  }
+  std::filesystem::path write(const std::string& name, Session s) {
     write_text(folder.path / name / "robot.urdf", fixture::urdf_text(s.robot));
     s.file = folder.path / name / "session.xml";
     save_session(s);
@@ -64,6 +72,24 @@ TEST_F(BlunderPage, SaysWhatIsWrongAndWritesTheSessionPutRightBesideIt) {
   EXPECT_LT(*desk.document().model()->report->held_out.rms_pixel, 0.5);
   EXPECT_FALSE(bar->isVisible());
   EXPECT_EQ(app::mended_folder(read_session(session)).filename(), "wrong_mended_2") << "nothing is written over";
+}
+
+TEST_F(BlunderPage, AnotherOrderIsFoundAndPutRightInAllOfALongSession) {
+  const Session right = simulated(130);
+  Session wrong = right;
+  std::map<std::string, std::size_t> as_text;
+  for (std::size_t i = 0; i < right.observations.size(); ++i) as_text[std::to_string(i)] = i;
+  auto next = wrong.observations.begin();
+  for (const auto& [name, i] : as_text) (next++)->position = right.observations[i].position;
+  open(write("mixed", wrong));
+  ASSERT_TRUE(desk.wait([this] { return bar->isVisible(); }, 120000));
+  EXPECT_TRUE(desk.find<QLabel>("blunders_text")->text().contains("sorted as text"))
+      << desk.find<QLabel>("blunders_text")->text().toStdString();
+  desk.press_button("blunders_write");
+  const Session mended = read_session(folder.path / "mixed_mended");
+  ASSERT_EQ(mended.observations.size(), right.observations.size());
+  for (std::size_t i = 0; i < right.observations.size(); ++i)
+    EXPECT_TRUE(mended.observations[i].position.isApprox(right.observations[i].position, 1e-9)) << i;
 }
 
 TEST_F(BlunderPage, TheWholeWindowSaysTheMistakeUntilItIsPutAway) {
