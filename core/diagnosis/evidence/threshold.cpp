@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "diagnosis/evidence/prior_odds.h"
+
 namespace handsight {
 namespace {
 
@@ -95,12 +97,17 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
                            const NoiseKnowledge& knowledge) {
   const WhitenedModel w = whiten(model, repeatability, knowledge);
   std::vector<std::vector<std::vector<NullScore>>> effects;
-  for (const CandidateEffect& c : candidates.effects) effects.push_back(null_scores(w, c));
+  std::vector<double> odds;  // ln of those against each
+  for (const CandidateEffect& c : candidates.effects) {
+    effects.push_back(null_scores(w, c));
+    odds.push_back(c.units.empty() ? 0 : ln_odds_against(c.units.front().term));
+  }
   std::mt19937_64 random(20261121);
   std::vector<double> largest;
   for (int i = 0; i < draws; ++i) {
     double best = -1e300;
-    for (const auto& classes : effects) {
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+      const auto& classes = effects[e];
       std::vector<double> means;
       for (const std::vector<NullScore>& scores : classes) {
         std::vector<double> factors;
@@ -108,7 +115,7 @@ double simulated_threshold(const LinearModel& model, const Candidates& candidate
         for (const NullScore& s : scores) factors.push_back(s.draw(random));
         means.push_back(ln_mean_exp(factors));
       }
-      best = std::max(best, ln_mean_exp(means));
+      best = std::max(best, ln_mean_exp(means) - odds[e]);
     }
     largest.push_back(best);
   }

@@ -8,8 +8,8 @@
 
 #include "base/combinations.h"
 #include "base/threads.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/evidence/repeatability_levels.h"
-#include "diagnosis/ranking/slips.h"
 
 namespace handsight {
 namespace {

@@ -14,27 +14,6 @@ constexpr double least_sigmas = 2.3;  // of the sum of what all observations gai
 
 }  // namespace
 
-bool follows_time(const EffectTerm& term) {
-  return slip_order({term}).has_value() || term_effect(term).check_reads == CheckReads::start_to_end;
-}
-
-bool is_change_between_sessions(const EffectTerm& term) { return term.id.ends_with("_changed"); }
-
-double ln_odds_against(const EffectTerm& term) {
-  if (is_change_between_sessions(term)) return ln_odds_against_change;
-  if (!follows_time(term)) return 0;
-  return slip_order({term}) ? ln_odds_against_slip : ln_odds_against_drift;
-}
-
-std::optional<double> slip_order(const std::vector<EffectTerm>& terms) {
-  for (const EffectTerm& term : terms) {
-    const Effect& effect = term_effect(term);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty()) return term.values[p];
-  }
-  return std::nullopt;
-}
-
 bool slip_is_confirmed(const Session& session, const Fit& without, const FitOptions& without_options, const Fit& with,
                        const FitOptions& with_options, double order) {
   const auto count = static_cast<int>(without.problem.observations.size());

@@ -5,9 +5,9 @@
 #include <mutex>
 
 #include "base/threads.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/ranking/slips.h"
 #include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {

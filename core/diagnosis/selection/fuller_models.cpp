@@ -6,8 +6,8 @@
 
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/noise_model.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
-#include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_search.h"
 #include "diagnosis/selection/model_space.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/elsewhere.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "base/combinations.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/exchange.h"
 
 namespace handsight {

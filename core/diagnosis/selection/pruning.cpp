@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/threads.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/verdict/diagnosis.h"

@@ -2,8 +2,8 @@
 #include "diagnosis/verdict/rare_causes.h"
 
 #include "diagnosis/evidence/noise_model.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/posture_remainder.h"
-#include "diagnosis/ranking/slips.h"
 
 namespace handsight {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/simulated_stand.h"
 
