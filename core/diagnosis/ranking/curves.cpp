@@ -272,6 +272,10 @@ std::string followed_variable(const EffectDefinition& curve) {
   return curve.title.starts_with(title_of_curve) ? curve.title.substr(title_of_curve.size()) : curve.title;
 }
 
+bool is_curve_of_time(const EffectTerm& term) {
+  return is_curve(term) && followed_variable(*term.own->definition) == "time";
+}
+
 std::string sites_text(const EffectDefinition& d) {
   std::string text;
   for (const DefinedMove& m : d.moves) text += (text.empty() ? "" : ", ") + m.site;

@@ -31,6 +31,9 @@ inline bool is_curve(const EffectTerm& term) { return term.own && term.own->is_u
 /// What a curve follows, as a user reads it: "angle of arm_3", "distance from the sensor".
 std::string followed_variable(const EffectDefinition& curve);
 
+/// Does a curve without a name follow the time: a drift of a form that is not in the catalogue?
+bool is_curve_of_time(const EffectTerm& term);
+
 /// "angle", or "hand_x, hand_z": the sites that it moves.
 std::string sites_text(const EffectDefinition& definition);
 

@@ -219,6 +219,10 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
 
 }  // namespace
 
+double ln_odds_of_unnamed_along(const Variable& variable) {
+  return ln_odds_of_unnamed - (variable.kind == VariableKind::time ? ln_odds_against_drift : 0);
+}
+
 std::vector<EffectTerm> terms_with_values(const RankedEffect& r) {
   std::vector<EffectTerm> terms;
   Eigen::Index i = 0;
@@ -267,7 +271,8 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
       if (evidence[s] + empirical_errors[s][l].ln_bayes_factor >
           evidence[best] + empirical_errors[best][l].ln_bayes_factor)
         best = s;
-    const double factor = empirical_errors[best][l].ln_bayes_factor + evidence[best] - *top + ln_odds_of_unnamed;
+    const double factor = empirical_errors[best][l].ln_bayes_factor + evidence[best] - *top +
+                          ln_odds_of_unnamed_along(*empirical_errors[best][l].variable);
     ranking.empirical_errors.push_back({empirical_errors[best][l], factor, ranking.scatters[best]});
   }
   search_places_of_the_best(model, noise, ranking);

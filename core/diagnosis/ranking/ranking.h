@@ -11,10 +11,13 @@ namespace handsight {
 /// Prior odds against an unnamed curve: named physical effects are what robots usually have.
 inline constexpr double ln_odds_of_unnamed = -3;
 
+/// The same for what follows this: a drift without a name is as rare as one that has it, besides.
+double ln_odds_of_unnamed_along(const Variable& variable);
+
 struct RankedEffect {
   const CandidateEffect* candidate = nullptr;
   double ln_bayes_factor = 0;      // the mean over all choices of places, at the scatter that suits it best; odds
-                                   // against what is rare included (slips.h)
+                                   // against what is rare included (prior_odds.h)
   std::vector<std::size_t> units;  // the best choice of places
   double ln_best = 0;              // of that choice alone
   LinearEstimate estimate;         // of its parameters, unit by unit, in prior sigmas

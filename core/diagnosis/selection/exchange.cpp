@@ -24,6 +24,10 @@ double evidence_of(const Refit& refit, const RankedEffect& ranked) {
 
 }  // namespace
 
+double ln_odds_against_curve(const EffectTerm& term) {
+  return ln_ways_of_curves - ln_odds_of_unnamed + (is_curve_of_time(term) ? ln_odds_against_drift : 0);
+}
+
 std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, std::size_t last,
                                     const std::function<bool()>& goes_on) {
   const std::vector<EffectTerm>& all = model.model_options.estimated;
@@ -56,7 +60,8 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     if (!unnamed && &r == &*own) continue;
     // A size that scales what was measured is judged by the measurements' own density (verdict/diagnosis.cpp).
     if (r.candidate->effect->id == "target_scale" && !without.fit.problem.rig) continue;
-    if (follows_time(r.candidate->units.front().term) && !follows_time(present.front())) continue;
+    const bool may_be_of_time = follows_time(present.front()) || is_curve_of_time(present.front());
+    if (follows_time(r.candidate->units.front().term) && !may_be_of_time) continue;
     const double least = unnamed ? model.threshold : nearly * own->ln_bayes_factor;
     if (r.ln_bayes_factor < least) break;
     others.push_back(&r);
@@ -72,7 +77,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
   });
   const Refit& now = refits.back();
   double best_evidence =
-      unnamed ? now.ln_bayes_factor + ln_odds_of_unnamed - ln_ways_of_curves : evidence_of(now, *own) + clearly_above;
+      unnamed ? now.ln_bayes_factor - ln_odds_against_curve(present.front()) : evidence_of(now, *own) + clearly_above;
   std::optional<Exchange> best;
   for (std::size_t i = 0; i < others.size(); ++i) {
     const Refit& other = refits[i];

@@ -13,7 +13,7 @@ namespace handsight {
 namespace {
 
 double ln_odds_against_name(const EffectTerm& term) {
-  return is_curve(term) ? ln_ways_of_curves - ln_odds_of_unnamed : ln_odds_against(term);
+  return is_curve(term) ? ln_odds_against_curve(term) : ln_odds_against(term);
 }
 
 /// What one of the linear model's columns of the base is, in the problem's unit.

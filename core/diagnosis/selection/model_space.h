@@ -78,7 +78,7 @@ class ModelSpace {
 };
 
 /// What follows time, and what scales the measurements themselves (the target's size where a sensor tells its poses),
-/// is judged otherwise than by what is left (slips.h, full_fits.cpp).
+/// is judged otherwise than by what is left (prior_odds.h, full_fits.cpp).
 bool is_judged_elsewhere(const EffectTerm& term, const Problem& model);
 
 /// Has it one form at each of its places?

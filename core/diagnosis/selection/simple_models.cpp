@@ -48,8 +48,7 @@ double compute_cost(const std::vector<EffectTerm>& terms, const std::map<std::st
   double cost = 0;
   std::map<std::string, int> counted;
   for (const EffectTerm& t : terms)
-    if (counted[t.id]++ == 0)
-      cost += cost_of_a_name + (is_curve(t) ? ln_ways_of_curves - ln_odds_of_unnamed : ln_odds_against(t));
+    if (counted[t.id]++ == 0) cost += cost_of_a_name + (is_curve(t) ? ln_odds_against_curve(t) : ln_odds_against(t));
   for (const auto& [id, count] : counted)
     if (const auto all = places.find(id); all != places.end() && all->second >= count)
       cost += ln_choose(all->second, count);

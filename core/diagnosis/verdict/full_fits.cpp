@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "base/threads.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/verdict/candidate_report.h"
 #include "diagnosis/verdict/finding.h"
@@ -116,7 +117,8 @@ class FullFits {
         std::find_if(search_.ranking.empirical_errors.begin(), search_.ranking.empirical_errors.end(),
                      [&](const auto& l) { return l.empirical_error.variable->name.english() == curve.variable; });
     if (same != search_.ranking.empirical_errors.end()) c.unnamed = *same;
-    take_refit(r, curve.ln_ways - search_.odds_of_unnamed, d_, search_.noise_model, session_, c);
+    const double rare = is_curve_of_time(curve.term) ? ln_odds_against_drift : 0;
+    take_refit(r, curve.ln_ways + rare - search_.odds_of_unnamed, d_, search_.noise_model, session_, c);
     c.where = {curve.where};
     c.path = std::move(path);
     if (options_.with_held_out) c.held_out = report(d_.model.session, r.fit, r.options).held_out;

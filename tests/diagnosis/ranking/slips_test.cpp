@@ -57,6 +57,19 @@ TEST(Slips, HaveOddsAgainstThemAsDriftsHave) {
   EXPECT_EQ(ln_odds_against({"joint_offset", 0, {0}}), 0);
 }
 
+TEST(Slips, ADriftWithoutANameHasTheOddsOfOneAndComesBehindIt) {
+  EXPECT_EQ(ln_odds_of_unnamed_along({.kind = VariableKind::time}), ln_odds_of_unnamed - ln_odds_against_drift);
+  EXPECT_EQ(ln_odds_of_unnamed_along({.kind = VariableKind::angle}), ln_odds_of_unnamed);
+  const Diagnosis d = diagnosed(simulated({{"mount_drift", -1, {6e-4, -5e-4, 0, 0, 0, 3e-4}}}, 11), {});
+  ASSERT_FALSE(d.candidates.empty());
+  EXPECT_EQ(d.candidates.front().id, "mount_drift");
+  const auto of_time = std::find_if(d.candidates.begin(), d.candidates.end(), [](const DiagnosisCandidate& c) {
+    return c.unnamed && c.unnamed->empirical_error.variable->kind == VariableKind::time;
+  });
+  ASSERT_NE(of_time, d.candidates.end());
+  EXPECT_LT(of_time->ln_bayes_factor, d.candidates.front().ln_bayes_factor);
+}
+
 TEST(Slips, OneSideOfWhichGainsNothingIsNotConfirmed) {
   // The residuals of a few observations at one end of the session are not those of a jump.
   Session session = simulated({}, 8);
