@@ -8599,6 +8599,10 @@
         <translation>pairing_shift: die Sitzung hat %1 Beobachtungen, weniger als das.</translation>
     </message>
     <message>
+        <source>The target's places agree to %1 mm and its turns only to %2 degrees: either the sensor tells no turns, or they are read otherwise than they were written (order of a quaternion, kind of angles). The places alone carry this answer.</source>
+        <translation>Die Orte des Ziels passen auf %1 mm zusammen und seine Drehungen nur auf %2 Grad: entweder misst der Sensor keine Drehungen, oder sie werden anders gelesen, als sie geschrieben wurden (Reihenfolge eines Quaternions, Art der Winkel). Allein die Orte tragen diese Antwort.</translation>
+    </message>
+    <message>
         <source>measurements</source>
         <translation>Messungen</translation>
     </message>

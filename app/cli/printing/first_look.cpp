@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "blunders/reported_error.h"
 #include "estimation/fit/sure_fit.h"
+#include "estimation/problem/pose_residuals.h"
 #include "estimation/start/multi_start.h"
 #include "reported_json.h"
 #include "session/sample.h"
@@ -52,7 +53,10 @@ FirstLook first_look(const Session& session, SessionCheck& check) {
   if (look.distance) check.warnings.push_back(look.distance->text);
   if (settles_it(look.size) || look.distance) return look;
   look.blunders = fit ? list_blunders(session, *fit) : blunders_in_files(session);
-  if (fit && look.blunders.empty() && !look.size)
+  if (!fit || !look.blunders.empty()) return look;
+  if (const Message turns = turn_misfit_text(fit->problem, estimate(*fit)); !turns.empty())
+    check.warnings.push_back(turns);
+  else if (!look.size)
     if (const auto text = unexplained_error(session, *fit)) check.warnings.push_back(*text);
   return look;
 }

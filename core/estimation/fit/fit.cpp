@@ -99,6 +99,8 @@ void add_notes(const Session& session, Fit& fit) {
         "taken from its description, within 0.1 %. Measure a marker at two places of known distance to find it.");
   if (fit.problem.flange_error.is_any())
     fit.notes.push_back(flange_error_text(fit.problem.flange_error, !session.robot.is_of_poses));
+  if (const Message turns = turn_misfit_text(fit.problem, fit.solution.unknowns); !turns.empty())
+    fit.notes.push_back(turns);
   std::vector<std::size_t> unseen;
   for (std::size_t m = 0; m < fit.problem.marker_is_seen.size(); ++m)
     if (!fit.problem.marker_is_seen[m]) unseen.push_back(m);
