@@ -53,14 +53,14 @@ TEST(Slips, AreHeldBackOnThinEvidenceAndSaySo) {
 
 TEST(Slips, HaveOddsAgainstThemAsDriftsHave) {
   EXPECT_EQ(ln_odds_against({"mount_slip", -1, {0, 0, 0, 0, 0, 0, 5}}), ln_odds_against_slip);
-  EXPECT_EQ(ln_odds_against({"mount_drift", -1, {0, 0, 0, 0, 0, 0}}), ln_odds_against_drift);
+  EXPECT_EQ(ln_odds_against({"mount_drift", -1, {0, 0, 0, 0, 0, 0, 0}}), ln_odds_against_drift);
   EXPECT_EQ(ln_odds_against({"joint_offset", 0, {0}}), 0);
 }
 
 TEST(Slips, ADriftWithoutANameHasTheOddsOfOneAndComesBehindIt) {
   EXPECT_EQ(ln_odds_of_unnamed_along({.kind = VariableKind::time}), ln_odds_of_unnamed - ln_odds_against_drift);
   EXPECT_EQ(ln_odds_of_unnamed_along({.kind = VariableKind::angle}), ln_odds_of_unnamed);
-  const Diagnosis d = diagnosed(simulated({{"mount_drift", -1, {6e-4, -5e-4, 0, 0, 0, 3e-4}}}, 11), {});
+  const Diagnosis d = diagnosed(simulated({{"mount_drift", -1, {6e-4, -5e-4, 0, 0, 0, 3e-4, 0}}}, 11), {});
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "mount_drift");
   const auto of_time = std::find_if(d.candidates.begin(), d.candidates.end(), [](const DiagnosisCandidate& c) {
