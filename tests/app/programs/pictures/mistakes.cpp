@@ -19,75 +19,76 @@
 namespace handsight::test {
 namespace {
 
-TEST(Mistakes, AJointThatCountsTheOtherWay) {
-  const TemporaryFolder folder;
+/// The arm on the stand, thirty observations with the mount to be found.
+Session simulated() {
   Session s = fixture::stand_session(4);
   s.mount.estimate = true;
   SimulationOptions options;
   options.observations = 30;
-  s = simulate_session(s, options).session;
-  for (Observation& o : s.observations) o.position[2] *= -1;
-  write_text(folder.path / "wrong/robot.urdf", fixture::urdf_text(s.robot));
-  s.file = folder.path / "wrong/session.xml";
-  save_session(s);
+  return simulate_session(s, options).session;
+}
+
+/// A window with the session, and what takes its pictures.
+class Pictured {
+ public:
+  explicit Pictured(Session s) {
+    write_text(folder_.path / "arm/robot.urdf", fixture::urdf_text(s.robot));
+    s.file = folder_.path / "arm/session.xml";
+    save_session(s);
+    desk.window.resize(window_size());
+  }
+  bool open() { return desk.window.open(QString::fromStdString((folder_.path / "arm").string())); }
+  bool finds_a_mistake() {
+    return open() && desk.wait([&] { return desk.find<app::BlunderBar>("blunders")->isVisible(); }, 120000);
+  }
+
+ private:
+  TemporaryFolder folder_;
+
+ public:
   Desk desk;
-  desk.window.resize(window_size());
   Photographer photo{desk};
-  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "wrong").string())));
-  auto* bar = desk.find<app::BlunderBar>("blunders");
-  ASSERT_TRUE(desk.wait([&] { return bar->isVisible(); }, 120000));
-  photo.take("mistakes");
-  desk.press_button("blunders_write");
-  photo.take("mistakes_written");
+};
+
+TEST(Mistakes, AJointThatCountsTheOtherWay) {
+  Session s = simulated();
+  for (Observation& o : s.observations) o.position[2] *= -1;
+  Pictured p(s);
+  ASSERT_TRUE(p.finds_a_mistake());
+  p.photo.take("mistakes");
+  p.desk.press_button("blunders_write");
+  p.photo.take("mistakes_written");
 }
 
 TEST(Mistakes, ImagesSortedAsText) {
-  const TemporaryFolder folder;
-  Session s = fixture::stand_session(4);
-  s.mount.estimate = true;
-  SimulationOptions options;
-  options.observations = 30;
-  s = simulate_session(s, options).session;
+  Session s = simulated();
   std::map<std::string, Eigen::VectorXd> as_text;
   for (std::size_t i = 0; i < s.observations.size(); ++i) as_text[std::to_string(i)] = s.observations[i].position;
   auto next = s.observations.begin();
   for (const auto& [name, position] : as_text) (next++)->position = position;
-  write_text(folder.path / "mixed/robot.urdf", fixture::urdf_text(s.robot));
-  s.file = folder.path / "mixed/session.xml";
-  save_session(s);
-  Desk desk;
-  desk.window.resize(window_size());
-  Photographer photo{desk};
-  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "mixed").string())));
-  ASSERT_TRUE(desk.wait([&] { return desk.find<app::BlunderBar>("blunders")->isVisible(); }, 120000));
-  photo.take("mistakes_order");
+  Pictured p(s);
+  ASSERT_TRUE(p.finds_a_mistake());
+  p.photo.take("mistakes_order");
 }
 
 TEST(Mistakes, ASlipThatIsHeldBack) {
-  const TemporaryFolder folder;
   SimulationOptions options;
   options.observations = 60;
   options.seed = 9;
   options.noise = 0.2;
   options.declare_noise = false;
   options.effects = {{"mount_slip", -1, {8e-5, 0, -8e-5, 1.6e-4, 0, 0, 31}}};
-  Session s = simulate_session(fixture::stand_session(), options).session;
-  write_text(folder.path / "slip/robot.urdf", fixture::urdf_text(s.robot));
-  s.file = folder.path / "slip/session.xml";
-  save_session(s);
-  Desk desk;
-  desk.window.resize(window_size());
-  Photographer photo{desk};
-  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "slip").string())));
-  ASSERT_TRUE(desk.settle());
-  ExplainPage explain{desk};
+  Pictured p(simulate_session(fixture::stand_session(), options).session);
+  ASSERT_TRUE(p.open());
+  ASSERT_TRUE(p.desk.settle());
+  ExplainPage explain{p.desk};
   ASSERT_TRUE(explain.open());
-  desk.click(explain.cards()->why_not_button());
-  auto* table = desk.window.findChild<widgets::EffectTable*>();
+  p.desk.click(explain.cards()->why_not_button());
+  auto* table = p.desk.window.findChild<widgets::EffectTable*>();
   table->set_filter("slip");
   auto* rows = table->view();
   rows->setCurrentIndex(rows->model()->index(0, 0));
-  photo.take_now("explain_held_back");
+  p.photo.take_now("explain_held_back");
 }
 
 }  // namespace
