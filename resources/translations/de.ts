@@ -9367,8 +9367,12 @@
         <translation>sie lässt %1, mehr als ein Roboter erklärt</translation>
     </message>
     <message>
-        <source>%1%2 Held out %3.</source>
-        <translation>%1%2 Zurückgehalten %3.</translation>
+        <source>%1%2%3 Held out %4.</source>
+        <translation>%1%2%3 Zurückgehalten %4.</translation>
+    </message>
+    <message>
+        <source>In the model, though less likely than not: %1. </source>
+        <translation>Im Modell, doch eher nicht da: %1. </translation>
     </message>
     <message>
         <source>Named: %1. </source>

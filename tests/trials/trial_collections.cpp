@@ -2,9 +2,11 @@
 // Several sessions of one robot together against the best of them alone: are effects named that no single session
 // shows, is nothing named that is not there, and how far is the hand from where it is predicted in poses that were not
 // measured?
-//   trial_collections [COUNT [SEED [WORLD]]]; worlds: two_hands, places, days, null
-// With "time" for a world: how much time of a processor 2000 observations in five sessions take.
+//   trial_collections [COUNT [SEED [WORLD]]]; worlds: those of fixtures/collection_worlds.h
+// With "time" for a world: how much time of a processor 2000 observations in five sessions take. With "worlds" and a
+// world: what can be hidden in it, and how much of it a session alone shows.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,120 +19,20 @@
 #include "estimation/fit/part_fit.h"
 #include "estimation/report/fit_report.h"
 #include "estimation/report/part_report.h"
-#include "estimation/report/prediction.h"
-#include "fixtures/trial_sessions.h"
-#include "fixtures/two_arms.h"
+#include "fixtures/collection_worlds.h"
 #include "trials/table.h"
 
 namespace handsight {
 namespace {
 
-constexpr double noise_m = 2e-4;
-constexpr double shown_together = 60, least_hidden = 20;  // noncentrality of what is hidden: of all, of one alone
+using namespace fixture;
 
-/// One world: its sessions, what is hidden in the robot, and where.
-struct World {
-  std::vector<JoinedMember> members;
-  std::vector<EffectTerm> hidden;
-  std::string id, place;  // of what is hidden; empty: nothing
-};
-
-SimulationOptions simulation(std::uint64_t seed) {
-  SimulationOptions o;
-  o.seed = seed;
-  o.observations = 30;
-  o.noise = noise_m;
-  o.nearest = 0.2;
-  o.farthest = 4;
-  o.most_turned = 1.5;
-  return o;
-}
-
-Session placed(Session s, std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const double x = uniform(random), y = uniform(random), z = uniform(random), turn = uniform(random);
-  s.mount.mount_from_sensor = {rotation_from_rpy({0.1 + 0.1 * z, -0.2 + 0.1 * x, 2.5 + 0.8 * turn}),
-                               {2.4 + 0.3 * x, 0.4 + y, 1.1 + 0.3 * z}};
-  return s;
-}
-
-/// Sessions of a kind of world, with these effects of the robot in all of them; `noise` of one coordinate, m.
-std::vector<JoinedMember> list_members(const std::string& kind, const std::vector<EffectTerm>& effects,
-                                       std::uint64_t seed, double noise) {
-  std::mt19937_64 random(seed);
-  std::vector<JoinedMember> members;
-  const auto add = [&](const Session& like, const std::string& title, const std::string& rig) {
-    SimulationOptions o = simulation(random());
-    o.effects = effects;
-    o.noise = noise;
-    members.push_back(fixture::simulated_member(like, o, title));
-    members.back().rig = rig;
-  };
-  if (kind == "places") {  // one hand before a tracker in four places
-    for (const char* place : {"here", "there", "elsewhere", "far"})
-      add(placed(fixture::hand_session('l'), random), place, "");
-  } else if (kind == "days") {  // one hand, one place, four days; each day the markers are glued anew
-    const Session like = placed(fixture::hand_session('l'), random);
-    for (const char* day : {"june", "july", "august", "september"}) add(like, day, "tracker");
-  } else {  // both hands before one tracker, twice
-    const Session left = placed(fixture::hand_session('l'), random);
-    Session right = fixture::hand_session('r');
-    right.mount = left.mount;
-    for (const char* day : {"june", "august"}) {
-      add(left, std::string("left ") + day, "tracker");
-      add(right, std::string("right ") + day, "tracker");
-    }
-  }
-  return members;
-}
-
-/// What the measurements without noise miss without the effect, in squares of the noise.
-double noncentrality(const Session& without_noise) {
-  const Fit plain = fit(without_noise);
-  return plain.solution.normal.data_cost() / (noise_m * noise_m);
-}
-
-/// An effect that all sessions together show with `shown_together`, no single one with more than `least_hidden`.
-World world_of(const std::string& kind, std::uint64_t seed) {
-  World w;
-  if (kind == "null") {
-    w.members = list_members("two_hands", {}, seed, noise_m);
-    return w;
-  }
-  std::mt19937_64 random(seed);
-  const Session like = fixture::hand_session('l');
-  const std::vector<std::string> ids{"joint_offset", "joint_elasticity", "joint_scale", "encoder_eccentricity"};
-  const std::vector<std::string> places{"torso_2", "torso_1", "l2", "l3", "l4"};
-  for (int attempt = 0; attempt < 100; ++attempt) {
-    w.id = ids[random() % ids.size()];
-    w.place = places[random() % (kind == "two_hands" ? 2 : places.size())];
-    EffectTerm term = term_of(*find_effect(w.id), find_joint(like.robot, w.place));
-    std::normal_distribution<double> normal;
-    for (std::size_t p = 0; p < term.values.size(); ++p)
-      term.values[p] = normal(random) * term_effect(term).parameters[p].sigma;
-    constexpr double silent = 1e-9;
-    std::vector<JoinedMember> quiet = list_members(kind, {term}, seed, silent);
-    const double of_all = noncentrality(joined(quiet, "quiet"));
-    if (!(of_all > 1)) continue;  // what turns with the mounts
-    double of_one = 0;
-    for (const JoinedMember& m : quiet) of_one = std::max(of_one, noncentrality(m.session));
-    if (of_one / of_all > least_hidden / shown_together) continue;
-    const double times = std::sqrt(shown_together / of_all);
-    if (times > 5) continue;  // larger than robots are built
-    for (double& v : term.values) v *= times;
-    w.hidden = {term};
-    w.members = list_members(kind, w.hidden, seed, noise_m);
-    return w;
-  }
-  throw std::runtime_error("no such world");
-}
-
-/// Median distance of the predicted from the true hand, over poses drawn from the whole of the joints' ranges; the
-/// prediction is of where the TCP is, its place on the hand as commanded.
+/// Median distance of the predicted from the true hand, as the sensor's link sees it, over poses drawn from the whole
+/// of the joints' ranges; the prediction is of where the TCP is, its place on the hand as commanded.
 double hand_error(const Fit& fit, const Session& session, const std::vector<EffectTerm>& hidden, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const Chain chain = make_chain(session);
-  const PredictionModel model = prediction_model(fit);
+  const std::vector<EffectTerm> found = list_terms(fit);
   std::vector<double> errors;
   for (int i = 0; i < 200; ++i) {
     Eigen::VectorXd q(static_cast<Eigen::Index>(chain.joints.size()));
@@ -139,8 +41,11 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
       q[j] = std::uniform_real_distribution<double>(0.8 * joint.lower, 0.8 * joint.upper)(random);
     }
     const ObservationState c = states_at(chain, q);
-    const Rigid truly = observed_ends(c, moved_sites(c, hidden)).ends.root_from_tcp;
-    errors.push_back((predict_tcp(c, model).root_from_tcp_est.translation - truly.translation).norm());
+    const auto seen = [&](const std::vector<EffectTerm>& effects) {
+      const ChainEnds ends = observed_ends(c, moved_sites(c, effects)).ends;
+      return inverse(ends.root_from_mount) * ends.root_from_tcp;
+    };
+    errors.push_back((seen(found).translation - seen(hidden).translation).norm());
   }
   std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
   return errors[100];
@@ -149,8 +54,23 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
 struct Tally {
   int worlds = 0, named = 0, named_alone = 0, wrong = 0;
   int reported_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
+  int inside = 0, told = 0;  // numbers of each TCP->Body in their 95 % intervals
   std::vector<double> ratio, seconds;
 };
+
+/// How many numbers of a part's TCP->Body are inside their 95 % intervals: six, or three where its rotation is unseen.
+void count_inside(const PartFit& part, const WorldMember& member, Tally& t) {
+  constexpr double normal_95 = 1.959964;
+  const Rigid truth = body_frame(part.fit.sides, member.markers_in_tcp).tcp_from_body;
+  const Rigid off = truth * inverse(part.fit.tcp_from_body);  // exp(xi)
+  const Vector6 sigma = origin_sigma(part.fit.tcp_from_body, part.fit.covariance);
+  const Vector3 place = truth.translation - part.fit.tcp_from_body.translation;
+  const Vector3 turn = vector_from_rotation(off.rotation);
+  for (int i = 0; i < (part.fit.rotation_is_observed ? 6 : 3); ++i) {
+    t.inside += std::abs(i < 3 ? place[i] : turn[i - 3]) <= normal_95 * sigma[i];
+    ++t.told;
+  }
+}
 
 bool names(const Improvement& m, const World& w, int& wrong) {
   bool right = false;
@@ -171,7 +91,7 @@ double left_with(const Session& s, const std::vector<EffectTerm>& terms) {
     for (std::size_t p = 0; p < t.values.size(); ++p)
       if (!term_effect(t).parameters[p].is_choice) t.values[p] = 0;
   const Fit f = fit(s, options);
-  return f.solution.normal.data_cost() / (noise_m * noise_m);
+  return f.solution.normal.data_cost() / (f.noise.value() * f.noise.value());
 }
 
 /// Of a world in which the hidden effect was not named: does the answer say so, and could the truth be known? Sure is
@@ -207,11 +127,13 @@ void look_at_miss(const Session& s, const World& w, const Improvement& m, Tally&
       "  not named: claimed {:.3f}, truth {:.3f}{}; chi-squared {:.1f} with the truth's {} numbers, {:.1f} with "
       "the {} of what was named: ln odds of the truth {:.1f}\n",
       claimed, truth, is_listed ? " (listed)" : "", left_truth, of_truth, left_named, numbers, ln_odds);
+  for (const RefusedStep& r : m.refused)
+    fmt::print("    not taken: {} {}: {}\n", r.id, fmt::join(r.where, " "), r.reason.english());
 }
 
-void run(const std::string& kind, std::uint64_t seed, Tally& t) {
+void run(const WorldKind& kind, std::uint64_t seed, Tally& t) {
   const World w = world_of(kind, seed);
-  const Session s = joined(w.members, "together");
+  const Session s = joined_world(w.members);
   const auto start = std::chrono::steady_clock::now();
   const Improvement together = improve(s);
   t.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -222,19 +144,23 @@ void run(const std::string& kind, std::uint64_t seed, Tally& t) {
   double ratio = 0, of_all = 0, of_one = 0;
   for (std::size_t p = 0; p < w.members.size(); ++p) {
     int ignored = 0;
-    const Improvement alone = improve(w.members[p].session);
+    const Session& single = w.members[p].joined.session;
+    const Improvement alone = improve(single);
     any = any || names(alone, w, ignored);
     const PartFit part = fit_of_part(s, together.last.model.fit, static_cast<int>(p));
-    of_one = hand_error(alone.last.model.fit, w.members[p].session, w.hidden, seed);
+    count_inside(part, w.members[p], t);
+    if (!w.place.empty() && std::find(single.joints.begin(), single.joints.end(), w.place) == single.joints.end())
+      continue;
+    of_one = hand_error(alone.last.model.fit, single, w.hidden, seed);
     of_all = hand_error(part.fit, part.session, w.hidden, seed);
-    ratio = std::max(ratio, of_one > 0 ? of_all / of_one : 1);  // of the part that gains least
+    ratio = std::max(ratio, of_one > 0 ? of_all / of_one : 1);  // of the part that gains least, of those with the joint
   }
   t.named_alone += any;
   t.ratio.push_back(ratio);
   std::string reported;
   for (const FittedEffect& e : together.last.model.fit.effects)
     reported += fmt::format(" {}:{}", e.term.id, place_name(term_effect(e.term), e.term.place, s.robot));
-  fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind, seed, w.id,
+  fmt::print("{} {} {} {} named together {} ({} ) alone {} hand {:.3f} mm against {:.3f} mm\n", kind.name, seed, w.id,
              w.place, is_named, reported, any, 1e3 * of_all, 1e3 * of_one);
   if (!is_named && !w.hidden.empty()) look_at_miss(s, w, together, t);
   std::fflush(stdout);
@@ -245,12 +171,19 @@ double middle(std::vector<double> v) {
   return v.empty() ? 0 : v[v.size() / 2];
 }
 
-/// As the table names them.
-std::string title_of(const std::string& kind) {
-  if (kind == "two_hands") return "both hands before one tracker, two days";
-  if (kind == "places") return "one hand, the tracker in four places";
-  if (kind == "days") return "one hand, four days, markers glued anew";
-  return "both hands, nothing hidden";
+/// Which effects may be hidden in worlds of this kind, and how well the sessions hide them.
+void list_what_hides(const WorldKind& kind, int count, std::uint64_t seed) {
+  for (int i = 0; i < count; ++i) {
+    const World w = world_of(kind, seed + static_cast<std::uint64_t>(i));
+    fmt::print("{} {} {} {}", kind.name, seed + static_cast<std::uint64_t>(i), w.id, w.place);
+    if (w.hidden.empty()) {
+      fmt::print("nothing\n");
+      continue;
+    }
+    const Shown of = shown(kind, w.hidden.front(), seed + static_cast<std::uint64_t>(i));
+    fmt::print(": shows {:.1f} together, {:.1f} in one session at most\n", of.together, of.alone);
+    std::fflush(stdout);
+  }
 }
 
 double processor_seconds(const auto& work) {
@@ -261,16 +194,10 @@ double processor_seconds(const auto& work) {
 
 /// Five sessions of 400 observations of one hand, the tracker elsewhere in each; one joint's zero hidden.
 void measure_time(int count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<JoinedMember> members;
-  for (const char* title : {"one", "two", "three", "four", "five"}) {
-    const Session like = placed(fixture::hand_session('l'), random);
-    SimulationOptions o = simulation(random());
-    o.observations = 400;
-    o.effects = {fixture::find_offset(like, "l3", 2e-3)};
-    members.push_back(fixture::simulated_member(like, o, title));
-  }
-  const Session s = joined(members, "five");
+  WorldBuilder build({fixture::find_offset(fixture::hand_session('l'), "l3", 2e-3)}, seed, true);
+  for (const char* title : {"one", "two", "three", "four", "five"})
+    build.add(build.placed(fixture::hand_session('l')), title, "", "", 400, tracked_m);
+  const Session s = joined_world(build.take());
   double of_fit = 1e9, with_held_out = 1e9;
   for (int i = 0; i < count; ++i) {
     Fit f;
@@ -301,23 +228,32 @@ int main(int argc, char** argv) {
   const trials::TableOutput output = trials::take_table_output(argc, argv);
   const int count = argc > 1 ? std::atoi(argv[1]) : 20;
   const auto seed = static_cast<std::uint64_t>(argc > 2 ? std::atoll(argv[2]) : 1);
-  const std::vector<std::string> all{"two_hands", "places", "days", "null"};
-  if (argc > 3 && std::string(argv[3]) == "time") {
+  const std::string only = argc > 3 ? argv[3] : "";
+  if (only == "time") {
     measure_time(count, seed);
     return 0;
   }
-  trials::Table table({{.heading = "worlds", .width = 44},
+  const bool lists = only == "worlds";
+  const std::string name = lists && argc > 4 ? argv[4] : lists ? "" : only;
+  trials::Table table({{.heading = "worlds", .width = 58},
                        {"named together"},
                        {"by a session alone"},
                        {"wrong names"},
-                       {"hand error together / alone", 2}},
+                       {"hand error together / alone", 2},
+                       {"TCP->Body inside 95 %"}},
                       output);
-  for (const std::string& kind : argc > 3 ? std::vector<std::string>{argv[3]} : all) {
+  for (const WorldKind& kind : world_kinds()) {
+    if (!name.empty() && name != kind.name) continue;
+    if (lists) {
+      list_what_hides(kind, count, seed);
+      continue;
+    }
     Tally t;
     for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
-    const bool is_hidden = kind != "null";
-    table.print({title_of(kind), is_hidden ? trials::TableCell(t.named) : "-",
-                 is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong, middle(t.ratio)});
+    const bool is_hidden = !kind.places.empty();
+    table.print({kind.title, is_hidden ? trials::TableCell(t.named) : "-",
+                 is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong, middle(t.ratio),
+                 fmt::format("{:.1f} %", 100.0 * t.inside / t.told)});
     fmt::print(
         "  of {} worlds not named but reported as open {}, sure and wrong {}, the truth clearly likelier {}; {:.1f} s "
         "a world\n",

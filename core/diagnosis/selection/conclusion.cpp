@@ -43,10 +43,19 @@ void set_shares(std::optional<double> excess, Improvement& m) {
   m.unnamed_share = (middle - left) / *excess;
 }
 
-Message worth_text(const std::vector<BillRow>& rows, bool unnamed) {
+enum class Told { names, unsure_names, curves };
+
+Told told_as(const BillRow& row) {
+  constexpr double likely = 0.5;
+  if (row.unnamed) return Told::curves;
+  return row.probability.value_or(1) < likely ? Told::unsure_names : Told::names;
+}
+
+Message worth_text(const std::vector<BillRow>& rows, Told which) {
   std::vector<Message> texts;
   for (const BillRow& row : rows) {
-    if (row.unnamed != unnamed) continue;
+    if (told_as(row) != which) continue;
+    const bool unnamed = row.unnamed;
     texts.push_back(message("{}{} ({:.3g} mm at the hand)", unnamed ? row.follows : row.id,
                             unnamed || row.where.empty() ? Message() : message(" at {}", listed(row.where)),
                             1e3 * row.hand_m));
@@ -75,7 +84,7 @@ Message no_answer_text(const Diagnosis& d) {
 void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refused, Improvement& m) {
   Diagnosis& d = m.last;
   if (d.verdict == Verdict::too_few_observations) return;
-  m.bill = make_bill(d.model.fit);
+  m.bill = make_bill(d.model.fit, &m.inclusion_probabilities);
   set_shares(excess, m);
   const bool is_refused = !d.candidates.empty() && std::any_of(refused.begin(), refused.end(), [&](const auto& r) {
     return r.id == d.candidates.front().id && d.candidates.front().ln_bayes_factor >= d.threshold;
@@ -84,10 +93,12 @@ void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refu
   const bool passes = d.verdict == Verdict::missing_effect || d.verdict == Verdict::ambiguous ||
                       (d.verdict == Verdict::unexplained && is_refused);
   if (passes) judge_what_is_left(noise_model(d.model.fit).knowledge.known, d);
-  const Message curves = worth_text(m.bill, true), names = worth_text(m.bill, false);
+  const Message curves = worth_text(m.bill, Told::curves), names = worth_text(m.bill, Told::names);
+  const Message unsure = worth_text(m.bill, Told::unsure_names);
   if (!curves.empty()) {
     d.verdict = Verdict::unexplained;
-    d.reason = message("{}{} Held out {}.", names.empty() ? Message() : message("Named: {}. ", names),
+    d.reason = message("{}{}{} Held out {}.", names.empty() ? Message() : message("Named: {}. ", names),
+                       unsure.empty() ? Message() : message("In the model, though less likely than not: {}. ", unsure),
                        message("Without a name: {}{}", curves, curves.english().back() == '.' ? "" : "."),
                        reported_error(d.report.held_out));
   }

@@ -6,8 +6,9 @@
 
 namespace handsight {
 
-/// Sets bill, shares and the last verdict with its reason. `excess`: of the first model. `refused`: what the last
-/// model was offered and did not take.
+/// Sets bill, shares and the last verdict with its reason, of an improvement whose inclusion_probabilities are set:
+/// names that are less likely than not are told apart. `excess`: of the first model. `refused`: what the last model was
+/// offered and did not take.
 void conclude(std::optional<double> excess, const std::vector<RefusedStep>& refused, Improvement& improvement);
 
 }  // namespace handsight

@@ -54,9 +54,8 @@ class Improving {
       certain_.reset();
     }
     if (m_.stopped) return std::move(m_);
-    conclude(excess, refused_, m_);
     m_.inclusion_probabilities = certain();
-    m_.bill = with_inclusion_probabilities(std::move(m_.bill), m_.inclusion_probabilities);
+    conclude(excess, refused_, m_);
     weigh_the_robots_error();
     return std::move(m_);
   }
@@ -113,6 +112,12 @@ class Improving {
       change = seek_simpler_model(session_, options_, m_.last);
       note_refusals(change);
     }
+    if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_likeliest_) {
+      sought_likeliest_ = true;
+      change = take_likeliest(session_, options_, m_.last, certain());
+      for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m_.refused);
+      note_refusals(change);
+    }
     if (!change.model) return false;
     m_.steps.insert(m_.steps.end(), change.steps.begin(), change.steps.end());
     m_.last = std::move(*change.model);
@@ -161,7 +166,7 @@ class Improving {
   std::vector<RefusedStep> refused_;               // of the last model
   std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
   int sought_ = 0;                                 // times
-  bool sought_simpler_ = false, sought_fuller_ = false;
+  bool sought_simpler_ = false, sought_fuller_ = false, sought_likeliest_ = false;
   std::set<std::string> tried_;  // likely names
 };
 

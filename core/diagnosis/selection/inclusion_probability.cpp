@@ -19,7 +19,6 @@
 namespace handsight {
 namespace {
 
-constexpr double cost_of_a_name = 3;      // ln: odds of 1 to 20, as often as trials with many small causes have them
 constexpr double largest_of_others = 1;   // prior sigmas: more would be known of them
 constexpr double least_of_others = 0.02;  // probability
 constexpr double likeliest_odd = 0.05;    // probability of what no robot is built like: it stands in for another cause
@@ -295,6 +294,23 @@ std::vector<EffectTerm> estimated_with(const ModelSpace& all, const Chosen& unit
   return estimated;
 }
 
+/// Of no more units than the model has: what else may be there is added where the evidence asks for it, or a name is
+/// likely by itself.
+Chosen likeliest_choice(const ModelSpace& all, const OpenUnits& units, const Weights& weights) {
+  const auto present = static_cast<std::size_t>(
+      std::count_if(units.open.begin(), units.open.end(), [&](std::size_t u) { return all.units()[u].is_present; }));
+  double most = 0;
+  const Chosen* best = nullptr;
+  for (const auto& [chosen, weight] : weights) {
+    if (weight <= most || chosen.size() > present) continue;
+    most = weight;
+    best = &chosen;
+  }
+  Chosen all_chosen = units.fixed;
+  for (const std::size_t u : best ? *best : Chosen{}) all_chosen = with_unit(all_chosen, u);
+  return all_chosen;
+}
+
 void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, const Weights& weights,
                const Session& session, InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
@@ -337,12 +353,13 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
   // A shape that is held is one more measurement of the linear model; markers that are held without one are not.
   const bool are_held = fit.fixed_markers && !fit.problem.has_shape_prior();
   if (are_held || fit.sides.markers.empty()) return c;
-  const ModelSpace all(model, first, cost_of_a_name);
+  const ModelSpace all(model, first, InclusionProbabilities::cost_of_a_name);
   const OpenUnits units = open_units(all, goes_on);
   const OpenScore score = open_score(all, units);
   const Weights weights = model_posterior(all, units, score, goes_on);
   if (!goes_on()) return c;
   set_names(model.model.fit, all, units, weights, model.model.session, c);
+  c.likeliest = likeliest_choice(all, units, weights);
   if (units.open.empty()) return c;
 
   const std::vector<double> probability = of_units(all, units, weights);

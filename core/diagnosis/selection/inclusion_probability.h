@@ -3,6 +3,7 @@
 // over models (Hoeting, Madigan, Raftery and Volinsky 1999, Bayesian model averaging).
 #pragma once
 
+#include "diagnosis/selection/model_space.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 #include "estimation/report/model_uncertainty.h"
 
@@ -27,9 +28,12 @@ struct LikelyName {
 struct InclusionProbabilities {
   std::vector<InclusionProbability> names;  // of the model first, the surest first; others from `least_reported` on
   std::vector<LikelyName> likely;           // from `least_likely` on, the likeliest first
+  std::optional<Chosen> likeliest;          // of no more units; of the ModelSpace of the model with cost_of_a_name
   ModelUncertainty model_uncertainty;
 
   static constexpr double least_reported = 0.05, least_likely = 0.8;
+  static constexpr double cost_of_a_name =
+      3;  // ln: odds of 1 to 20, as often as trials with many small causes have them
 };
 
 /// Of the estimated terms from `first` on, and of all of the catalogue that could stand beside or in the place of them.

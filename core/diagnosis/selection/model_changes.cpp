@@ -243,4 +243,16 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
   return change;
 }
 
+ModelChange take_likeliest(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                           const InclusionProbabilities& inclusion_probabilities) {
+  ModelChange change;
+  const auto goes_on = [&] {
+    if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
+    return !change.stopped;
+  };
+  const auto other = fit_likeliest(model, options.estimated.size(), inclusion_probabilities, goes_on);
+  if (other && !change.stopped) put_in_place(session, options, model, *other, change);
+  return change;
+}
+
 }  // namespace handsight

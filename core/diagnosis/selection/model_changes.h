@@ -38,6 +38,11 @@ inline constexpr int most_times_sought = 4;
 ModelChange add_likely(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
                        const InclusionProbabilities& inclusion_probabilities);
 
+/// In the end: the likeliest choice of names in the place of a model that is another one, where full fits say so too,
+/// and the held-out error does not rise beyond its third digit, nor elsewhere. `inclusion_probabilities`: of the model.
+ModelChange take_likeliest(const Session& session, const ImprovementOptions& options, const Diagnosis& model,
+                           const InclusionProbabilities& inclusion_probabilities);
+
 /// An unnamed curve passes and leads: the names that were added so far have not explained what is missing.
 bool is_outdone(const Diagnosis& model);
 

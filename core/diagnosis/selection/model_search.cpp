@@ -220,26 +220,33 @@ double cost_of_curves_beside(const ModelSpace& space, const Diagnosis& model, st
   return static_cast<double>(beside.size()) * (model.threshold + ln_ways_of_curves - ln_odds_of_unnamed);
 }
 
-/// What is clearly likelier in `space` than the model, whose names stand in it too.
-std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagnosis& model, const Fit& start,
-                                            std::size_t first, const std::function<bool()>& goes_on) {
-  const Chosen stands = units_of(model, space, first);
-  const auto chosen = better_choice(space, stands, goes_on);
-  if (!chosen) return std::nullopt;
-  auto refit = fitted_with(model, space, *chosen, start, first, goes_on);
+/// A choice of `space`, whose names the model's stand in too, fitted in full: where its evidence is above the model's
+/// by more than `least` (ln).
+std::optional<ModelAlternative> fitted_choice(const ModelSpace& space, const Chosen& chosen, const Diagnosis& model,
+                                              const Fit& start, std::size_t first, double least,
+                                              const std::function<bool()>& goes_on) {
+  auto refit = fitted_with(model, space, chosen, start, first, goes_on);
   if (!refit) return std::nullopt;
+  const Chosen stands = units_of(model, space, first);
   const NoiseModel by = noise_model(model.model.fit);
   const auto ln_evidence = [&](const Fit& f, const Chosen& c) {
     return fit_evidence(f, space.base(), by).ln_evidence - space.compute_cost(c);
   };
-  const double gained = ln_evidence(refit->fit, *chosen) - ln_evidence(model.model.fit, stands) +
+  const double gained = ln_evidence(refit->fit, chosen) - ln_evidence(model.model.fit, stands) +
                         cost_of_curves_beside(space, model, first);
-  if (gained <= clearly) return std::nullopt;
+  if (gained <= least) return std::nullopt;
   std::set<std::string> before;
   for (std::size_t t = first; t < model.model_options.estimated.size(); ++t)
     before.insert(model.model_options.estimated[t].id);
-  const std::set<std::string> after = space.list_names(*chosen);
+  const std::set<std::string> after = space.list_names(chosen);
   return ModelAlternative{difference(before, after), difference(after, before), std::move(refit->options), gained};
+}
+
+/// What is clearly likelier in `space` than the model, whose names stand in it too.
+std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagnosis& model, const Fit& start,
+                                            std::size_t first, const std::function<bool()>& goes_on) {
+  const auto chosen = better_choice(space, units_of(model, space, first), goes_on);
+  return chosen ? fitted_choice(space, *chosen, model, start, first, clearly, goes_on) : std::nullopt;
 }
 
 }  // namespace
@@ -247,6 +254,16 @@ std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagn
 std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_t first,
                                               const std::function<bool()>& goes_on) {
   return likelier_in(ModelSpace(model, first, model.threshold), model, model.model.fit, first, goes_on);
+}
+
+std::optional<ModelAlternative> fit_likeliest(const Diagnosis& model, std::size_t first,
+                                              const InclusionProbabilities& inclusion_probabilities,
+                                              const std::function<bool()>& goes_on) {
+  const std::optional<Chosen>& chosen = inclusion_probabilities.likeliest;
+  if (!chosen) return std::nullopt;
+  const ModelSpace space(model, first, InclusionProbabilities::cost_of_a_name);
+  if (*chosen == space.present()) return std::nullopt;
+  return fitted_choice(space, *chosen, model, model.model.fit, first, 0, goes_on);
 }
 
 std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,

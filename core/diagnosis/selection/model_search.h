@@ -2,6 +2,7 @@
 // A name at many places may stand in for several names together, which no exchange of one for one shows.
 #pragma once
 
+#include "diagnosis/selection/inclusion_probability.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 
 namespace handsight {
@@ -25,5 +26,11 @@ std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_
 std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,
                                                     const FitOptions& fuller_options, std::size_t first,
                                                     const std::function<bool()>& goes_on);
+
+/// The likeliest choice of names of a model, where that is another than its own, fitted in full: where it is likelier
+/// then, too. `inclusion_probabilities`: of the model, from `first` on.
+std::optional<ModelAlternative> fit_likeliest(const Diagnosis& model, std::size_t first,
+                                              const InclusionProbabilities& inclusion_probabilities,
+                                              const std::function<bool()>& goes_on);
 
 }  // namespace handsight

@@ -14,8 +14,7 @@ struct Width {
   double times, share;  // of the prior sigma; of the prior
 };
 constexpr std::array<Width, 3> widths{{{1, 0.7}, {5, 0.2}, {25, 0.1}}};
-constexpr double shows = 0.05;  // sigmas
-constexpr double shows_roughly = 0.3;
+constexpr double shows = 0.05;        // sigmas
 constexpr double unremarkable = 0.5;  // prior sigmas: no width but the first is likelier
 
 /// What the measurements say of a number without its own prior.
@@ -74,8 +73,7 @@ void start_prior_widths(Problem& problem, const Eigen::VectorXd& values) {
   }
 }
 
-bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough) {
-  const double least = is_rough ? shows_roughly : shows;
+bool settle_prior_widths(Problem& problem, const Solution& solution) {
   const Eigen::VectorXd& values = solution.unknowns.effects;
   bool any = false;
   for (Eigen::Index i = 0; i < problem.effect_count(); ++i)
@@ -95,9 +93,15 @@ bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rou
     // By how much the prior's pull changes where the number is, in its sigmas.
     const double moved = std::sqrt(std::max(covariance(at, at), 0.0)) * std::abs(values[i]) *
                          std::abs(std::pow(c.prior_sigma(), -2) - before);
-    is_new = is_new || moved > least;
+    is_new = is_new || moved > shows;
   }
   return is_new;
+}
+
+bool take_widths_of_values(Problem& problem, const Solution& solution) {
+  const Widths before = list_widths(problem);
+  start_prior_widths(problem, solution.unknowns.effects);
+  return list_widths(problem) != before;
 }
 
 Widths list_widths(const Problem& problem) {

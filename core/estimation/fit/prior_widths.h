@@ -17,8 +17,14 @@ void start_prior_widths(Problem& problem, const Eigen::VectorXd& values);
 /// width that is likeliest for what the measurements alone say of it (the evidence of one number, all others at their
 /// priors), so that what they determine is not held back. Numbers of the cameras have a rule of their own
 /// (widen_refuted). True where a number is pulled otherwise than before by a twentieth of its sigma or more: then the
-/// solution is no longer the problem's. `is_rough`: by three tenths.
-bool settle_prior_widths(Problem& problem, const Solution& solution, bool is_rough = false);
+/// solution is no longer the problem's.
+bool settle_prior_widths(Problem& problem, const Solution& solution);
+
+/// The same for fits that need not be exact, those of the candidates of a diagnosis: the widths that fit the values
+/// themselves. Where two numbers may stand for each other, what the measurements say of either depends on the other's
+/// width, and their widths take turns; a value that a wide prior lets stand asks for the wide one again, and what a
+/// narrow one holds back for the narrow one. True where any is another.
+bool take_widths_of_values(Problem& problem, const Solution& solution);
 
 /// One for each effect number, in units of its prior sigma.
 using Widths = std::vector<double>;

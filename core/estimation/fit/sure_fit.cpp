@@ -42,12 +42,14 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
   constexpr int most_rounds = 6;
   FitOptions near = options;  // of the widths, to which an answer nearby is enough
   near.reuse_below = std::max(options.reuse_below, 1e-3);
+  const bool is_quick = options.least_gain > 0;
   bool is_another = false, is_circle = false;
   std::vector<Widths> before{list_widths(images)};
   for (int round = 0; round < most_rounds && !is_circle && fit.solution.converged && !fit.solution.stopped; ++round) {
     const bool other_noise =
         options.loss == Loss::none && settle_guessed_noise(images, fit.solution, finest_noise(session));
-    const bool other_widths = settle_prior_widths(images, fit.solution, options.least_gain > 0);
+    const bool other_widths =
+        is_quick ? take_widths_of_values(images, fit.solution) : settle_prior_widths(images, fit.solution);
     is_circle = !other_noise && other_widths && end_circle(before, images);
     fit.problem.noise = images.noise;
     fit.problem.columns_of_effects = images.columns_of_effects;

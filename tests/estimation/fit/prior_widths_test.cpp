@@ -72,6 +72,23 @@ TEST(PriorWidths, InACircleEachKeepsItsWidest) {
   EXPECT_EQ(list_widths(problem), (Widths{5, 5, 1}));
 }
 
+/// A fit of a candidate ends with the widths that its values ask for, so that they need not be settled again.
+TEST(PriorWidths, AQuickFitHasThoseOfItsValues) {
+  const Session s = with_offsets({offset(1, 0.07), offset(2, -0.05), offset(4, 0.002)}).session;
+  FitOptions options;
+  options.estimated = effect_terms("joint_offset:a2+a3+a5", make_chain(s));
+  options.least_gain = 1e-4 * 0.2 * 0.2;
+  Fit quick = fit(s, options);
+  ASSERT_TRUE(quick.converged());
+  EXPECT_FALSE(take_widths_of_values(quick.problem, quick.solution));
+  EXPECT_GT(quick.problem.columns_of_effects[0].width, 1);
+  EXPECT_GT(quick.problem.columns_of_effects[1].width, 1);
+  EXPECT_EQ(quick.problem.columns_of_effects[2].width, 1);
+  const Fit exact = fitted(s, "joint_offset:a2+a3+a5");
+  for (std::size_t i = 0; i < exact.effects.size(); ++i)
+    EXPECT_NEAR(quick.effects[i].term.values[0], exact.effects[i].term.values[0], 0.1 * exact.effects[i].sigmas[0]);
+}
+
 TEST(PriorWidths, WhatIsNotThereKeepsItsPlausibleSize) {
   const Fit f = fitted(with_offsets({}).session, "joint_offset");
   for (const EffectColumn& c : f.problem.columns_of_effects) EXPECT_EQ(c.width, 1);
