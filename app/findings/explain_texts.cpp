@@ -154,6 +154,15 @@ QString repeatability_sentence(const Diagnosis& d) {
       .arg(joints);
 }
 
+/// What would have passed but is rare: it may be there all the same.
+QString held_back_sentence(const Diagnosis& d) {
+  QStringList names;
+  for (const DiagnosisCandidate& c : d.candidates)
+    if (!c.held_back.empty()) names << display_name(c, d.model.session);
+  if (names.isEmpty()) return {};
+  return QObject::tr("May be there, but is too rare to be named on this evidence: %1.").arg(names.join("; "));
+}
+
 QString what_is_left_follows(const Diagnosis& d) {
   for (const DiagnosisCandidate& c : d.candidates)
     if (c.unnamed && can_be_added(c) && c.ln_bayes_factor >= d.threshold) {
@@ -251,6 +260,10 @@ SessionState shown_state(const Story& story, bool is_running) {
   return SessionState::waiting;
 }
 
+QString with_held_back(const QString& sentence, const Diagnosis& d) {
+  return (sentence + ' ' + held_back_sentence(d)).simplified();
+}
+
 QString sentence_of(const ModelVersion& model, const Story& story, const Diagnosis* d, widgets::SizeUnit unit) {
   if (!d || story.state == StoryState::not_looked) {
     if (story.error.ratio().value_or(0) < most_beside_repeatability) return comparison_sentence(model);
@@ -263,17 +276,17 @@ QString sentence_of(const ModelVersion& model, const Story& story, const Diagnos
     case StoryState::too_few_observations:
       return translated(d->reason);
     case StoryState::at_the_noise:
-      return adequate_sentence(*d);
+      return with_held_back(adequate_sentence(*d), *d);
     case StoryState::unnamed_at_the_noise:
-      return curves_sentence(model, *d);
+      return with_held_back(curves_sentence(model, *d), *d);
     case StoryState::repeatability:
-      return repeatability_sentence(*d);
+      return with_held_back(repeatability_sentence(*d), *d);
     case StoryState::missing:
     case StoryState::ambiguous:
     case StoryState::implausible:
       return missing_sentence(model, story, *d, unit);
     case StoryState::unexplained:
-      return unexplained_sentence(story, *d);
+      return with_held_back(unexplained_sentence(story, *d), *d);
     case StoryState::refused:
       return QObject::tr(
           "Something is left, and what would explain it does not lower the error on observations that the fit has not "

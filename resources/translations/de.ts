@@ -237,6 +237,10 @@
         <translation>Was bleibt, ist mehr als Rauschen, wechselt von Pose zu Pose und folgt nichts Gemessenem. Kein Effekt kann es beseitigen.</translation>
     </message>
     <message>
+        <source>May be there, but is too rare to be named on this evidence: %1.</source>
+        <translation>Vielleicht da, doch zu selten, um auf diese Hinweise hin genannt zu werden: %1.</translation>
+    </message>
+    <message>
         <source>No robot is built so, it stands in for another cause: %1.</source>
         <translation>So ist kein Roboter gebaut, es steht für eine andere Ursache: %1.</translation>
     </message>

@@ -12,6 +12,8 @@
 #include "findings/explain_texts.h"
 #include "findings/pattern_plots.h"
 #include "findings/proof_plots.h"
+#include "fixtures/arms.h"
+#include "fixtures/robot_texts.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
 #include "simulation/simulated_session.h"
@@ -123,6 +125,26 @@ TEST_F(FindingsIn, ScatterIsNotContradictedByThePlotsBesideIt) {
   EXPECT_TRUE(beside.contains("1.4 mrad to which the joints repeat")) << beside.toStdString();
   EXPECT_TRUE(app::as_if_alone({"shift along x of the base", "time"}, repeatability).isEmpty());
   EXPECT_TRUE(app::as_if_alone({"error of axis_5", "time"}, {}).isEmpty()) << "the joints repeat";
+}
+
+TEST_F(FindingsIn, ASlipThatIsTooRareToBeNamedIsInTheVerdict) {
+  SimulationOptions options;
+  options.observations = 60;
+  options.seed = 9;
+  options.noise = 0.2;
+  options.declare_noise = false;
+  options.effects = {{"mount_slip", -1, {8e-5, 0, -8e-5, 1.6e-4, 0, 0, 31}}};
+  Session slipped = simulate_session(fixture::stand_session(), options).session;
+  write_text(folder.path / "arm/robot.urdf", fixture::urdf_text(slipped.robot));
+  slipped.file = folder.path / "arm/session.xml";
+  save_session(slipped);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString((folder.path / "arm").string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  const QString sentence = explain.verdict().sentence;
+  EXPECT_EQ(explain.verdict().state, widgets::SessionState::adequate) << sentence.toStdString();
+  EXPECT_TRUE(sentence.contains("May be there, but is too rare to be named on this evidence: mount slip"))
+      << sentence.toStdString();
 }
 
 TEST_F(FindingsIn, TheStartPageSaysHowASessionStoodThatWasClosedAtOnce) {
