@@ -54,6 +54,7 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
 struct Tally {
   int worlds = 0, named = 0, named_alone = 0, wrong = 0;
   int reported_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
+  int sure = 0, sure_of_wrong = 0;                                   // names told above 95 %
   int inside = 0, told = 0;  // numbers of each TCP->Body in their 95 % intervals
   std::vector<double> ratio, seconds;
 };
@@ -139,6 +140,11 @@ void run(const WorldKind& kind, std::uint64_t seed, Tally& t) {
   t.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   ++t.worlds;
   const bool is_named = names(together, w, t.wrong);
+  for (const InclusionProbability& n : together.inclusion_probabilities.names) {
+    if (!n.is_in_model || n.probability < 0.95) continue;
+    ++t.sure;
+    t.sure_of_wrong += n.id != w.id;
+  }
   t.named += is_named;
   bool any = false;
   double ratio = 0, of_all = 0, of_one = 0;
@@ -239,6 +245,7 @@ int main(int argc, char** argv) {
                        {"named together"},
                        {"by a session alone"},
                        {"wrong names"},
+                       {"of those above 95 %"},
                        {"hand error together / alone", 2},
                        {"TCP->Body inside 95 %"}},
                       output);
@@ -252,7 +259,8 @@ int main(int argc, char** argv) {
     for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
     const bool is_hidden = !kind.places.empty();
     table.print({kind.title, is_hidden ? trials::TableCell(t.named) : "-",
-                 is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong, middle(t.ratio),
+                 is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong,
+                 fmt::format("{} of {}", t.sure_of_wrong, t.sure), middle(t.ratio),
                  fmt::format("{:.1f} %", 100.0 * t.inside / t.told)});
     fmt::print(
         "  of {} worlds not named but reported as open {}, sure and wrong {}, the truth clearly likelier {}; {:.1f} s "
