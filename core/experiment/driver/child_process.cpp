@@ -33,6 +33,26 @@ Clock::time_point after(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
+/// write(), without the signal by which a pipe that nobody reads any more would end the whole program, the window too.
+ssize_t write_quietly(int file, const char* bytes, std::size_t count) {
+  sigset_t of_pipes, pending, before;
+  sigemptyset(&of_pipes);
+  sigaddset(&of_pipes, SIGPIPE);
+  sigpending(&pending);
+  const bool was_pending = sigismember(&pending, SIGPIPE) == 1;
+  pthread_sigmask(SIG_BLOCK, &of_pipes, &before);
+  const ssize_t written = write(file, bytes, count);
+  const int error = errno;
+  if (written < 0 && error == EPIPE && !was_pending) {  // the signal waits for this thread: it is taken back
+    const timespec at_once{};
+    while (sigtimedwait(&of_pipes, nullptr, &at_once) < 0 && errno == EINTR) {
+    }
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return written;
+}
+
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& command) {
@@ -97,7 +117,7 @@ LineEnd ChildProcess::write_line(const std::string& line, double seconds, const 
   const auto end = after(seconds);
   for (std::size_t done = 0; done < bytes.size();) {
     if (is_interrupted && is_interrupted()) return LineEnd::interrupted;
-    const ssize_t written = write(to_child_, bytes.data() + done, bytes.size() - done);
+    const ssize_t written = write_quietly(to_child_, bytes.data() + done, bytes.size() - done);
     if (written > 0) {
       done += static_cast<std::size_t>(written);
       continue;
