@@ -28,12 +28,13 @@ struct LikelyName {
 struct InclusionProbabilities {
   std::vector<InclusionProbability> names;  // of the model first, the surest first; others from `least_reported` on
   std::vector<LikelyName> likely;           // from `least_likely` on, the likeliest first
-  std::optional<Chosen> likeliest;          // of no more units; of the ModelSpace of the model with cost_of_a_name
+  /// The likeliest choice of no more units than the model has, in its ModelSpace with cost_of_a_name.
+  std::optional<Chosen> likeliest = {};
   ModelUncertainty model_uncertainty;
 
   static constexpr double least_reported = 0.05, least_likely = 0.8;
-  static constexpr double cost_of_a_name =
-      3;  // ln: odds of 1 to 20, as often as trials with many small causes have them
+  /// ln: odds of 1 to 20, as often as trials with many small causes have them.
+  static constexpr double cost_of_a_name = 3;
 };
 
 /// Of the estimated terms from `first` on, and of all of the catalogue that could stand beside or in the place of them.
