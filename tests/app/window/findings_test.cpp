@@ -12,7 +12,7 @@
 #include "findings/explain_texts.h"
 #include "findings/pattern_plots.h"
 #include "findings/proof_plots.h"
-#include "fixtures/arms.h"
+#include "fixtures/rare_slip.h"
 #include "fixtures/robot_texts.h"
 #include "session/session_xml.h"
 #include "simulation/simulated_files.h"
@@ -128,13 +128,7 @@ TEST_F(FindingsIn, ScatterIsNotContradictedByThePlotsBesideIt) {
 }
 
 TEST_F(FindingsIn, ASlipThatIsTooRareToBeNamedIsInTheVerdict) {
-  SimulationOptions options;
-  options.observations = 60;
-  options.seed = 9;
-  options.noise = 0.2;
-  options.declare_noise = false;
-  options.effects = {{"mount_slip", -1, {8e-5, 0, -8e-5, 1.6e-4, 0, 0, 31}}};
-  Session slipped = simulate_session(fixture::stand_session(), options).session;
+  Session slipped = fixture::session_with_rare_slip();
   write_text(folder.path / "arm/robot.urdf", fixture::urdf_text(slipped.robot));
   slipped.file = folder.path / "arm/session.xml";
   save_session(slipped);

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "cli/cli_runner.h"
 #include "fixtures/arms.h"
+#include "fixtures/rare_slip.h"
 #include "fixtures/robot_texts.h"
 #include "session/session_xml.h"
 #include "temporary_folder.h"
@@ -72,13 +73,7 @@ TEST(Mistakes, ImagesSortedAsText) {
 }
 
 TEST(Mistakes, ASlipThatIsHeldBack) {
-  SimulationOptions options;
-  options.observations = 60;
-  options.seed = 9;
-  options.noise = 0.2;
-  options.declare_noise = false;
-  options.effects = {{"mount_slip", -1, {8e-5, 0, -8e-5, 1.6e-4, 0, 0, 31}}};
-  Pictured p(simulate_session(fixture::stand_session(), options).session);
+  Pictured p(fixture::session_with_rare_slip());
   ASSERT_TRUE(p.open());
   ASSERT_TRUE(p.desk.settle());
   ExplainPage explain{p.desk};
