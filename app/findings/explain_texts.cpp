@@ -154,6 +154,12 @@ QString repeatability_sentence(const Diagnosis& d) {
       .arg(joints);
 }
 
+/// Sentences with a space between them; the narrow space between a figure and its unit stays as it is.
+QString one_after_another(QStringList sentences) {
+  sentences.removeAll(QString());
+  return sentences.join(' ');
+}
+
 /// What would have passed but is rare: it may be there all the same.
 QString held_back_sentence(const Diagnosis& d) {
   QStringList names;
@@ -216,11 +222,6 @@ QString brings_text(const Story& story, const StoryCause& lead) {
 
 /// What, where, what it would bring, whose: names first, so that they are read where there is little room.
 QString missing_sentence(const ModelVersion& model, const Story& story, const Diagnosis& d, widgets::SizeUnit unit) {
-  const QString misses =
-      QStringList{hand_sentence(model, unit),
-                  attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels),
-                  story.error.noise ? QString() : unknown_noise_sentence()}
-          .join(' ');
   const StoryCause& lead = story.causes.front();
   const QString name = display_name(d.candidates[lead.candidate], d.model.session);
   QString text = QObject::tr("Most likely missing: %1%2.").arg(name, brings_text(story, lead));
@@ -229,7 +230,10 @@ QString missing_sentence(const ModelVersion& model, const Story& story, const Di
   if (story.state == StoryState::ambiguous)
     text = QObject::tr("%1 or %2: on these poses they look the same.")
                .arg(name.left(1).toUpper() + name.mid(1), effect_text(lead.indistinguishable_from.front(), {}));
-  return (text + ' ' + misses).simplified();
+  return one_after_another(
+      {text, hand_sentence(model, unit),
+       attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels),
+       story.error.noise ? QString() : unknown_noise_sentence()});
 }
 
 SessionState shown_state(const Story& story, bool is_running) {
@@ -261,16 +265,15 @@ SessionState shown_state(const Story& story, bool is_running) {
 }
 
 QString with_held_back(const QString& sentence, const Diagnosis& d) {
-  return (sentence + ' ' + held_back_sentence(d)).simplified();
+  return one_after_another({sentence, held_back_sentence(d)});
 }
 
 QString sentence_of(const ModelVersion& model, const Story& story, const Diagnosis* d, widgets::SizeUnit unit) {
   if (!d || story.state == StoryState::not_looked) {
     if (story.error.ratio().value_or(0) < most_beside_repeatability) return comparison_sentence(model);
-    return QStringList{comparison_sentence(model), hand_sentence(model, unit),
-                       attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)}
-        .join(' ')
-        .simplified();
+    return one_after_another(
+        {comparison_sentence(model), hand_sentence(model, unit),
+         attribution_sentence(shown(story.attribution, story.error.in_pixels), story.error.in_pixels)});
   }
   switch (story.state) {
     case StoryState::too_few_observations:

@@ -2,6 +2,8 @@
 // What the window's places say of the model, against the story that all of them tell.
 #pragma once
 
+#include <QRegularExpression>
+
 #include "app/window/pages.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -65,6 +67,8 @@ struct Told {
           is_sentence ? app::curve_sentence(c.terms.front(), session.robot) : app::display_name(c, session);
       EXPECT_TRUE(v.sentence.contains(reported, Qt::CaseInsensitive)) << v.sentence.toStdString();
     }
+    EXPECT_FALSE(v.sentence.contains(QRegularExpression("\\d (mm|mrad|px|m|°)\\b")))
+        << "a line may end between a figure and its unit: " << v.sentence.toStdString();
     if (!lead) EXPECT_FALSE(v.sentence.contains("Most likely missing")) << v.sentence.toStdString();
     for (const auto& figure : {header().now, header().noise}) {
       const QString text = widgets::with_unit_text(figure, header().unit);
