@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "diagnosis/ranking/refitting.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/normal_equations.h"
 #include "fixtures/trial_sessions.h"
 #include "trials/table.h"

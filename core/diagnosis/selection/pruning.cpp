@@ -11,6 +11,7 @@
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "estimation/solvers/inverse_parts.h"
 
 namespace handsight {
 namespace {

@@ -7,6 +7,7 @@
 #include "diagnosis/evidence/lack_of_fit.h"
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/finding.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {

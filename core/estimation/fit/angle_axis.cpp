@@ -5,6 +5,7 @@
 
 #include "estimation/problem/body_pose.h"
 #include "estimation/solvers/covariance_factor.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {

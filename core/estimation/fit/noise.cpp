@@ -11,6 +11,7 @@
 #include "chain/sighting.h"
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/column_products.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {

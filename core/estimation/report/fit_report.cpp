@@ -16,6 +16,7 @@
 #include "estimation/problem/problem_part.h"
 #include "estimation/report/regions.h"
 #include "estimation/report/residuals.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/normal_equations.h"
 #include "estimation/start/shape_start.h"
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "chain/sighting.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 #include "estimation/solvers/normal_equations.h"
 

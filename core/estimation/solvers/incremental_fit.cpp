@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/normal_equations.h"
 
 namespace handsight {

@@ -27,4 +27,10 @@ InverseParts inverse_parts(const Eigen::MatrixXd& symmetric) {
   return parts;
 }
 
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
+  const InverseParts parts = inverse_parts(symmetric);
+  if (left_out) *left_out = parts.left_out;
+  return parts.half * parts.inverse.asDiagonal() * parts.half.transpose();
+}
+
 }  // namespace handsight

@@ -15,6 +15,10 @@ struct InverseParts {
 
 InverseParts inverse_parts(const Eigen::MatrixXd& symmetric);
 
+/// Symmetric pseudo-inverse after scaling the diagonal to 1; directions with an eigenvalue below 1e-12 of the largest
+/// are left out and counted.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out = nullptr);
+
 /// What scales the diagonal to 1; 0 where it is not positive.
 Eigen::VectorXd inverse_scale(const Eigen::MatrixXd& symmetric);
 

@@ -5,26 +5,20 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/solvers/bent_valley.h"
 #include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/learned_step.h"
 #include "estimation/solvers/normal_equations.h"
+#include "estimation/solvers/unknown_steps.h"
 
 namespace handsight {
 
-Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body) {
-  if (!fixed_body) return Eigen::MatrixXd::Identity(problem.columns(), problem.columns());
-  const Eigen::Index markers = 3 * problem.marker_count;
-  const Eigen::Index mount = problem.columns() - markers;
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(problem.columns(), 6 + mount);
-  for (int m = 0; m < problem.marker_count; ++m) {
-    basis.block<3, 3>(3 * m, 0) = Matrix3::Identity();
-    basis.block<3, 3>(3 * m, 3) = -cross_matrix(unknowns.markers_in_tcp[static_cast<std::size_t>(m)]);
-  }
-  basis.bottomRightCorner(mount, mount).setIdentity();
-  return basis;
-}
-
 namespace {
+
+constexpr double roughness = 1e-11;       // of a cost: equilibria are exact to 1e-11 rad
+constexpr double as_exact = 1e-10;        // m, rad: so small a step that is not judged is what equilibria are rough by
+constexpr double still_quick = 0.3;       // of what the step before promised
+constexpr double trusted_damping = 1e-5;  // up to it steps go nearly as far as those that are not damped
 
 /// Directions that the information does not determine. Where its factors are far from singular there are none, which
 /// takes a tenth of the time to see.
@@ -40,60 +34,6 @@ int unobservable_in(const Eigen::MatrixXd& h) {
   return left_out;
 }
 
-Unknowns stepped(const Problem& problem, const Unknowns& unknowns, const Eigen::VectorXd& step, bool fixed_body) {
-  if (!fixed_body) return moved(problem, unknowns, step);
-  Unknowns next = unknowns;
-  const Rigid motion = small_motion<double>(step.head<6>());
-  for (Vector3& marker : next.markers_in_tcp) marker = motion * marker;
-  for (int i = 0; i < problem.mount_count(); ++i)
-    if (const Eigen::Index column = problem.column_of_mount(i); column >= 0)
-      next.mount(i) = unknowns.mount(i) * small_motion<double>(step.segment<6>(6 + column - problem.mount_column()));
-  next.effects += step.tail(problem.effect_count());
-  return next;
-}
-
-/// The information of the steps; of free markers the basis is the identity, and large.
-Eigen::MatrixXd by_steps(const Eigen::MatrixXd& information, const Eigen::MatrixXd& basis, bool fixed_body) {
-  return fixed_body ? Eigen::MatrixXd(basis.transpose() * information * basis) : information;
-}
-
-/// (H + damping D) step = gradient in the scaled unknowns; a pseudo-inverse where H does not determine them all.
-Eigen::VectorXd damped_step(const Eigen::MatrixXd& h, const Eigen::VectorXd& gradient, double damping) {
-  const Eigen::VectorXd scale = inverse_scale(h);
-  Eigen::MatrixXd scaled = scale.asDiagonal() * h * scale.asDiagonal();
-  scaled.diagonal().array() += damping;
-  for (Eigen::Index i = 0; i < scaled.rows(); ++i)
-    if (scale[i] == 0) scaled(i, i) = 1;
-  const Eigen::VectorXd right = scale.asDiagonal() * gradient;
-  const Eigen::LDLT<Eigen::MatrixXd> ldlt(scaled);
-  if (ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 1e-11) return scale.asDiagonal() * ldlt.solve(right);
-  return scale.asDiagonal() * (pseudo_inverse(scaled) * right);
-}
-
-Eigen::VectorXd gradient_by_steps(const NormalEquations& normal, const Eigen::MatrixXd& basis, bool fixed_body) {
-  return fixed_body ? Eigen::VectorXd(basis.transpose() * normal.gradient) : normal.gradient;
-}
-
-Eigen::VectorXd step_from(const NormalEquations& normal, const Eigen::MatrixXd& basis, double damping,
-                          bool fixed_body) {
-  return damped_step(by_steps(normal.information, basis, fixed_body), gradient_by_steps(normal, basis, fixed_body),
-                     damping);
-}
-
-}  // namespace
-
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out) {
-  const InverseParts parts = inverse_parts(symmetric);
-  if (left_out) *left_out = parts.left_out;
-  return parts.half * parts.inverse.asDiagonal() * parts.half.transpose();
-}
-
-namespace {
-
-constexpr double roughness = 1e-11;       // of a cost: equilibria are exact to 1e-11 rad
-constexpr double still_quick = 0.3;       // of what the step before promised
-constexpr double trusted_damping = 1e-5;  // up to it steps go nearly as far as those that are not damped
-
 /// The longest part of a step: m and rad as they are, an effect's number in thousandths of its prior sigma.
 double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
   const Eigen::Index rest = step.size() - problem.effect_count();
@@ -102,24 +42,6 @@ double measure_size(const Problem& problem, const Eigen::VectorXd& step) {
     size =
         std::max(size, 1e-3 * std::abs(step[rest + i]) / problem.columns_of_effects[static_cast<std::size_t>(i)].sigma);
   return size;
-}
-
-/// A long step along a bent valley leaves its floor, and the next one leads back to it, farther on: goes there where
-/// that costs less than `before`. Was it so? That one is damped: across the valley it goes all the way, along it, where
-/// it would leave the floor again, hardly any.
-bool lead_back(const Problem& problem, double damping, bool fixed_body, double before,
-               const std::function<NormalEquations(const Unknowns&, bool derives)>& normal_at, Unknowns& next,
-               NormalEquations& normal) {
-  constexpr double most_risen = 10;  // times: from farther up no single step leads back
-  if (!(normal.cost > before && normal.cost < most_risen * before)) return false;
-  const Eigen::VectorXd back =
-      step_from(normal, step_basis(problem, next, fixed_body), std::max(damping, trusted_damping), fixed_body);
-  Unknowns farther = stepped(problem, next, back, fixed_body);
-  NormalEquations there = normal_at(farther, true);
-  if (!(there.cost < before)) return false;
-  next = std::move(farther);
-  normal = std::move(there);
-  return true;
 }
 
 /// What a step must promise to be worth it. An answer that is not asked for exactly is good enough within a thousandth
@@ -168,16 +90,18 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
     // shorter, those of before are what holds them up.
     const bool derives = was_refused || slope > still_quick * last_slope || size >= options.reuse_below;
     NormalEquations normal = normal_at(next, derives);
-    const bool led_back =
-        derives && lead_back(original, damping, options.fixed_body, solution.normal.cost, normal_at, next, normal);
+    // A step that promises less than the cost is rough by cannot be judged by it.
+    const double rough = roughness * solution.normal.cost;
+    const bool is_judged = !(slope < rough);
+    const bool led_on = derives && is_judged && normal.cost > solution.normal.cost &&
+                        lead_to_floor(original, {step, slope, solution.normal.cost, damping, options.fixed_body},
+                                      normal_at, next, normal);
     // Steps at the level of rounding can neither lower the cost nor matter: m and rad alike, against 1.
     const bool gains_nothing =
         slope < least_gain(original, solution.normal, options) * std::min(1.0, trusted_damping / damping);
-    // A step that promises less than the cost is rough by cannot be judged by it: it is taken, as long as steps
-    // shorten.
-    const double rough = roughness * solution.normal.cost;
-    const bool is_judged = !(slope < rough), shortens = slope < still_quick * last_slope;
-    const bool rounding = size < options.smallest_step || gains_nothing || !(is_judged || shortens);
+    const bool shortens = slope < still_quick * last_slope;  // as long as they do, those that are not judged are taken
+    const bool rounding =
+        size < options.smallest_step || gains_nothing || !(is_judged || (shortens && size > as_exact));
     const bool better = std::isfinite(normal.cost) && normal.cost <= solution.normal.cost + (is_judged ? 0.0 : rough);
     const double kept_promise = (solution.normal.cost - normal.cost) / std::max(slope, 1e-300);
     const bool accepted = !was_refused;
@@ -193,7 +117,7 @@ Solution solve(const Problem& original, const Unknowns& start, const SolveOption
       if (is_judged && kept_promise < 0.1) damping *= 3;
       const bool is_another_step = damping != damping_before && std::max(damping, damping_before) > trusted_damping;
       learned.took(step, !is_judged || kept_promise > 0.75);
-      if (led_back || is_another_step) learned.forget();
+      if (led_on || is_another_step) learned.forget();
       last_slope = slope;
       solution.converged = rounding;
       if (options.on_iteration && !options.on_iteration(solution.iterations, solution.normal.cost, solution.unknowns))

@@ -37,15 +37,8 @@ struct Solution {
 /// itself has none (it is not finite) it is given back, not converged.
 Solution solve(const Problem& problem, const Unknowns& start, const SolveOptions& options = {});
 
-/// Steps of the unknowns to columns of the problem: the identity, or with a fixed body its six small motions.
-Eigen::MatrixXd step_basis(const Problem& problem, const Unknowns& unknowns, bool fixed_body);
-
 /// The unknowns' covariance basis (basis^T H basis)^+ basis^T for unit noise (1 px or 1 m), by the problem's columns.
 /// Unobservable directions and unseen markers are zero.
 Eigen::MatrixXd unit_covariance(const Solution& solution);
-
-/// Symmetric pseudo-inverse after scaling the diagonal to 1; directions with an eigenvalue below 1e-12 of the largest
-/// are left out and counted.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& symmetric, int* left_out = nullptr);
 
 }  // namespace handsight

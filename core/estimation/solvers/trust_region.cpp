@@ -9,8 +9,10 @@
 #include <cmath>
 #include <map>
 
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/prior_costs.h"
 #include "estimation/solvers/priors.h"
+#include "estimation/solvers/unknown_steps.h"
 
 namespace handsight {
 namespace {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/normal_equations.h"
 #include "estimation/start/start_markers.h"
 

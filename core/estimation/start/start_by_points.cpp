@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "estimation/problem/problem_part.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 #include "estimation/start/multi_start.h"
 #include "estimation/start/start_markers.h"

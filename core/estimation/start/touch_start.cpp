@@ -2,6 +2,7 @@
 #include "estimation/start/touch_start.h"
 
 #include "base/error.h"
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 #include "session/fixtures/fixture_kind.h"
 

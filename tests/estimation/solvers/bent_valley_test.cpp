@@ -4,9 +4,12 @@
 // nothing from the steps before, up to 40, 40 and 70.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "estimation/fit/fit.h"
 #include "estimation/solvers/least_squares.h"
 #include "fixtures/wrong_starts.h"
+#include "session/session_xml.h"
 
 namespace handsight {
 namespace {
@@ -52,6 +55,31 @@ TEST(BentValley, IsFollowedInLongSteps) {
     EXPECT_LE(s.iterations, v.most_steps) << v.zeros;
     EXPECT_LE(s.normal.cost, f.solution.normal.cost) << v.zeros;  // there its prior is wider
   }
+}
+
+/// Wide priors and narrow ones in turn, until they are settled: between their answers lies the floor of a bent valley,
+/// along which hardly any of the cost is to be gained. Where damped steps alone lead back to it, it takes 824 steps.
+TEST(BentValley, ItsFloorIsFollowedWhilePriorsSettle) {
+  const std::filesystem::path folder = HANDSIGHT_SHARED_DIR "/real/justin_left_even";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real measurements on this machine";
+  const Session session = read_session(folder);
+  FitOptions options;
+  const auto add = [&](const char* id, const std::set<std::string>& joints) {
+    for (EffectTerm& t : effect_terms(id, make_chain(session)))
+      if (t.place < 0 || joints.contains(session.robot.joints[static_cast<std::size_t>(t.place)].name))
+        options.estimated.push_back(std::move(t));
+  };
+  add("link_geometry", {"torso_1", "torso_3", "torso_4", "left_arm_3", "left_arm_6"});
+  add("joint_elasticity", {"torso_2", "torso_3", "torso_4", "left_arm_1", "left_arm_2", "left_arm_3", "left_arm_4"});
+  add("link_elasticity", {"torso_1", "torso_2", "torso_3", "left_arm_2", "left_arm_4"});
+  add("base_elasticity", {});
+  add("mimic_linkage", {"torso_4"});
+  int steps = 0;
+  options.on_iteration = [&](int, double, const Unknowns&) { return ++steps > 0; };
+  const Fit f = fit(session, options);
+  EXPECT_TRUE(f.converged());
+  EXPECT_LE(steps, 400);
+  EXPECT_LE(f.solution.normal.cost, 0.0034949);  // m^2
 }
 
 /// Joints that are far off, and a model that knows of springs alone: what is left is large, and its second derivatives

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "estimation/solvers/inverse_parts.h"
 #include "estimation/solvers/least_squares.h"
 
 namespace handsight {
