@@ -135,22 +135,25 @@ TEST_F(PythonDrivers, TheTemplateAsItIsSaysWhatIsMissing) {
   EXPECT_EQ(read_session(session).observations.size(), 3U);
 }
 
-/// A move is under way when the program that speaks to the driver is gone.
-void lose_during_a_move(const std::string& driver) {
+/// A move is under way, for `shows` has the word "move", when the program that speaks to the driver is gone.
+void lose_during_a_move(const std::string& driver, const std::filesystem::path& shows) {
   const std::string speech =
-      "(printf '{\"do\":\"move\",\"path\":[[0.1]],\"speed\":0.2,\"id\":1}\\n'; sleep 0.5) | timeout 20 python3 ";
+      "(printf '{\"do\":\"move\",\"path\":[[0.1]],\"speed\":0.2,\"id\":1}\\n'; for i in $(seq 500); do "
+      "grep -qs move " +
+      test::quoted_argument(shows.string()) + " && break; sleep 0.02; done) | timeout 20 python3 ";
   EXPECT_EQ(std::system((speech + driver + " >/dev/null 2>&1").c_str()), 0);
 }
 
 TEST_F(PythonDrivers, TheTemplateHaltsTheRobotWhenNobodySpeaksAnyMore) {
   std::string text = example("template.py");
-  const auto halted = folder.path / "halted";
-  for (const char* body :
-       {"return [0.0]", "threading.Event().wait(1)", "return {}", "open(sys.argv[1], 'w').write('at once')"})
+  const auto halted = folder.path / "halted", moving = folder.path / "moving";
+  for (const char* body : {"return [0.0]", "open(sys.argv[2], 'w').write('move'), threading.Event().wait(1)",
+                           "return {}", "open(sys.argv[1], 'w').write('at once')"})
     text = replaced(text, "raise NotImplementedError", body);
   replace_file(folder.path / "my_driver.py", text);
   lose_during_a_move(test::quoted_argument((folder.path / "my_driver.py").string()) + " " +
-                     test::quoted_argument(halted.string()));
+                         test::quoted_argument(halted.string()) + " " + test::quoted_argument(moving.string()),
+                     moving);
   EXPECT_TRUE(std::filesystem::exists(halted));
 }
 
@@ -160,7 +163,8 @@ TEST_F(PythonDrivers, FilesSayStopWhenNobodyOrdersAnyMoreAndNothingOldIsAnAnswer
   for (const char* old : {"stop", "order_1.json", "answer_1.json", "answer_2.json"})
     replace_file(exchange / old, R"({"ok": true, "position": [0.1]})");
   const auto program = std::filesystem::path(HANDSIGHT_SOURCE_DIR) / "docs/examples/drivers/files.py";
-  lose_during_a_move(test::quoted_argument(program.string()) + " " + test::quoted_argument(exchange.string()) + " a1");
+  lose_during_a_move(test::quoted_argument(program.string()) + " " + test::quoted_argument(exchange.string()) + " a1",
+                     exchange / "order_1.json");
   EXPECT_THAT(test::read_text(exchange / "order_1.json"), testing::HasSubstr("move"));
   EXPECT_EQ(test::read_text(exchange / "stop"), "true");
   for (const char* old : {"answer_1.json", "answer_2.json"}) EXPECT_FALSE(std::filesystem::exists(exchange / old));
