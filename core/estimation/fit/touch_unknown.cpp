@@ -174,10 +174,12 @@ std::vector<Message> unknown_texts(const Session& session, const Fit& fit) {
 }
 
 void require_determined(const Session& session, const Fit& fit) {
-  if (fit.converged()) return;
+  if (fit.converged() && !session.is_touch()) return;
   const Eigen::MatrixXd untold = undetermined_directions(session, fit);
   const int tip = moved_tip_numbers(fit, untold);
-  if (tip == 0) return;
+  // Where one number of a tip is open, it is known to lie on a line: that is worth an answer.
+  const int most_open = fit.converged() ? fit.problem.marker_count : 0;
+  if (tip <= most_open) return;
   const auto lacking = touches_lacking_text(session);
   throw InputError(
       message("{}: {} touches do not determine where the tip sits on the hand ({} of its {} numbers), and so no place "

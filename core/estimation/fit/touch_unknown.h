@@ -30,7 +30,8 @@ void add_undetermined_columns_of_touches(const Session& session, const Fit& fit,
 /// sigma is still that of what is usual? False of other sessions and of what is held.
 bool is_left_at_prior(const Session& session, const Fit& fit, std::size_t term, std::size_t parameter);
 
-/// InputError, with what to touch next, of a fit that did not converge because no touch tells where the tip sits.
+/// InputError, with what to touch next, where touches leave more than one number of a tip's place open, or one of a fit
+/// that did not converge.
 void require_determined(const Session& session, const Fit& fit);
 
 }  // namespace handsight
