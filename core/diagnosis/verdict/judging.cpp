@@ -8,7 +8,6 @@
 #include "diagnosis/verdict/explanation.h"
 #include "diagnosis/verdict/finding.h"
 #include "estimation/solvers/inverse_parts.h"
-#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 namespace {

@@ -12,7 +12,6 @@
 #include "estimation/problem/body_pose.h"
 #include "estimation/problem/column_products.h"
 #include "estimation/solvers/inverse_parts.h"
-#include "estimation/solvers/least_squares.h"
 
 namespace handsight {
 namespace {
