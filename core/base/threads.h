@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <future>
-#include <system_error>
 #include <thread>
-#include <vector>
+
+#include "base/helping_threads.h"
 
 namespace handsight {
 
@@ -42,8 +41,8 @@ inline int threads_for(int count) {
   return std::max(1, std::min(here, count));
 }
 
-/// Calls act(i) once for each i below `count`, which must not depend on each other; where `is_worth_it` (more than some
-/// tenths of a millisecond: a thread takes as long as that to begin) on several threads. What one of them throws is
+/// Calls act(i) once for each i below `count`, which must not depend on each other; where `is_worth_it` (more than a
+/// tenth of a millisecond: a thread takes as long as that to wake) on several threads. What one of them throws is
 /// thrown here.
 template <class Act>
 void each_part(int count, bool is_worth_it, const Act& act) {
@@ -53,16 +52,8 @@ void each_part(int count, bool is_worth_it, const Act& act) {
     for (int i = next++; i < count; i = next++) act(i);
   };
   const int threads = is_worth_it ? threads_for(count) : 1;
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < threads; ++i) {
-    try {
-      others.push_back(std::async(std::launch::async, work, true));
-    } catch (const std::system_error&) {  // no more threads to be had: this one does the rest
-      break;
-    }
-  }
-  work(threads > 1);
-  for (std::future<void>& other : others) other.get();
+  if (threads == 1) return work(false);
+  work_with_helpers(threads - 1, [&] { work(true); });
 }
 
 }  // namespace handsight

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 namespace handsight {
 namespace {
@@ -45,6 +49,28 @@ TEST_F(Threads, AreNotBegunByPartsOfParts) {
 TEST_F(Threads, AreNotBegunWhereItIsNotWorthIt) {
   const auto here = std::this_thread::get_id();
   each_part(8, false, [&](int) { EXPECT_EQ(std::this_thread::get_id(), here); });
+}
+
+TEST_F(Threads, AreNotBegunAnewForEveryWork) {
+  std::set<std::thread::id> seen;
+  std::mutex one_at_a_time;
+  for (int work = 0; work < 200; ++work)
+    each_part(4, true, [&](int) {
+      const std::scoped_lock lock(one_at_a_time);
+      seen.insert(std::this_thread::get_id());
+    });
+  EXPECT_LE(seen.size(), 4U);
+}
+
+TEST_F(Threads, HelpSeveralCallersAtOnce) {
+  std::atomic<int> done{0};
+  std::vector<std::thread> callers;
+  for (int caller = 0; caller < 8; ++caller)
+    callers.emplace_back([&] {
+      for (int work = 0; work < 200; ++work) each_part(10, true, [&](int) { ++done; });
+    });
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(done, 8 * 200 * 10);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/text.h"
+#include "diagnosis/evidence/noise_model.h"
 #include "estimation/report/fit_report.h"
 
 namespace handsight {
@@ -49,22 +51,52 @@ Session only(const Session& session, const std::vector<LoneObservation>& lone) {
   return s;
 }
 
+/// How a fit without some observations predicts these, and the others.
+struct Prediction {
+  std::vector<double> squares;  // of these, in the session's order
+  double worst = 0;             // of the others
+  double least = 0;             // from which on these stand apart
+
+  bool stands_apart(double times) const {
+    return std::all_of(squares.begin(), squares.end(), [&](double square) { return square >= times * least; });
+  }
+};
+
+/// Nothing where not all of these can be predicted.
+std::optional<Prediction> prediction(const Session& session, const std::vector<LoneObservation>& lone,
+                                     const Fit& rest) {
+  Prediction p;
+  const std::vector<double> others = mean_squares(rest);
+  p.worst = *std::max_element(others.begin(), others.end());
+  p.least = std::max(apart_beside * apart_beside * p.worst,
+                     beyond_noise * beyond_noise * rest.noise.value_or(0) * rest.noise.value_or(0));
+  p.squares = mean_squares_on(only(session, lone), rest);
+  return p.squares.size() == lone.size() ? std::optional(std::move(p)) : std::nullopt;
+}
+
+/// A fit that ends sooner says so, where a model bends and its exact fit takes long.
+bool is_far_from_confirmed(const Session& session, const std::vector<LoneObservation>& lone, const Fit& all,
+                           FitOptions options) {
+  constexpr double by_far = 0.25;  // of the squares
+  if (options.estimated.empty()) return false;
+  set_quick(noise_model(all), options);
+  const Fit rest = fit(without(session, lone), options);
+  if (!rest.converged()) return false;
+  const std::optional<Prediction> p = prediction(session, lone, rest);
+  return p && !p->stands_apart(by_far);
+}
+
 /// How far off they are by a fit without them; nothing where the others do not agree without them either.
 std::vector<LoneObservation> confirmed(const Session& session, std::vector<LoneObservation> lone,
                                        const FitOptions& options) {
   const Fit rest = fit(without(session, lone), options);
   if (!rest.converged()) return {};
-  const std::vector<double> others = mean_squares(rest);
-  const double worst = *std::max_element(others.begin(), others.end());
-  const double least = std::max(apart_beside * apart_beside * worst,
-                                beyond_noise * beyond_noise * rest.noise.value_or(0) * rest.noise.value_or(0));
-  const std::vector<double> squares = mean_squares_on(only(session, lone), rest);
-  if (squares.size() != lone.size()) return {};
+  const std::optional<Prediction> p = prediction(session, lone, rest);
+  if (!p || !p->stands_apart(1)) return {};
   std::sort(lone.begin(), lone.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   for (std::size_t i = 0; i < lone.size(); ++i) {
-    if (squares[i] < least) return {};
-    lone[i].error = std::sqrt(squares[i]);
-    lone[i].others = std::sqrt(worst);
+    lone[i].error = std::sqrt(p->squares[i]);
+    lone[i].others = std::sqrt(p->worst);
   }
   return lone;
 }
@@ -91,6 +123,7 @@ std::vector<LoneObservation> lone_observations(const Session& session, const Fit
     lone.reserve(places.size());
     for (const std::size_t p : places)
       lone.push_back({session.observations[static_cast<std::size_t>(used[p].index)].id, used[p].index});
+    if (is_far_from_confirmed(session, lone, fit, options)) continue;
     if (auto found = confirmed(session, std::move(lone), options); !found.empty()) return found;
   }
   return {};
