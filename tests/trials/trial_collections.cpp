@@ -4,7 +4,8 @@
 // measured?
 //   trial_collections [COUNT [SEED [WORLD]]]; worlds: those of fixtures/collection_worlds.h
 // With "time" for a world: how much time of a processor 2000 observations in five sessions take. With "worlds" and a
-// world: what can be hidden in it, and how much of it a session alone shows.
+// world: what can be hidden in it, and how much of it a session alone shows. With "judge" and a world: how many a judge
+// names who knows how the worlds are made.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,6 +21,7 @@
 #include "estimation/report/fit_report.h"
 #include "estimation/report/part_report.h"
 #include "fixtures/collection_worlds.h"
+#include "trials/collection_judge.h"
 #include "trials/table.h"
 
 namespace handsight {
@@ -84,17 +86,6 @@ bool names(const Improvement& m, const World& w, int& wrong) {
   return right;
 }
 
-/// chi-squared of what a fit with these effects leaves.
-double left_with(const Session& s, const std::vector<EffectTerm>& terms) {
-  FitOptions options;
-  options.estimated = terms;
-  for (EffectTerm& t : options.estimated)
-    for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!term_effect(t).parameters[p].is_choice) t.values[p] = 0;
-  const Fit f = fit(s, options);
-  return f.solution.normal.data_cost() / (f.noise.value() * f.noise.value());
-}
-
 /// Of a world in which the hidden effect was not named: does the answer say so, and could the truth be known? Sure is
 /// who claims a wrong name above 95 % and does not list the right one. `likelier_truth`: a fit with the truth's effect
 /// leaves clearly less than one with what was named, number for number.
@@ -112,11 +103,10 @@ void look_at_miss(const Session& s, const World& w, const Improvement& m, Tally&
   int numbers = 0;
   for (const FittedEffect& e : m.last.model.fit.effects) {
     named.push_back(e.term);
-    for (const EffectParameter& p : term_effect(e.term).parameters) numbers += !p.is_choice;
+    numbers += trials::count_numbers(e.term);
   }
-  int of_truth = 0;
-  for (const EffectParameter& p : term_effect(w.hidden.front()).parameters) of_truth += !p.is_choice;
-  const double left_truth = left_with(s, w.hidden), left_named = left_with(s, named);
+  const int of_truth = trials::count_numbers(w.hidden.front());
+  const double left_truth = trials::left_with(s, w.hidden), left_named = trials::left_with(s, named);
   // ln of the odds by Schwarz's criterion, which knows nothing of prior sigmas.
   const double rows = static_cast<double>(m.last.model.fit.rows);
   const double ln_odds = 0.5 * (left_named - left_truth) - 0.5 * (of_truth - numbers) * std::log(rows);
@@ -195,6 +185,31 @@ void list_what_hides(const WorldKind& kind, int count, std::uint64_t seed) {
   }
 }
 
+/// How many of these worlds a judge names who knows that the cause is one of the catalogue's at one place, or one of
+/// the four that are hidden, in one of the robot's joints.
+void judge_worlds(const WorldKind& kind, int count, std::uint64_t seed, trials::Table& table) {
+  int of_all = 0, of_hidden = 0;
+  const std::vector<std::string>& ids = hidden_ids();
+  const auto may_be_hidden = [&](const trials::JudgedCause& c) {
+    return std::find(ids.begin(), ids.end(), c.id) != ids.end();
+  };
+  for (int i = 0; i < count; ++i) {
+    const World w = world_of(kind, seed + static_cast<std::uint64_t>(i));
+    const std::vector<trials::JudgedCause> causes = trials::judge(joined_world(w.members));
+    const auto is_right = [&](const trials::JudgedCause& c) { return c.id == w.id && c.place == w.place; };
+    const trials::JudgedCause& best = causes.front();
+    const trials::JudgedCause& of_four = *std::find_if(causes.begin(), causes.end(), may_be_hidden);
+    const trials::JudgedCause& truth = *std::find_if(causes.begin(), causes.end(), is_right);
+    of_all += is_right(best);
+    of_hidden += is_right(of_four);
+    fmt::print("{} {} {} {}: judged {} {}, {:.1f} likelier (ln); of the four {} {}\n", kind.name,
+               seed + static_cast<std::uint64_t>(i), w.id, w.place, best.id, best.place,
+               best.ln_likelihood - truth.ln_likelihood, of_four.id, of_four.place);
+    std::fflush(stdout);
+  }
+  table.print({kind.title, count, of_all, of_hidden});
+}
+
 double processor_seconds(const auto& work) {
   const std::clock_t began = std::clock();
   work();
@@ -242,8 +257,8 @@ int main(int argc, char** argv) {
     measure_time(count, seed);
     return 0;
   }
-  const bool lists = only == "worlds";
-  const std::string name = lists && argc > 4 ? argv[4] : lists ? "" : only;
+  const bool lists = only == "worlds", judges = only == "judge";
+  const std::string name = !lists && !judges ? only : argc > 4 ? argv[4] : "";
   trials::Table table({{.heading = "worlds", .width = 58},
                        {"named together"},
                        {"by a session alone"},
@@ -252,8 +267,15 @@ int main(int argc, char** argv) {
                        {"hand error together / alone", 2},
                        {"TCP->Body inside 95 %"}},
                       output);
+  trials::Table judged({{.heading = "worlds", .width = 58},
+                        {"sessions"},
+                        {"a judge names, of all effects"},
+                        {"of the four that are hidden"}},
+                       output);
   for (const WorldKind& kind : world_kinds()) {
     if (!name.empty() && name != kind.name) continue;
+    if (judges && !kind.places.empty()) judge_worlds(kind, count, seed, judged);
+    if (judges) continue;
     if (lists) {
       list_what_hides(kind, count, seed);
       continue;

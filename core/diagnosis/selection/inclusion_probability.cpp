@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "chain/body_frame.h"
@@ -294,28 +295,50 @@ std::vector<EffectTerm> estimated_with(const ModelSpace& all, const Chosen& unit
   return estimated;
 }
 
-/// Of no more units than the model has: what else may be there is added where the evidence asks for it, or a name is
-/// likely by itself.
-Chosen likeliest_choice(const ModelSpace& all, const OpenUnits& units, const Weights& weights) {
+Chosen with_all(Chosen chosen, const Chosen& further) {
+  for (const std::size_t u : further) chosen = with_unit(chosen, u);
+  return chosen;
+}
+
+/// Of no more units than the model has, the likeliest first: what else may be there is added where the evidence asks
+/// for it, or a name is likely by itself.
+std::vector<std::pair<double, Chosen>> likely_choices(const ModelSpace& all, const OpenUnits& units,
+                                                      const Weights& weights) {
   const auto present = static_cast<std::size_t>(
       std::count_if(units.open.begin(), units.open.end(), [&](std::size_t u) { return all.units()[u].is_present; }));
-  double most = 0;
-  const Chosen* best = nullptr;
-  for (const auto& [chosen, weight] : weights) {
-    if (weight <= most || chosen.size() > present) continue;
-    most = weight;
-    best = &chosen;
+  std::vector<std::pair<double, Chosen>> choices;
+  for (const auto& [chosen, weight] : weights)
+    if (chosen.size() <= present) choices.emplace_back(weight, with_all(units.fixed, chosen));
+  std::stable_sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  return choices;
+}
+
+/// By the probabilities that are told: names that small causes may well stand for are less likely than their evidence
+/// says.
+void set_likeliest(const ModelSpace& all, const OpenUnits& units, const Weights& weights,
+                   InclusionProbabilities& inclusion_probabilities) {
+  constexpr double least = 0.05;    // of the likeliest: what small causes can take from a name
+  constexpr std::size_t most = 12;  // choices looked at
+  inclusion_probabilities.likeliest = units.fixed;
+  const std::vector<std::pair<double, Chosen>> choices = likely_choices(all, units, weights);
+  const double present = ln_standing(all, all.present());
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::min(most, choices.size()); ++i) {
+    const auto& [weight, chosen] = choices[i];
+    if (weight < least * choices.front().first) break;
+    const double standing = ln_standing(all, chosen);
+    if (std::log(weight) + standing <= best) continue;
+    best = std::log(weight) + standing;
+    inclusion_probabilities.likeliest = chosen;
+    inclusion_probabilities.ln_of_small_causes = standing - present;
   }
-  Chosen all_chosen = units.fixed;
-  for (const std::size_t u : best ? *best : Chosen{}) all_chosen = with_unit(all_chosen, u);
-  return all_chosen;
 }
 
 void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, const Weights& weights,
                const Session& session, InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
   const std::set<std::string> in_model = all.list_names(all.present());
-  const std::vector<SmallCauses> small_instead = find_small_causes(all);
+  const std::vector<SmallCauses> small_instead = find_small_causes(all, all.present());
   std::set<std::string> odd;
   for (const StandIn& s : stand_ins(fit))
     if (s.is_everywhere) odd.insert(s.id);
@@ -359,7 +382,7 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
   const Weights weights = model_posterior(all, units, score, goes_on);
   if (!goes_on()) return c;
   set_names(model.model.fit, all, units, weights, model.model.session, c);
-  c.likeliest = likeliest_choice(all, units, weights);
+  set_likeliest(all, units, weights, c);
   if (units.open.empty()) return c;
 
   const std::vector<double> probability = of_units(all, units, weights);

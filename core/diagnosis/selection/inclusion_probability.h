@@ -28,8 +28,11 @@ struct LikelyName {
 struct InclusionProbabilities {
   std::vector<InclusionProbability> names;  // of the model first, the surest first; others from `least_reported` on
   std::vector<LikelyName> likely;           // from `least_likely` on, the likeliest first
-  /// The likeliest choice of no more units than the model has, in its ModelSpace with cost_of_a_name.
+  /// The likeliest choice of no more units than the model has, in its ModelSpace with cost_of_a_name, small causes in
+  /// the place of names reckoned with; and by how much these leave it likelier than the model (ln), beside the
+  /// evidence.
   std::optional<Chosen> likeliest = {};
+  double ln_of_small_causes = 0;
   ModelUncertainty model_uncertainty;
 
   static constexpr double least_reported = 0.05, least_likely = 0.8;

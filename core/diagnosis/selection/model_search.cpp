@@ -263,7 +263,8 @@ std::optional<ModelAlternative> fit_likeliest(const Diagnosis& model, std::size_
   if (!chosen) return std::nullopt;
   const ModelSpace space(model, first, InclusionProbabilities::cost_of_a_name);
   if (*chosen == space.present()) return std::nullopt;
-  return fitted_choice(space, *chosen, model, model.model.fit, first, 0, goes_on);
+  return fitted_choice(space, *chosen, model, model.model.fit, first, -inclusion_probabilities.ln_of_small_causes,
+                       goes_on);
 }
 
 std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,

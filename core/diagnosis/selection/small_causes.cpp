@@ -69,18 +69,17 @@ Chosen without_name(const ModelSpace& all, Chosen chosen, std::size_t name) {
   return chosen;
 }
 
-/// Names that are spread over their places, one after another, beside a choice of units.
+/// Names that are spread over their places, one after another, beside a choice of units or some of them.
 class Spreading {
  public:
-  explicit Spreading(const ModelSpace& all)
+  Spreading(const ModelSpace& all, const Chosen& most)
       : all_(all),
         place_of_(static_cast<std::size_t>(all.score().gradient.size()), -1),
         scale_(
-            linear_estimate(take_part(all.score(), all.list_numbers(all.present())), all.whitened(), all.by().knowledge)
-                .scale) {
+            linear_estimate(take_part(all.score(), all.list_numbers(most)), all.whitened(), all.by().knowledge).scale) {
     Chosen used;
     for (std::size_t u = 0; u < all.units().size(); ++u)
-      if (all.units()[u].is_present || can_spread(u)) used.push_back(u);
+      if (is_in(most, u) || can_spread(u)) used.push_back(u);
     const Numbers numbers = all.list_numbers(used);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       place_of_[static_cast<std::size_t>(numbers[i])] = static_cast<Eigen::Index>(i);
@@ -143,6 +142,10 @@ class Spreading {
     return numbers;
   }
 
+  static bool is_in(const Chosen& chosen, std::size_t unit) {
+    return std::binary_search(chosen.begin(), chosen.end(), unit);
+  }
+
   bool can_spread(std::size_t unit) const { return of_every_robot.contains(all_.names()[all_.units()[unit].name].id); }
 
   double worth(const Beside& at, const Chosen& chosen, int spread) const {
@@ -157,8 +160,7 @@ class Spreading {
   std::map<std::size_t, Numbers> list_open(const Chosen& chosen) const {
     std::map<std::size_t, Chosen> units;
     for (std::size_t u = 0; u < all_.units().size(); ++u) {
-      const bool is_chosen = std::binary_search(chosen.begin(), chosen.end(), u);
-      if (!is_chosen && can_spread(u) && all_.can_come(u, chosen)) units[all_.units()[u].name].push_back(u);
+      if (!is_in(chosen, u) && can_spread(u) && all_.can_come(u, chosen)) units[all_.units()[u].name].push_back(u);
     }
     std::map<std::size_t, Numbers> open;
     for (const auto& [name, of_name] : units)
@@ -174,16 +176,15 @@ class Spreading {
 
 }  // namespace
 
-std::vector<SmallCauses> find_small_causes(const ModelSpace& all) {
+std::vector<SmallCauses> find_small_causes(const ModelSpace& all, const Chosen& chosen) {
   constexpr double least_told = 1 / 21.0, largest_share = 0.95;
   std::vector<SmallCauses> causes(all.names().size());
-  const Chosen present = all.present();
-  if (present.empty()) return causes;
-  const Spreading spreading(all);
-  const double alone = spreading.worth(present), beside = spreading.sum(present, std::nullopt, std::nullopt).ln;
+  if (chosen.empty()) return causes;
+  const Spreading spreading(all, chosen);
+  const double alone = spreading.worth(chosen), beside = spreading.sum(chosen, std::nullopt, std::nullopt).ln;
   for (std::size_t name = 0; name < causes.size(); ++name) {
-    const Chosen fewer = without_name(all, present, name);
-    if (fewer.size() == present.size()) continue;
+    const Chosen fewer = without_name(all, chosen, name);
+    if (fewer.size() == chosen.size()) continue;
     Spreading::Sum instead = spreading.sum(fewer, std::nullopt, name);
     double others = 0;
     for (const double worth : {alone, beside, spreading.sum(fewer, name, std::nullopt).ln})
@@ -193,6 +194,12 @@ std::vector<SmallCauses> find_small_causes(const ModelSpace& all) {
     if (share >= least_told) causes[name].names = std::move(instead.likeliest);
   }
   return causes;
+}
+
+double ln_standing(const ModelSpace& all, const Chosen& chosen) {
+  double ln = 0;
+  for (const SmallCauses& causes : find_small_causes(all, chosen)) ln += std::log1p(-causes.share);
+  return ln;
 }
 
 }  // namespace handsight

@@ -17,9 +17,12 @@ struct SmallCauses {
   std::vector<std::string> names;  // what is there a little instead, where the odds are not below 1 to 20
 };
 
-/// For each name of a model space what may be there a little at each of its places instead: weighed against the model
-/// as it is, the model with such others beside it, and this name a little at each of its own places. Nothing for names
-/// that are not in the model.
-std::vector<SmallCauses> find_small_causes(const ModelSpace& all);
+/// For each name of a choice of a model space what may be there a little at each of its places instead: weighed against
+/// the choice as it is, the choice with such others beside it, and this name a little at each of its own places.
+/// Nothing for names that are not in it.
+std::vector<SmallCauses> find_small_causes(const ModelSpace& all, const Chosen& chosen);
+
+/// ln of the probability that none of a choice's names has small causes in its place.
+double ln_standing(const ModelSpace& all, const Chosen& chosen);
 
 }  // namespace handsight

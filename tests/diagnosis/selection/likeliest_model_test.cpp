@@ -72,5 +72,11 @@ TEST(LikeliestModel, IsWhatImproveEndsWith) {
   EXPECT_THAT(names_after_improving("days", 1011), ElementsAre("joint_elasticity torso_2"));
 }
 
+/// The torsion of a link has the evidence, by less than springs a little at every joint have over it: it was told as
+/// one in eighty, and stayed.
+TEST(LikeliestModel, ReckonsWithSmallCauses) {
+  EXPECT_THAT(names_after_improving("two_hands", 1005), ElementsAre("joint_elasticity torso_2"));
+}
+
 }  // namespace
 }  // namespace handsight
