@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/helping_threads.h"
 
+#include <pthread.h>
+
 #include <condition_variable>
 #include <exception>
 #include <list>
@@ -77,10 +79,16 @@ class HelpingThreads {
   int idle_ = 0;            // threads without work, those that are about to begin among them
 };
 
+// Never destroyed: its threads wait for work until the program ends.
+HelpingThreads* shared = nullptr;
+
+void begin_anew() { shared = new HelpingThreads; }
+
 HelpingThreads& helping_threads() {
-  // Never destroyed: its threads wait for work until the program ends.
-  static HelpingThreads* const all = new HelpingThreads;
-  return *all;
+  // A child process has none of its parent's threads.
+  static const int registered = (begin_anew(), pthread_atfork(nullptr, nullptr, begin_anew));
+  static_cast<void>(registered);
+  return *shared;
 }
 
 }  // namespace

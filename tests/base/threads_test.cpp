@@ -2,7 +2,10 @@
 #include "base/threads.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -71,6 +74,28 @@ TEST_F(Threads, HelpSeveralCallersAtOnce) {
     });
   for (std::thread& caller : callers) caller.join();
   EXPECT_EQ(done, 8 * 200 * 10);
+}
+
+/// How many threads did four parts of which each takes a while.
+std::size_t threads_of_slow_parts() {
+  std::set<std::thread::id> seen;
+  std::mutex one_at_a_time;
+  each_part(4, true, [&](int) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::scoped_lock lock(one_at_a_time);
+    seen.insert(std::this_thread::get_id());
+  });
+  return seen.size();
+}
+
+TEST_F(Threads, HelpInAChildProcessToo) {
+  EXPECT_GT(threads_of_slow_parts(), 1U);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) _exit(threads_of_slow_parts() > 1 ? 0 : 1);
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace
