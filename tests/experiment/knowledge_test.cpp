@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "session/session_xml.h"
 #include "simulation/simulated_session.h"
 
@@ -26,6 +29,53 @@ TEST(Knowledge, TheHandHasNoLimitWhileItIsNotDetermined) {
   const Knowledge known = assess_knowledge(many, {}, false, poses);
   ASSERT_TRUE(known.hand_limit);
   EXPECT_GT(*known.hand_limit, 1e-6);
+}
+
+DiagnosisCandidate cause(const std::string& id, double ln_bayes_factor) {
+  DiagnosisCandidate c;
+  c.id = id;
+  c.terms = {{id, 1, {0}}};
+  c.ln_bayes_factor = ln_bayes_factor;
+  c.refitted = true;
+  c.explained = 0.9;
+  return c;
+}
+
+DiagnosisCandidate curve(double ln_bayes_factor, double explained) {
+  DiagnosisCandidate c;
+  c.unnamed.emplace();
+  c.ln_bayes_factor = ln_bayes_factor;
+  c.explained = explained;
+  return c;
+}
+
+double odds_of_best(std::vector<DiagnosisCandidate> candidates) {
+  Diagnosis d;
+  d.verdict = Verdict::missing_effect;
+  d.threshold = 5;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; });
+  d.candidates = std::move(candidates);
+  const SettledCause settled = settled_cause(d);
+  EXPECT_EQ(settled.id, "joint_scale");
+  return settled.odds;
+}
+
+TEST(Knowledge, OddsAreAgainstAllOtherCausesTogether) {
+  const DiagnosisCandidate best = cause("joint_scale", 10);
+  EXPECT_NEAR(odds_of_best({best}), std::exp(10), 1e-6 * std::exp(10)) << "against none";
+  EXPECT_NEAR(odds_of_best({best, cause("joint_offset", 6), cause("joint_elasticity", 6)}), std::exp(4) / 2, 0.1);
+  DiagnosisCandidate same = best;
+  same.indistinguishable_from = {"joint_offset"};
+  EXPECT_GT(odds_of_best({same, cause("joint_offset", 6)}), 1e4) << "what cannot be told apart is no rival";
+}
+
+/// What is hidden may have no name: most hidden curves were told as the effect of the catalogue that came nearest.
+TEST(Knowledge, OddsAreAgainstWhatHasNoNameToo) {
+  const DiagnosisCandidate best = cause("joint_scale", 10);
+  EXPECT_LT(odds_of_best({best, curve(20, 1)}), 1e-3);
+  EXPECT_NEAR(odds_of_best({best, curve(8, 0.95)}), std::exp(10), 1e-6 * std::exp(10))
+      << "it is the name for the curve";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "certify/limits.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/finding.h"
 #include "estimation/report/hand_end.h"
 #include "estimation/report/prediction.h"
 
@@ -42,6 +43,19 @@ void set_open_questions(Knowledge& known) {
     }
 }
 
+/// The evidence of all that it may be instead, of its own: nothing, the other causes, and what has no name, of which
+/// the likeliest counts unless this is the name for it.
+double rivals_of(const DiagnosisCandidate& best, const Diagnosis& diagnosis) {
+  double sum = std::exp(-best.ln_bayes_factor);
+  for (const DiagnosisCandidate* other : named(diagnosis))
+    if (are_distinguished(best, *other)) sum += std::exp(other->ln_bayes_factor - best.ln_bayes_factor);
+  const auto unnamed = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                    [](const DiagnosisCandidate& c) { return c.unnamed.has_value(); });
+  if (unnamed != diagnosis.candidates.end() && !comes_before(best, *unnamed))
+    sum += std::exp(unnamed->ln_bayes_factor - best.ln_bayes_factor);
+  return sum;
+}
+
 }  // namespace
 
 SettledCause settled_cause(const Diagnosis& diagnosis) {
@@ -57,13 +71,7 @@ SettledCause settled_cause(const Diagnosis& diagnosis) {
     return {.odds = 1 / std::max(mean, 1e-9)};
   }
   if (all.empty() || all[0]->ln_bayes_factor < diagnosis.threshold) return {};
-  double next = 0;  // of none
-  for (const DiagnosisCandidate* other : all)
-    if (are_distinguished(*all[0], *other)) {
-      next = std::max(next, other->ln_bayes_factor);
-      break;
-    }
-  return {all[0]->id, all[0]->where, all[0]->terms, std::exp(std::min(all[0]->ln_bayes_factor - next, 100.0))};
+  return {all[0]->id, all[0]->where, all[0]->terms, 1 / std::max(rivals_of(*all[0], diagnosis), 1e-43)};
 }
 
 std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses) {

@@ -27,8 +27,9 @@ struct SettledCause {
   std::string id;  // empty: nothing is missing
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;
-  /// Of it against the next best, or none, those that cannot be distinguished from it left out; of none against the
-  /// mean of the causes that the poses can show, of all prior sigmas, small ones too.
+  /// Of it against all others together, none and the likeliest curve without a name among them, those left out that
+  /// cannot be distinguished from it; of none against the mean of the causes that the poses can show, of all prior
+  /// sigmas, small ones too.
   double odds = 1;
 };
 
