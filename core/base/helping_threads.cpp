@@ -7,7 +7,6 @@
 #include <exception>
 #include <list>
 #include <mutex>
-#include <system_error>
 #include <thread>
 
 namespace handsight {
@@ -44,7 +43,7 @@ class HelpingThreads {
   bool begin_thread() {
     try {
       std::thread([this] { help(); }).detach();
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {
       return false;
     }
     ++idle_;

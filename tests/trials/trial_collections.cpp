@@ -268,7 +268,7 @@ int main(int argc, char** argv) {
                        {"TCP->Body inside 95 %"}},
                       output);
   trials::Table judged({{.heading = "worlds", .width = 58},
-                        {"sessions"},
+                        {"judged"},
                         {"a judge names, of all effects"},
                         {"of the four that are hidden"}},
                        output);

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/inclusion_probability.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "chain/body_frame.h"
 #include "diagnosis/selection/indistinguishable.h"
+#include "diagnosis/selection/likeliest_choice.h"
 #include "diagnosis/selection/model_posterior.h"
+#include "diagnosis/selection/second_moments.h"
 #include "diagnosis/selection/small_causes.h"
 #include "diagnosis/verdict/stand_in.h"
 #include "effects/term_numbers.h"
@@ -20,117 +19,8 @@
 namespace handsight {
 namespace {
 
-constexpr double largest_of_others = 1;   // prior sigmas: more would be known of them
 constexpr double least_of_others = 0.02;  // probability
 constexpr double likeliest_odd = 0.05;    // probability of what no robot is built like: it stands in for another cause
-
-/// Second moments of the open numbers (prior sigmas) about the model's, beside those of the model's own numbers.
-class Moments {
- public:
-  Moments(const ModelSpace& all, const OpenUnits& units, const OpenScore& score)
-      : all_(all),
-        score_(score.score),
-        whitened_(score.whitened),
-        first_number_(score.first_number),
-        is_present_(static_cast<std::size_t>(score.score.gradient.size())) {
-    for (const std::size_t u : units.open)
-      for (Eigen::Index i = 0; i < all.units()[u].count; ++i)
-        is_present_[static_cast<std::size_t>(first_number_.at(u) + i)] = all.units()[u].is_present;
-  }
-
-  Eigen::MatrixXd of(const Weights& weights, const Chosen& model) const {
-    const Eigen::Index count = score_.gradient.size();
-    Eigen::VectorXd answer = Eigen::VectorXd::Zero(count);
-    for (const auto& [share, state] : at_scales(model)) answer += share * state.mean;
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(count, count);
-    for (const auto& [chosen, weight] : weights)
-      for (const auto& [share, state] : at_scales(chosen)) {
-        const Eigen::VectorXd away = state.mean - answer;
-        sum += weight * share * (away * away.transpose() + state.added);
-      }
-    return sum;
-  }
-
- private:
-  struct State {
-    Eigen::VectorXd mean;
-    Eigen::MatrixXd added;  // covariance that comes with what the model does not have
-  };
-
-  /// The information of some numbers alone, others being 0.
-  Eigen::MatrixXd information(const std::vector<Eigen::Index>& numbers, double scale) const {
-    Eigen::MatrixXd information = score_.information(numbers, numbers);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const double size =
-          is_present_[static_cast<std::size_t>(numbers[i])] ? scale : std::min(scale, largest_of_others);
-      information(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += std::pow(size, -2);
-    }
-    return information;
-  }
-
-  /// The covariance of kept and new numbers less that of the kept ones alone, by all of them in order: what the new
-  /// ones vary by, and as these move the kept ones. The difference itself is one of nearly equal numbers.
-  Eigen::MatrixXd added(const std::vector<Eigen::Index>& numbers, const Eigen::MatrixXd& information,
-                        double scale) const {
-    std::vector<Eigen::Index> kept, fresh;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      (is_present_[static_cast<std::size_t>(numbers[i])] ? kept : fresh).push_back(static_cast<Eigen::Index>(i));
-    const auto count = static_cast<Eigen::Index>(fresh.size());
-    Eigen::MatrixXd by_new = Eigen::MatrixXd::Zero(information.rows(), count);
-    by_new(fresh, Eigen::all) = Eigen::MatrixXd::Identity(count, count);
-    Eigen::MatrixXd left = information(fresh, fresh);
-    if (!kept.empty()) {
-      const Eigen::MatrixXd with_kept = information(kept, fresh);
-      const Eigen::MatrixXd kept_by_new = Eigen::MatrixXd(information(kept, kept)).ldlt().solve(with_kept);
-      by_new(kept, Eigen::all) = -kept_by_new;
-      left -= with_kept.transpose() * kept_by_new;
-    }
-    const double least = std::pow(std::min(scale, largest_of_others), -2);  // their prior, whatever rounding has left
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(left);
-    const Eigen::VectorXd sigmas = eigen.eigenvalues().cwiseMax(least).cwiseSqrt().cwiseInverse();
-    return covariance_from(by_new * eigen.eigenvectors() * sigmas.asDiagonal());
-  }
-
-  std::vector<std::pair<double, State>> at_scales(const Chosen& chosen) const {
-    std::vector<Eigen::Index> numbers;
-    bool has_new = false;
-    for (const std::size_t u : chosen)
-      for (Eigen::Index i = 0; i < all_.units()[u].count; ++i) {
-        numbers.push_back(first_number_.at(u) + i);
-        has_new = has_new || !all_.units()[u].is_present;
-      }
-    std::vector<std::pair<double, State>> states;
-    std::vector<double> ln_shares;
-    const Score own = take_part(score_, numbers);
-    for (const double scale : prior_scales) {
-      State s{Eigen::VectorXd::Zero(score_.gradient.size()),
-              Eigen::MatrixXd::Zero(score_.gradient.size(), score_.gradient.size())};
-      if (!numbers.empty()) {
-        const Eigen::MatrixXd known = information(numbers, scale);
-        const Eigen::VectorXd best = known.llt().solve(own.gradient);
-        s.mean(numbers) = best;
-        if (has_new) s.added(numbers, numbers) = added(numbers, known, scale);
-      }
-      ln_shares.push_back(ln_factor(own, scale));
-      states.emplace_back(0, std::move(s));
-    }
-    const double mean = ln_over_scales(ln_shares);
-    for (std::size_t i = 0; i < states.size(); ++i) states[i].first = scale_shares[i] * std::exp(ln_shares[i] - mean);
-    return states;
-  }
-
-  /// ln of the Bayes factor at one scale.
-  double ln_factor(const Score& own, double scale) const {
-    if (own.gradient.size() == 0) return 0;
-    return ln_bayes_factor_at(own, scale, whitened_, all_.by().knowledge);
-  }
-
-  const ModelSpace& all_;
-  const Score& score_;
-  const WhitenedModel& whitened_;
-  const std::map<std::size_t, Eigen::Index>& first_number_;
-  std::vector<bool> is_present_;  // of the numbers: in the model
-};
 
 /// How xi, the model's numbers and those of others move with the open numbers, in prior sigmas of these.
 class Movements {
@@ -295,50 +185,11 @@ std::vector<EffectTerm> estimated_with(const ModelSpace& all, const Chosen& unit
   return estimated;
 }
 
-Chosen with_all(Chosen chosen, const Chosen& further) {
-  for (const std::size_t u : further) chosen = with_unit(chosen, u);
-  return chosen;
-}
-
-/// Of no more units than the model has, the likeliest first: what else may be there is added where the evidence asks
-/// for it, or a name is likely by itself.
-std::vector<std::pair<double, Chosen>> likely_choices(const ModelSpace& all, const OpenUnits& units,
-                                                      const Weights& weights) {
-  const auto present = static_cast<std::size_t>(
-      std::count_if(units.open.begin(), units.open.end(), [&](std::size_t u) { return all.units()[u].is_present; }));
-  std::vector<std::pair<double, Chosen>> choices;
-  for (const auto& [chosen, weight] : weights)
-    if (chosen.size() <= present) choices.emplace_back(weight, with_all(units.fixed, chosen));
-  std::stable_sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  return choices;
-}
-
-/// By the probabilities that are told: names that small causes may well stand for are less likely than their evidence
-/// says.
-void set_likeliest(const ModelSpace& all, const OpenUnits& units, const Weights& weights,
-                   InclusionProbabilities& inclusion_probabilities) {
-  constexpr double least = 0.05;    // of the likeliest: what small causes can take from a name
-  constexpr std::size_t most = 12;  // choices looked at
-  inclusion_probabilities.likeliest = units.fixed;
-  const std::vector<std::pair<double, Chosen>> choices = likely_choices(all, units, weights);
-  const double present = ln_standing(all, all.present());
-  double best = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < std::min(most, choices.size()); ++i) {
-    const auto& [weight, chosen] = choices[i];
-    if (weight < least * choices.front().first) break;
-    const double standing = ln_standing(all, chosen);
-    if (std::log(weight) + standing <= best) continue;
-    best = std::log(weight) + standing;
-    inclusion_probabilities.likeliest = chosen;
-    inclusion_probabilities.ln_of_small_causes = standing - present;
-  }
-}
-
 void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, const Weights& weights,
-               const Session& session, InclusionProbabilities& inclusion_probabilities) {
+               const std::vector<SmallCauses>& small_instead, const Session& session,
+               InclusionProbabilities& inclusion_probabilities) {
   const std::vector<double> probability = of_units(all, units, weights);
   const std::set<std::string> in_model = all.list_names(all.present());
-  const std::vector<SmallCauses> small_instead = find_small_causes(all, all.present());
   std::set<std::string> odd;
   for (const StandIn& s : stand_ins(fit))
     if (s.is_everywhere) odd.insert(s.id);
@@ -381,8 +232,11 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
   const OpenScore score = open_score(all, units);
   const Weights weights = model_posterior(all, units, score, goes_on);
   if (!goes_on()) return c;
-  set_names(model.model.fit, all, units, weights, model.model.session, c);
-  set_likeliest(all, units, weights, c);
+  const std::vector<SmallCauses> small_instead = find_small_causes(all, all.present());
+  set_names(model.model.fit, all, units, weights, small_instead, model.model.session, c);
+  const LikeliestChoice likeliest = likeliest_choice(all, units, weights, small_instead);
+  c.likeliest = likeliest.chosen;
+  c.ln_of_small_causes = likeliest.ln_of_small_causes;
   if (units.open.empty()) return c;
 
   const std::vector<double> probability = of_units(all, units, weights);
@@ -395,7 +249,7 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
     c.model_uncertainty.others.push_back(unit.term);
   }
   const Movements movements(model, all, units, score);
-  const Eigen::MatrixXd factor = make_factor(Moments(all, units, score).of(weights, of_model));
+  const Eigen::MatrixXd factor = make_factor(second_moments(all, units, score, weights, of_model));
   c.model_uncertainty.covariance = covariance_from(movements.by_open(others) * factor);
   if (!model.model.session.parts.empty())
     c.model_uncertainty.of_columns = covariance_from(movements.columns_by_open(others) * factor);

@@ -196,9 +196,9 @@ std::vector<SmallCauses> find_small_causes(const ModelSpace& all, const Chosen& 
   return causes;
 }
 
-double ln_standing(const ModelSpace& all, const Chosen& chosen) {
+double ln_standing(const std::vector<SmallCauses>& causes) {
   double ln = 0;
-  for (const SmallCauses& causes : find_small_causes(all, chosen)) ln += std::log1p(-causes.share);
+  for (const SmallCauses& of_name : causes) ln += std::log1p(-of_name.share);
   return ln;
 }
 

@@ -22,7 +22,7 @@ struct SmallCauses {
 /// Nothing for names that are not in it.
 std::vector<SmallCauses> find_small_causes(const ModelSpace& all, const Chosen& chosen);
 
-/// ln of the probability that none of a choice's names has small causes in its place.
-double ln_standing(const ModelSpace& all, const Chosen& chosen);
+/// ln of the probability that none of the names has them in its place.
+double ln_standing(const std::vector<SmallCauses>& causes);
 
 }  // namespace handsight

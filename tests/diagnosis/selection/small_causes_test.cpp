@@ -54,7 +54,7 @@ TEST(SmallCauses, LeaveChoicesStandingThatTheyCannotBe) {
   o.with_held_out = false;
   o.estimated = {{"joint_scale", 2, {0}}};
   const auto standing = [&](const std::vector<EffectTerm>& hidden, const Chosen& chosen) {
-    return ln_standing(ModelSpace(diagnose(simulated(hidden, 21, 60), o), 0, 3), chosen);
+    return ln_standing(find_small_causes(ModelSpace(diagnose(simulated(hidden, 21, 60), o), 0, 3), chosen));
   };
   const Chosen present = ModelSpace(diagnose(simulated({}, 21, 60), o), 0, 3).present();
   ASSERT_EQ(present.size(), 1U);
