@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // handsight-cli: everything that the workbench does, without a window.
-#include <malloc.h>
-
 #include <csignal>
 #include <iostream>
-#include <limits>
 #include <new>
 
+#include "base/freed_memory.h"
 #include "base/text.h"
 #include "base/threads.h"
 #include "command.h"
@@ -43,16 +41,6 @@ int run(int argc, char** argv) {
   for (const cli::Command& command : commands)
     if (command.line.is_given()) return command.run();
   return cli::wrong_input;
-}
-
-/// Large matrices come and go by the thousand: what is freed is kept for the next, in place of new pages of the
-/// system's.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_TOP_PAD, 64 << 20);
-#endif
 }
 
 int fails_with(const std::string& sentence, int exit_code) {

@@ -90,11 +90,14 @@ QString hand_text(const Knowledge& known, bool has_box, bool is_of_touches) {
 }
 
 QString verdict_in_words(const Knowledge& known) {
-  if (!known.diagnosis) return QObject::tr("asked from ten observations on");
+  if (!known.diagnosis) return QObject::tr("asked from %1 observations on").arg(least_to_diagnose);
   if (!known.settled) return translated(verdict_text(known.diagnosis->verdict));
   const QString odds = odds_text(std::log(std::max(known.settled->odds, 1.0)));
   if (!known.settled->id.empty())
     return QObject::tr("%1, %2").arg(effect_text(known.settled->id, known.settled->where), odds);
+  if (known.settled->follows)
+    return QObject::tr("something without a name that follows the %1, %2")
+        .arg(translated(*known.settled->follows), odds);
   return known.settled->odds > 1 ? QObject::tr("nothing that these poses can show, %1").arg(odds)
                                  : QObject::tr("nothing is sure yet");
 }

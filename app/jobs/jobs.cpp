@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "jobs/jobs.h"
 
-#include "words/core_words.h"
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <exception>
+
+#include "base/freed_memory.h"
+#include "words/core_words.h"
 
 namespace handsight::app {
 namespace {
@@ -23,10 +20,8 @@ void clear_upper_registers() {
 
 /// What a long job has freed goes back to the system, rather than staying with this process for the next one.
 void give_back_memory(std::chrono::steady_clock::time_point begin) {
-#if defined(__GLIBC__)
   constexpr auto is_long = std::chrono::seconds(1);
-  if (std::chrono::steady_clock::now() - begin > is_long) malloc_trim(0);
-#endif
+  if (std::chrono::steady_clock::now() - begin > is_long) give_back_freed_memory();
 }
 
 }  // namespace

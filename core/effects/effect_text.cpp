@@ -6,6 +6,7 @@
 
 #include "effects/effect.h"
 #include "effects/target_effects.h"
+#include "robot/joint_names.h"
 
 namespace handsight {
 namespace {
@@ -27,7 +28,8 @@ bool read_number(const std::string& text, Number& number) {
 int joint_for(const Effect& effect, const std::string& name, const Robot& robot, const std::string& text) {
   const int joint = find_joint(robot, name);
   if (joint < 0 || !robot.joints[static_cast<std::size_t>(joint)].moves())
-    throw InputError(message("Effect \"{}\": the robot has no moving joint \"{}\".", text, name));
+    throw InputError(message("Effect \"{}\": the robot has no moving joint \"{}\"; it has: {}.", text, name,
+                             list_moving_joints(robot)));
   if (effect.scope == EffectScope::mimic_joint && !robot.joints[static_cast<std::size_t>(joint)].is_mimic())
     throw InputError(
         message("Effect \"{}\": the joint \"{}\" follows no other; {} sits at joints that do.", text, name, effect.id));

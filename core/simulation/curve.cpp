@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/letters.h"
 #include "base/numbers.h"
+#include "robot/joint_names.h"
 
 namespace handsight {
 namespace {
@@ -41,7 +42,8 @@ Curve parse_curve(const std::string& text, const Robot& robot) {
   const std::string name = trimmed(text.substr(0, colon));
   curve.joint = find_joint(robot, name);
   if (curve.joint < 0 || !robot.joints[static_cast<std::size_t>(curve.joint)].moves())
-    throw InputError(message("Curve \"{}\": the robot has no moving joint \"{}\".", text, name));
+    throw InputError(message("Curve \"{}\": the robot has no moving joint \"{}\"; it has: {}.", text, name,
+                             list_moving_joints(robot)));
   return curve;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/bounds.h"
 #include "base/error.h"
+#include "robot/joint_names.h"
 #include "simulation/simulated_session.h"
 
 namespace handsight {
@@ -34,7 +35,8 @@ Disturbance parse_disturbance(const std::string& text, const Robot& robot) {
   if (kind != "joint" && kind != "right_image") throw refuse();
   d.kind = kind == "joint" ? Disturbance::Kind::joint : Disturbance::Kind::right_image;
   if (find_joint(robot, d.name) < 0)
-    throw InputError(message("Disturbance \"{}\": the robot has no joint \"{}\".", text, d.name));
+    throw InputError(message("Disturbance \"{}\": the robot has no joint \"{}\"; it has: {}.", text, d.name,
+                             list_moving_joints(robot)));
   return d;
 }
 

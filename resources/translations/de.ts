@@ -6080,8 +6080,12 @@
         <translation>%1 überall, wo sie zu sehen ist (95 %)</translation>
     </message>
     <message>
-        <source>asked from ten observations on</source>
-        <translation>wird ab zehn Beobachtungen gefragt</translation>
+        <source>asked from %1 observations on</source>
+        <translation>wird ab %1 Beobachtungen gefragt</translation>
+    </message>
+    <message>
+        <source>something without a name that follows the %1, %2</source>
+        <translation>etwas ohne Namen, es folgt %1, %2</translation>
     </message>
     <message>
         <source>nothing that these poses can show, %1</source>
@@ -8711,8 +8715,8 @@
         <translation>Effekt "%1" hat den Wert %2; erwartet wird einer von %3 bis %4.</translation>
     </message>
     <message>
-        <source>Effect "%1": the robot has no moving joint "%2".</source>
-        <translation>Effekt "%1": der Roboter hat kein bewegliches Gelenk "%2".</translation>
+        <source>Effect "%1": the robot has no moving joint "%2"; it has: %3.</source>
+        <translation>Effekt "%1": der Roboter hat kein bewegliches Gelenk "%2"; er hat: %3.</translation>
     </message>
     <message>
         <source>Effect "%1": the joint "%2" follows no other; %3 sits at joints that do.</source>
@@ -10087,16 +10091,20 @@
         <translation>points_mirrored: Die Sitzung hat keine Punkte eines Trackers.</translation>
     </message>
     <message>
-        <source>What was asked for is reached: nothing is missing that these poses could show.</source>
-        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Posen zeigen könnten.</translation>
+        <source>What was asked for is reached.</source>
+        <translation>Erreicht ist, wonach gefragt wurde.</translation>
     </message>
     <message>
-        <source>What was asked for is reached: nothing is missing that these poses could show, and the hand is known to %1 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: nichts fehlt, was diese Posen zeigen könnten, und die Hand ist auf %1 mm bekannt (95 %).</translation>
+        <source>Nothing is missing that these poses could show.</source>
+        <translation>Es fehlt nichts, was diese Posen zeigen könnten.</translation>
     </message>
     <message>
-        <source>What was asked for is reached: the hand is known to %1 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde: die Hand ist auf %1 mm bekannt (95 %).</translation>
+        <source> The hand is known to %1 mm (95 %).</source>
+        <translation> Die Hand ist auf %1 mm bekannt (95 %).</translation>
+    </message>
+    <message>
+        <source>What is missing follows the %1 in a form that is not in the catalogue, by odds of %2.</source>
+        <translation>Was fehlt, folgt %1 in einer Form, die nicht im Katalog steht, mit einer Quote von %2.</translation>
     </message>
     <message>
         <source>The experiment was interrupted between two moves.</source>
@@ -10115,12 +10123,8 @@
         <translation>Es wurde keine weitere Pose gefunden, die der Roboter ohne Zusammenstoß erreicht und in der das Ziel zu sehen ist.</translation>
     </message>
     <message>
-        <source>What was asked for is reached. What is missing: %1, by odds of %2.</source>
-        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, mit einer Quote von %2.</translation>
-    </message>
-    <message>
-        <source>What was asked for is reached. What is missing: %1, by odds of %2; the hand is known to %3 mm (95 %).</source>
-        <translation>Erreicht ist, wonach gefragt wurde. Es fehlt: %1, mit einer Quote von %2; die Hand ist auf %3 mm bekannt (95 %).</translation>
+        <source>What is missing: %1, by odds of %2.</source>
+        <translation>Es fehlt: %1, mit einer Quote von %2.</translation>
     </message>
     <message>
         <source>is no log of recheck; expected the columns %1.</source>
@@ -13415,8 +13419,8 @@
         <translation>Kurve "%1": GELENK: GRÖSSE*sin(ORDNUNGq) schreiben, mit sin oder cos, zum Beispiel "arm_3: 0.0015*sin(3q)".</translation>
     </message>
     <message>
-        <source>Curve "%1": the robot has no moving joint "%2".</source>
-        <translation>Kurve "%1": der Roboter hat kein bewegliches Gelenk "%2".</translation>
+        <source>Curve "%1": the robot has no moving joint "%2"; it has: %3.</source>
+        <translation>Kurve "%1": der Roboter hat kein bewegliches Gelenk "%2"; er hat: %3.</translation>
     </message>
     <message>
         <source>%1 is there already and not empty; name a new folder in --out.</source>
@@ -13455,8 +13459,8 @@
         <translation>Störung "%1": ID:joint:NAME=RAD, ID:marker:INDEX=METER oder ID:right_image:NAME=RAD schreiben.</translation>
     </message>
     <message>
-        <source>Disturbance "%1": the robot has no joint "%2".</source>
-        <translation>Störung "%1": der Roboter hat kein Gelenk "%2".</translation>
+        <source>Disturbance "%1": the robot has no joint "%2"; it has: %3.</source>
+        <translation>Störung "%1": der Roboter hat kein Gelenk "%2"; er hat: %3.</translation>
     </message>
     <message>
         <source>A session of touches has no image points and no sensor; leave --wrong-corners and --shift out.</source>

@@ -53,6 +53,21 @@ TEST_F(Experiments, AHiddenCauseIsNamedAndItSaysWhyItEnds) {
   EXPECT_LE(result.observations, 40);
 }
 
+TEST_F(Experiments, WhatHasNoNameIsSettledToo) {
+  const Session like = fixture::stand_session();
+  SimulationOptions truth = load_truth(like, "");
+  truth.curves.push_back({make_chain(like).joints[2], 4e-3, false, 3.3});
+  SimulatedRobot robot(like, {.truth = truth});
+  const ExperimentResult result = run_experiment(rough_start(like, truth, 2), robot, in_memory("odds=20|count=60"));
+  EXPECT_EQ(result.end, ExperimentEnd::reached) << result.reason;
+  ASSERT_TRUE(result.settled);
+  EXPECT_EQ(result.settled->id, "");
+  ASSERT_TRUE(result.settled->follows);
+  EXPECT_GE(result.settled->odds, 20);
+  EXPECT_THAT(result.reason, HasSubstr("What is missing follows the "));
+  EXPECT_THAT(result.reason, HasSubstr("in a form that is not in the catalogue, by odds of"));
+}
+
 TEST_F(Experiments, TheHandIsKnownAsWellAsItWasAskedFor) {
   const Session like = fixture::tracker_session();
   const SimulationOptions truth = load_truth(like, "");

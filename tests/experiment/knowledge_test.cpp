@@ -70,10 +70,33 @@ TEST(Knowledge, OddsAreAgainstAllOtherCausesTogether) {
   EXPECT_GT(odds_of_best({same, cause("joint_offset", 6)}), 1e4) << "what cannot be told apart is no rival";
 }
 
+/// Without a way to be told an experiment that was asked for odds alone would go on for ever.
+TEST(Knowledge, WhatHasNoNameIsTheCauseWhereItLeads) {
+  Diagnosis d;
+  d.verdict = Verdict::unexplained;
+  d.threshold = 5;
+  Variable angle;
+  angle.name = "angle of a3";
+  DiagnosisCandidate leads = curve(20, 1);
+  leads.unnamed->empirical_error.variable = std::make_shared<const Variable>(angle);
+  d.candidates = {leads, cause("joint_scale", 12), cause("joint_offset", 12)};
+  SettledCause settled = settled_cause(d);
+  EXPECT_EQ(settled.id, "");
+  ASSERT_TRUE(settled.follows);
+  EXPECT_EQ(settled.follows->english(), "angle of a3");
+  EXPECT_NEAR(settled.odds, std::exp(8) / 2, 1) << "against all names together";
+  d.candidates[0].ln_bayes_factor = 4;
+  EXPECT_EQ(settled_cause(d).id, "joint_scale");
+  d.candidates = {d.candidates[0]};
+  EXPECT_FALSE(settled_cause(d).follows) << "below the threshold nothing is";
+}
+
 /// What is hidden may have no name: most hidden curves were told as the effect of the catalogue that came nearest.
 TEST(Knowledge, OddsAreAgainstWhatHasNoNameToo) {
   const DiagnosisCandidate best = cause("joint_scale", 10);
-  EXPECT_LT(odds_of_best({best, curve(20, 1)}), 1e-3);
+  DiagnosisCandidate explains_less = best;
+  explains_less.explained = 0.5;
+  EXPECT_NEAR(odds_of_best({explains_less, curve(8, 1)}), std::exp(2), 0.1);
   EXPECT_NEAR(odds_of_best({best, curve(8, 0.95)}), std::exp(10), 1e-6 * std::exp(10))
       << "it is the name for the curve";
 }

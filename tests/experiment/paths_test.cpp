@@ -55,6 +55,33 @@ TEST_F(Paths, AtTwiceFinerStepsNothingTouches) {
   EXPECT_GE(round, 2) << "no way led round anything";
 }
 
+/// Of where a robot has come into without a search, none may be found out again but the way that it came.
+TEST_F(Paths, WhereNoWayIsFoundItGoesBackFirst) {
+  const Session session = fixture::stand_session();
+  const Chain chain = make_chain(session);
+  const CollisionWorld world = world_of(session, post_beside_the_arm());
+  const Eigen::VectorXd before = session.observations[0].position;
+  const JointRanges ranges = joint_ranges(chain, {before});
+  std::mt19937_64 random(3);
+  const auto is_blocked = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return !world.touching(b) && !is_free(world, chain, a, b);
+  };
+  Eigen::VectorXd at = before, to = before;
+  for (int i = 0; i < 400; ++i) {
+    const Eigen::VectorXd a = drawn(ranges, random), b = drawn(ranges, random);
+    if (!is_free(world, chain, before, a) || !is_free(world, chain, before, b) || !is_blocked(a, b)) continue;
+    at = a, to = b;
+    break;
+  }
+  ASSERT_NE(at, to) << "no two postures with something between";
+  EXPECT_FALSE(way_between(world, chain, ranges, at, to, 0)) << "without time for a search";
+  EXPECT_FALSE(way_by_going_back(world, chain, ranges, at, {}, to, 0));
+  const auto way = way_by_going_back(world, chain, ranges, at, {before}, to, 0);
+  ASSERT_TRUE(way);
+  EXPECT_EQ(*way, (std::vector{before, to}));
+  EXPECT_FALSE(way_by_going_back(world, chain, ranges, at, {to, before}, to, 0)) << "not free";
+}
+
 TEST_F(Paths, WhatStandsInTheWayIsNamed) {
   Session session = fixture::stand_session();
   Cell cell;

@@ -15,6 +15,7 @@
 #include "chain/sighting.h"
 #include "estimation/report/fit_report.h"
 #include "experiment/loop/experiment.h"
+#include "experiment/loop/settling.h"
 #include "experiment/simulated/simulated_robot.h"
 #include "fixtures/trial_sessions.h"
 #include "knowing_poses.h"
@@ -75,6 +76,10 @@ Session make_start(const Case& c) {
   return simulate_session(c.like, options).session;
 }
 
+std::string cause_text(const std::optional<SettledCause>& found) {
+  return !found ? "-" : found->follows ? "curve" : found->id.empty() ? "none" : found->id;
+}
+
 ExperimentOptions quiet(const std::string& until) {
   ExperimentOptions options;
   options.save = false;
@@ -85,7 +90,9 @@ ExperimentOptions quiet(const std::string& until) {
 
 /// Is what was found what was hidden?
 bool is_right(const std::optional<SettledCause>& found, const Case& c) {
-  return found && (c.hidden == "none" ? found->id.empty() : found->id == c.hidden);
+  return found && (c.hidden == "none"    ? found->id.empty() && !found->follows
+                   : c.hidden == "curve" ? found->follows.has_value()
+                                         : found->id == c.hidden);
 }
 
 /// The start's poses, then `count` drawn at random that are seen and touch nothing.
@@ -138,17 +145,13 @@ std::vector<Observation> knowing_poses(const Case& c) {
 /// These poses one after another until the cause is settled, by the loop's own rules; how many.
 int poses_needed(const Case& c, const std::vector<Observation>& poses, std::optional<SettledCause>& settled) {
   const Session all = simulate_at(c.like, c.truth, poses).session;
-  int adequate_in_a_row = 0;
+  Settling settling(odds);
   for (std::size_t count = least_to_diagnose; count <= all.observations.size();
        count += count < least_for_none ? 1 : batch) {
     Session some = all;
     some.observations.resize(count);
     const Knowledge known = assess_knowledge(some, {}, true, {});
-    if (!known.settled) continue;
-    const bool is_none = known.settled->id.empty() && known.diagnosis->verdict == Verdict::adequate;
-    if (is_none && known.used >= least_for_none && known.settled->odds >= 1) ++adequate_in_a_row;
-    if (!is_none) adequate_in_a_row = 0;
-    if (is_none ? adequate_in_a_row >= 2 : !known.settled->id.empty() && known.settled->odds >= odds) {
+    if (settling.is_settled_by(known)) {
       settled = known.settled;
       return static_cast<int>(count) - 2;
     }
@@ -173,6 +176,7 @@ double shown_by(const Case& c) {
 void try_robots(int count, std::uint64_t first, int from, double size) {
   std::vector<double> of_causes, where_poses_count, of_none, hands,
       choices;                                      // poses by the loop over random ones; the rest
+  int names_told = 0, names_wrong = 0;              // by the loop
   std::map<std::string, std::array<int, 3>> named;  // all, right by the loop, right by random poses
   for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
@@ -186,6 +190,10 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
     const int random_count = poses_needed(c, random_poses(c), by_random);
     auto& tally = named[c.hidden];
     ++tally[0];
+    if (loop.settled && !loop.settled->id.empty()) {
+      ++names_told;
+      names_wrong += is_right(loop.settled, c) ? 0 : 1;
+    }
     tally[1] += is_right(loop.settled, c) ? 1 : 0;
     tally[2] += is_right(by_random, c) ? 1 : 0;
     const double ratio = static_cast<double>(loop.observations) / random_count;
@@ -214,9 +222,8 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
     fmt::print(
         "{} robot {} {:<22} chi2 {:<8.3g} {:<8} loop {:>2} poses ({}), random {:>2} ({}), {:.1f} s, choice {:.2f} s a "
         "pose, hand {:.3f}\n",
-        seed, i % 3, c.hidden, shown_by(c), end_name(loop.end), loop.observations,
-        loop.settled ? (loop.settled->id.empty() ? "none" : loop.settled->id) : "-", random_count,
-        by_random ? (by_random->id.empty() ? "none" : by_random->id) : "-", seconds, loop.longest_choice, hand);
+        seed, i % 3, c.hidden, shown_by(c), end_name(loop.end), loop.observations, cause_text(loop.settled),
+        random_count, cause_text(by_random), seconds, loop.longest_choice, hand);
     if (!loop.settled && loop.known.diagnosis)
       fmt::print("     {}: {} by odds of {:.2g}, best {} {:.1f} of {:.1f}\n",
                  verdict_text(loop.known.diagnosis->verdict),
@@ -230,6 +237,7 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
   getrusage(RUSAGE_SELF, &usage);
   for (const auto& [cause, tally] : named)
     fmt::print("{:<22} {} robots, right by the loop {}, by random poses {}\n", cause, tally[0], tally[1], tally[2]);
+  fmt::print("names told by the loop: {}, wrong {}\n", names_told, names_wrong);
   fmt::print(
       "poses of the loop by random ones: causes median {:.2f} of {} ({:.2f} of the {} that random ones did not show at "
       "the first diagnosis), no effect {:.2f} of {}; hand by poses of the "

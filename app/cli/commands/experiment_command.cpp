@@ -69,13 +69,16 @@ void print_step(const ExperimentArguments& o, const ExperimentStep& step) {
                             step.reason.empty() ? "" : ": ", step.reason));
 }
 
+std::string cause_words(const SettledCause& cause) {
+  if (cause.follows) return fmt::format("a form without a name along the {}", *cause.follows);
+  return cause.id.empty() ? "nothing missing" : cause.id;
+}
+
 void print_knowledge(const ExperimentArguments& o, const Knowledge& known) {
   std::string text = fmt::format("        {} observations", known.used);
   if (known.hand_limit) text += fmt::format(", hand within {:.3g} mm (95 %)", 1e3 * *known.hand_limit);
   if (known.diagnosis) text += std::string(", ") + verdict_text(known.diagnosis->verdict);
-  if (known.settled)
-    text += known.settled->id.empty() ? fmt::format(", nothing missing by odds of {:.2g}", known.settled->odds)
-                                      : fmt::format(", {} by odds of {:.2g}", known.settled->id, known.settled->odds);
+  if (known.settled) text += fmt::format(", {} by odds of {:.2g}", cause_words(*known.settled), known.settled->odds);
   o.output.line(text);
 }
 
@@ -104,8 +107,10 @@ Json move_json(const Session& session, const PlannedMove& move) {
 }
 
 Json cause_json(const SettledCause& cause) {
-  return {
-      {"id", cause.id.empty() ? Json(nullptr) : Json(cause.id)}, {"where", cause.where}, {"odds", number(cause.odds)}};
+  return {{"id", cause.id.empty() ? Json(nullptr) : Json(cause.id)},
+          {"follows", cause.follows ? Json(*cause.follows) : Json(nullptr)},
+          {"where", cause.where},
+          {"odds", number(cause.odds)}};
 }
 
 Json result_json(const ExperimentResult& r) {

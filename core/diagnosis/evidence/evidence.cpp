@@ -96,13 +96,14 @@ double whiten_observation(const LinearModel& model, std::size_t i, const Repeata
   return ln_determinant(llt);
 }
 
-/// `external`: the model's, or the base's columns of it.
-WhitenedRows whitened_rows(const LinearModel& model, Columns external, const Repeatability& repeatability) {
+/// `rows.external` holds the model's external rows, or the base's columns of them, and leaves them whitened.
+void whiten_all(const LinearModel& model, const Repeatability& repeatability, WhitenedRows& rows) {
   constexpr std::size_t of_a_part = 32;
-  WhitenedRows rows{{}, external, model.external_error};
+  rows.error = model.external_error;
+  rows.whiteners.clear();
   for (const LinearObservation& o : model.observations)
     rows.whiteners.emplace_back(Eigen::MatrixXd::Identity(o.count, o.count));
-  if (!repeatability.is_any()) return rows;
+  if (!repeatability.is_any()) return;
   const std::size_t count = model.observations.size(), parts = (count + of_a_part - 1) / of_a_part;
   std::vector<double> ln_volumes(count);
   each_part(static_cast<int>(parts), parts >= 3, [&](int part) {
@@ -111,7 +112,6 @@ WhitenedRows whitened_rows(const LinearModel& model, Columns external, const Rep
       ln_volumes[i] = whiten_observation(model, i, repeatability, rows);
   });
   for (const double ln_volume : ln_volumes) rows.ln_volume += ln_volume;
-  return rows;
 }
 
 BaseSums sums_of(const LinearModel& model, const WhitenedRows& rows) {
@@ -162,9 +162,17 @@ double ln_over_scales(std::span<const double> x) {
 
 WhitenedModel whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise) {
   WhitenedModel w;
+  whiten(model, repeatability, noise, w);
+  return w;
+}
+
+void whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise,
+            WhitenedModel& w) {
   w.model = &model;
   w.repeatability = repeatability;
-  WhitenedRows rows = whitened_rows(model, model.external, repeatability);
+  WhitenedRows rows{std::move(w.whiteners), std::move(w.external), std::move(w.external_error)};
+  rows.external = model.external;
+  whiten_all(model, repeatability, rows);
   const auto by_base = rows.external.leftCols(model.base);
   const SettledBase base = settled(sums_of(model, rows), model.prior, noise);
   Eigen::MatrixXd shared = column_products(by_base, rows.external.rightCols(model.candidates()));
@@ -180,13 +188,24 @@ WhitenedModel whiten(const LinearModel& model, const Repeatability& repeatabilit
   w.base_gradient = base.gradient;
   w.residual_squares = base.residual_squares;
   w.ln_evidence = base.ln_evidence;
-  return w;
 }
 
 BaseEvidence::BaseEvidence(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise)
-    : sums_(sums_of(model, whitened_rows(model, model.external.leftCols(model.base), repeatability))), noise_(noise) {}
+    : noise_(noise) {
+  WhitenedRows rows{{}, model.external.leftCols(model.base), {}};
+  whiten_all(model, repeatability, rows);
+  sums_ = sums_of(model, rows);
+}
 
 double BaseEvidence::ln_with(const BasePrior& prior) const { return settled(sums_, prior, noise_).ln_evidence; }
+
+double BaseEvidence::squares_with(const BasePrior& prior) const {
+  return settled(sums_, prior, noise_).residual_squares;
+}
+
+double ln_evidence_of_base(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise) {
+  return BaseEvidence(model, repeatability, noise).ln_with(model.prior);
+}
 
 Score score(const WhitenedModel& w, Eigen::Index first, Eigen::Index count) {
   const LinearModel& m = *w.model;

@@ -51,6 +51,10 @@ struct WhitenedModel {
 
 WhitenedModel whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise);
 
+/// The same into the place of another, whose memory it takes: of thousands of observations these are hundreds of MB.
+void whiten(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise,
+            WhitenedModel& into);
+
 /// What the measurements say of a model's own parameters under one scatter.
 struct BaseSums {
   Eigen::MatrixXd information;
@@ -64,11 +68,16 @@ class BaseEvidence {
   BaseEvidence(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise);
   /// WhitenedModel::ln_evidence, were this the model's prior.
   double ln_with(const BasePrior& prior) const;
+  /// WhitenedModel::residual_squares, were this the model's prior.
+  double squares_with(const BasePrior& prior) const;
 
  private:
   BaseSums sums_;
   NoiseKnowledge noise_;
 };
+
+/// WhitenedModel::ln_evidence without whitening the candidates, which are most of the columns.
+double ln_evidence_of_base(const LinearModel& model, const Repeatability& repeatability, const NoiseKnowledge& noise);
 
 /// What the data say of some parameters in units of their prior sigma: information A and score b after the model's
 /// own parameters are projected out.

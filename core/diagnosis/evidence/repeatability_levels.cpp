@@ -27,7 +27,7 @@ std::vector<Repeatability> repeatability_levels(const LinearModel& model, const 
   Repeatability best;
   double top = -1e300;
   const auto take = [&](const Repeatability& level, double price) {
-    const double evidence = BaseEvidence(model, level, noise).ln_with(model.prior) - price;
+    const double evidence = ln_evidence_of_base(model, level, noise) - price;
     if (evidence <= top) return false;
     top = evidence;
     best = level;

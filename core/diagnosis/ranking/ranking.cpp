@@ -243,8 +243,9 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
   std::vector<double> evidence;
   std::vector<std::vector<RankedEffect>> effects;
   std::vector<std::vector<EmpiricalError>> empirical_errors;
+  WhitenedModel w;
   for (const Repeatability& repeatability : ranking.scatters) {
-    const WhitenedModel w = whiten(model, repeatability, noise);
+    whiten(model, repeatability, noise, w);
     evidence.push_back(w.ln_evidence);
     effects.emplace_back(candidates.effects.size());
     each_part(static_cast<int>(candidates.effects.size()), true, [&](int i) {
@@ -276,10 +277,10 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
     ranking.empirical_errors.push_back({empirical_errors[best][l], factor, ranking.scatters[best]});
   }
   search_places_of_the_best(model, noise, ranking);
-  const WhitenedModel plain = whiten(model, {}, noise);
+  whiten(model, {}, noise, w);
   each_part(static_cast<int>(ranking.effects.size()), true, [&](int i) {
     RankedEffect& r = ranking.effects[static_cast<std::size_t>(i)];
-    EffectRanker(plain, noise, *r.candidate).measure(r);
+    EffectRanker(w, noise, *r.candidate).measure(r);
   });
   const auto better = [](const auto& a, const auto& b) { return a.ln_bayes_factor > b.ln_bayes_factor; };
   std::stable_sort(ranking.effects.begin(), ranking.effects.end(), better);

@@ -54,7 +54,7 @@ class Work {
     linearise();
     double best = -1e300;
     for (const Repeatability& repeatability : repeatability_levels(search_.model, search_.noise_model.knowledge)) {
-      const double evidence = whiten(search_.model, repeatability, search_.noise_model.knowledge).ln_evidence;
+      const double evidence = ln_evidence_of_base(search_.model, repeatability, search_.noise_model.knowledge);
       if (evidence > best) d_.repeatability = repeatability;
       best = std::max(best, evidence);
     }

@@ -56,7 +56,8 @@ double beyond_usual_repeatability(const Session& session, const Fit& fit, const 
                                   const NoiseKnowledge& noise) {
   const Repeatability usual = usual_of(session);
   // The rows that the body's motions reach: of a board the others are many, and noise alone.
-  const double outer = std::max(whiten(model, usual, noise).residual_squares - squares_of_noise(model), 0.0);
+  const double outer =
+      std::max(BaseEvidence(model, usual, noise).squares_with(model.prior) - squares_of_noise(model), 0.0);
   const auto degrees =
       static_cast<double>(std::max(model.external_error.size() - unknowns_of_motions(fit), Eigen::Index{1}));
   const double chance = 1 + quite_sure / std::sqrt(2 * degrees);
@@ -80,7 +81,7 @@ double find_ln_against_usual_repeatability(const Session& session, const Fit& fi
   const Repeatability no_worse = at_most(best, usual);
   if (no_worse == best) return 0;
   if (beyond_repeats(fit).value_or(2 * clearly) <= clearly) return 0;
-  const auto ln_evidence = [&](const Repeatability& r) { return whiten(model, r, noise).ln_evidence; };
+  const auto ln_evidence = [&](const Repeatability& r) { return ln_evidence_of_base(model, r, noise); };
   const double likeliest = std::max(
       {ln_evidence(usual), ln_evidence({usual.joints, 0}), ln_evidence({0, usual.place}), ln_evidence(no_worse)});
   return ln_evidence(best) - likeliest;

@@ -29,6 +29,7 @@ std::vector<PlannedMove> Experiment::next_moves() {
     const int most = used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1;
     choice.count = std::min(choice.count, batches_ == 0 ? std::max(least_shown, most) : most);
   }
+  asked_for_ = std::max(choice.count, 1);
   choice.with_repeat = batches_ % 2 == 1;
   choice.seed = options_.seed + 1000 * static_cast<std::uint64_t>(batches_ + session_.observations.size());
   ++batches_;
@@ -56,7 +57,9 @@ void Experiment::add_moves(std::vector<ChosenPose> chosen, std::vector<PlannedMo
     });
     const ChosenPose pose = *nearest;
     chosen.erase(nearest);
-    const auto way = way_between(reach_->world, reach_->chain, reach_->ranges, from, pose.position);
+    auto way = way_between(reach_->world, reach_->chain, reach_->ranges, from, pose.position);
+    if (!way && moves.empty())
+      way = way_by_going_back(reach_->world, reach_->chain, reach_->ranges, at_, way_back_, pose.position);
     if (!way) {
       reach_->refused.push_back(pose.position);
       continue;
@@ -84,6 +87,8 @@ MoveAnswer Experiment::moved(const PlannedMove& move) {
   if (answer.torque.size() > 0) answer.torque = order_.to_session(answer.torque);
   require_arrival(reach_->chain, session_.joints, move.pose.position, answer.position);
   has_moved_ = true;
+  way_back_.assign(move.way.rbegin() + 1, move.way.rend());
+  way_back_.push_back(at_);
   at_ = answer.position;
   return answer;
 }

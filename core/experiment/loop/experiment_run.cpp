@@ -11,7 +11,7 @@
 namespace handsight {
 namespace {
 
-constexpr int most_batches_without = 3;  // choices in a row that found no pose
+constexpr int most_poses_without = 15;  // asked for in a row, of which none was found
 constexpr int poses_for_limit = 150;
 
 /// Two digits, as the window says them: nobody knows odds better.
@@ -20,29 +20,31 @@ double rounded_odds(double odds) {
   return std::round(odds / step) * step;
 }
 
+Message named_cause(const SettledCause& settled) {
+  const Effect* const effect = find_effect(settled.id);
+  const Message cause = effect ? looked_up(effect->title) : verbatim(settled.id);
+  if (settled.where.empty()) return cause;
+  return settled.where.front().starts_with("from observation")
+             ? message("{} {}", cause, listed_places(settled.where))
+             : message("{} of {}", cause, listed_places(settled.where));
+}
+
+Message cause_sentence(const SettledCause& settled) {
+  const Message odds = settled.odds > 1e6 ? Message("more than a million to one")
+                                          : message("about {:.0f} to one", rounded_odds(settled.odds));
+  if (settled.follows)
+    return message("What is missing follows the {} in a form that is not in the catalogue, by odds of {}.",
+                   *settled.follows, odds);
+  if (settled.id.empty()) return "Nothing is missing that these poses could show.";
+  return message("What is missing: {}, by odds of {}.", named_cause(settled), odds);
+}
+
 /// Why everything that was asked for is reached.
 Message reached_text(const Goals& until, const ExperimentResult& result) {
-  const Message hand = until.hand ? message("{:.3g}", 1e3 * *result.known.hand_limit) : Message();
-  if (!until.odds) return message("What was asked for is reached: the hand is known to {} mm (95 %).", hand);
-  if (result.settled->id.empty())
-    return until.hand ? message(
-                            "What was asked for is reached: nothing is missing that these poses could show, and "
-                            "the hand is known to {} mm (95 %).",
-                            hand)
-                      : Message("What was asked for is reached: nothing is missing that these poses could show.");
-  const Message odds = result.settled->odds > 1e6 ? Message("more than a million to one")
-                                                  : message("about {:.0f} to one", rounded_odds(result.settled->odds));
-  const Effect* const effect = find_effect(result.settled->id);
-  Message cause = effect ? looked_up(effect->title) : verbatim(result.settled->id);
-  const std::vector<std::string>& where = result.settled->where;
-  if (!where.empty())
-    cause = where.front().starts_with("from observation") ? message("{} {}", cause, listed_places(where))
-                                                          : message("{} of {}", cause, listed_places(where));
-  return until.hand ? message(
-                          "What was asked for is reached. What is missing: {}, by odds of {}; the hand is known to "
-                          "{} mm (95 %).",
-                          cause, odds, hand)
-                    : message("What was asked for is reached. What is missing: {}, by odds of {}.", cause, odds);
+  Message text = "What was asked for is reached.";
+  if (until.odds) text += message(" {}", cause_sentence(*result.settled));
+  if (until.hand) text += message(" The hand is known to {:.3g} mm (95 %).", 1e3 * *result.known.hand_limit);
+  return text;
 }
 
 }  // namespace
@@ -121,13 +123,14 @@ void Experiment::round() {
     throw Ended{ExperimentEnd::dry_run, "A dry run: these are the poses that would be taken first; nothing has moved."};
   }
   if (moves.empty()) {
-    if (++batches_without_ >= most_batches_without)
+    poses_without_ += asked_for_;
+    if (poses_without_ >= most_poses_without)
       throw Ended{
           ExperimentEnd::no_more_poses,
           "No further pose was found that the robot can reach without a collision and where the target is seen."};
     return;
   }
-  batches_without_ = 0;
+  poses_without_ = 0;
   confirm(moves);
   for (const PlannedMove& move : moves) {
     check_limits();
@@ -176,21 +179,10 @@ void Experiment::check_limits() const {
                 message("The time that was asked for is over ({:.0f} s).", *options_.until.seconds)};
 }
 
-/// By odds; that nothing is missing is said of what two diagnoses in a row find so, from twenty observations on.
-bool Experiment::is_settled(const Knowledge& known) {
-  if (!known.settled) return false;
-  if (!known.settled->id.empty() || known.diagnosis->verdict != Verdict::adequate) {
-    adequate_in_a_row_ = 0;
-    return !known.settled->id.empty() && known.settled->odds >= *options_.until.odds;
-  }
-  if (known.used < least_for_none || known.settled->odds < 1) return false;
-  return ++adequate_in_a_row_ >= 2;
-}
-
 void Experiment::check_goals() {
   const Goals& until = options_.until;
   const Knowledge& known = result_.known;
-  if (until.odds && !result_.settled && is_settled(known)) {
+  if (until.odds && !result_.settled && settling_.is_settled_by(known)) {
     result_.settled = known.settled;
     // What has a name belongs to the model from now on: the hand is to be known with it.
     for (const EffectTerm& term : known.settled->terms) model_.estimated.push_back(term);

@@ -7,6 +7,7 @@
 #include "experiment/loop/deciding.h"
 #include "experiment/loop/driven_joints.h"
 #include "experiment/loop/experiment_result.h"
+#include "experiment/loop/settling.h"
 
 namespace handsight {
 
@@ -26,7 +27,11 @@ struct Ended {
 class Experiment {
  public:
   Experiment(Session session, DrivenRobot& robot, const ExperimentOptions& options)
-      : session_(std::move(session)), robot_(robot), options_(options), model_(options.model) {}
+      : session_(std::move(session)),
+        robot_(robot),
+        options_(options),
+        model_(options.model),
+        settling_(options.until.odds.value_or(1)) {}
 
   ExperimentResult run();
 
@@ -38,7 +43,6 @@ class Experiment {
   void learn(bool with_diagnosis);
   void learn_from_look();
   void check_goals();
-  bool is_settled(const Knowledge& known);
   void check_limits() const;
   std::vector<PlannedMove> next_moves();
   void add_moves(std::vector<ChosenPose> chosen, std::vector<PlannedMove>& moves);
@@ -63,13 +67,15 @@ class Experiment {
   DrivenRobot& robot_;
   const ExperimentOptions& options_;
   ExperimentModel model_;
+  Settling settling_;
   ExperimentResult result_;
   JointOrder order_;
   std::optional<Reach> reach_;
   std::optional<Deciding> deciding_;
-  Eigen::VectorXd at_;  // where the robot stands, in the session's order
+  Eigen::VectorXd at_;                     // where the robot stands, in the session's order
+  std::vector<Eigen::VectorXd> way_back_;  // points after at_, to where it stood before
   bool was_confirmed_ = false, has_moved_ = false;
-  int batches_ = 0, in_vain_ = 0, batches_without_ = 0, adequate_in_a_row_ = 0;
+  int batches_ = 0, in_vain_ = 0, poses_without_ = 0, asked_for_ = 0;
   std::vector<Eigen::VectorXd> judged_by_;
   std::size_t judged_at_ = 0;
   double time_offset_ = 0, last_time_ = 0;  // s

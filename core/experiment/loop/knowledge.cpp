@@ -43,17 +43,40 @@ void set_open_questions(Knowledge& known) {
     }
 }
 
-/// The evidence of all that it may be instead, of its own: nothing, the other causes, and what has no name, of which
-/// the likeliest counts unless this is the name for it.
-double rivals_of(const DiagnosisCandidate& best, const Diagnosis& diagnosis) {
-  double sum = std::exp(-best.ln_bayes_factor);
-  for (const DiagnosisCandidate* other : named(diagnosis))
-    if (are_distinguished(best, *other)) sum += std::exp(other->ln_bayes_factor - best.ln_bayes_factor);
+/// The likeliest of what has no name; null: there is none.
+const DiagnosisCandidate* likeliest_unnamed(const Diagnosis& diagnosis) {
   const auto unnamed = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                                     [](const DiagnosisCandidate& c) { return c.unnamed.has_value(); });
-  if (unnamed != diagnosis.candidates.end() && !comes_before(best, *unnamed))
-    sum += std::exp(unnamed->ln_bayes_factor - best.ln_bayes_factor);
+  return unnamed == diagnosis.candidates.end() ? nullptr : &*unnamed;
+}
+
+/// Nothing and all named causes, in evidence of this candidate's.
+double named_rivals_of(const DiagnosisCandidate& c, const Diagnosis& diagnosis) {
+  double sum = std::exp(-c.ln_bayes_factor);
+  for (const DiagnosisCandidate* other : named(diagnosis))
+    if (are_distinguished(c, *other)) sum += std::exp(other->ln_bayes_factor - c.ln_bayes_factor);
   return sum;
+}
+
+double odds_against(double rivals) { return 1 / std::max(rivals, 1e-43); }
+
+/// All that a named cause may be instead: of what has no name the likeliest counts, unless this is the name for it.
+SettledCause settled_name(const DiagnosisCandidate& best, const Diagnosis& diagnosis) {
+  double rivals = named_rivals_of(best, diagnosis);
+  const DiagnosisCandidate* const unnamed = likeliest_unnamed(diagnosis);
+  if (unnamed && !comes_before(best, *unnamed)) rivals += std::exp(unnamed->ln_bayes_factor - best.ln_bayes_factor);
+  return {best.id, best.where, best.terms, odds_against(rivals)};
+}
+
+/// Where what has no name leads, and the likeliest name is none for it.
+std::optional<SettledCause> settled_without_name(const std::vector<const DiagnosisCandidate*>& names,
+                                                 const Diagnosis& diagnosis) {
+  const DiagnosisCandidate* const unnamed = likeliest_unnamed(diagnosis);
+  if (!unnamed || unnamed->ln_bayes_factor < diagnosis.threshold) return std::nullopt;
+  if (!names.empty() && (names[0]->ln_bayes_factor >= unnamed->ln_bayes_factor || comes_before(*names[0], *unnamed)))
+    return std::nullopt;
+  return SettledCause{"", unnamed->where, unnamed->terms, odds_against(named_rivals_of(*unnamed, diagnosis)),
+                      unnamed->unnamed->empirical_error.variable->name};
 }
 
 }  // namespace
@@ -70,8 +93,9 @@ SettledCause settled_cause(const Diagnosis& diagnosis) {
     for (const double f : of_visible) mean += std::exp(std::min(f, 700.0)) / static_cast<double>(of_visible.size());
     return {.odds = 1 / std::max(mean, 1e-9)};
   }
+  if (const auto cause = settled_without_name(all, diagnosis)) return *cause;
   if (all.empty() || all[0]->ln_bayes_factor < diagnosis.threshold) return {};
-  return {all[0]->id, all[0]->where, all[0]->terms, 1 / std::max(rivals_of(*all[0], diagnosis), 1e-43)};
+  return settled_name(*all[0], diagnosis);
 }
 
 std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses) {

@@ -24,17 +24,18 @@ struct ExperimentModel {
 
 /// A cause for which, or for none of which, the measurements speak.
 struct SettledCause {
-  std::string id;  // empty: nothing is missing
+  std::string id;  // empty: nothing is missing, or what has no name
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;
   /// Of it against all others together, none and the likeliest curve without a name among them, those left out that
   /// cannot be distinguished from it; of none against the mean of the causes that the poses can show, of all prior
   /// sigmas, small ones too.
   double odds = 1;
+  std::optional<Message> follows = {};  // of what has no name: the variable that it follows
 };
 
 inline constexpr std::size_t least_to_diagnose = 5;  // used observations
-inline constexpr std::size_t least_for_none = 20;    // ... before it is said that nothing is missing
+inline constexpr std::size_t least_for_none = 20;    // ... before it is said that nothing is missing that has a name
 
 struct Knowledge {
   std::size_t used = 0;                       // observations
@@ -54,7 +55,7 @@ Knowledge assess_knowledge(const Session& session, const ExperimentModel& model,
 /// where the measurements leave a direction of the unknowns open: its covariance is no number.
 std::optional<double> hand_limit(const Fit& fit, const std::vector<Eigen::VectorXd>& poses);
 
-/// What the evidence of a diagnosis is for: its best named candidate, or none.
+/// What the evidence of a diagnosis is for: its best named candidate, what has no name, or none.
 SettledCause settled_cause(const Diagnosis& diagnosis);
 
 }  // namespace handsight

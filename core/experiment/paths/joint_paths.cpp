@@ -72,6 +72,20 @@ bool is_free(const CollisionWorld& world, const Chain& chain, const Eigen::Vecto
   return true;
 }
 
+std::optional<std::vector<Eigen::VectorXd>> way_by_going_back(const CollisionWorld& world, const Chain& chain,
+                                                              const JointRanges& ranges, const Eigen::VectorXd& from,
+                                                              const std::vector<Eigen::VectorXd>& back,
+                                                              const Eigen::VectorXd& to, double seconds) {
+  if (back.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < back.size(); ++i)
+    if (!is_free(world, chain, i > 0 ? back[i - 1] : from, back[i])) return std::nullopt;
+  const auto on = way_between(world, chain, ranges, back.back(), to, seconds);
+  if (!on) return std::nullopt;
+  std::vector<Eigen::VectorXd> way = back;
+  way.insert(way.end(), on->begin(), on->end());
+  return way;
+}
+
 double measure_length(const Eigen::VectorXd& from, const std::vector<Eigen::VectorXd>& way) {
   double length = 0;
   for (std::size_t i = 0; i < way.size(); ++i) length += (way[i] - (i > 0 ? way[i - 1] : from)).cwiseAbs().maxCoeff();

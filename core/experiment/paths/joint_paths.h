@@ -32,6 +32,13 @@ std::optional<std::vector<Eigen::VectorXd>> way_between(const CollisionWorld& wo
                                                         const JointRanges& ranges, const Eigen::VectorXd& from,
                                                         const Eigen::VectorXd& to, double seconds = 0.5);
 
+/// Out of a corner: a free way that goes back along `back` first, the points after `from` to where the robot stood
+/// before. Nothing where `back` has none, is not free any more, or leads nowhere from which `to` is found.
+std::optional<std::vector<Eigen::VectorXd>> way_by_going_back(const CollisionWorld& world, const Chain& chain,
+                                                              const JointRanges& ranges, const Eigen::VectorXd& from,
+                                                              const std::vector<Eigen::VectorXd>& back,
+                                                              const Eigen::VectorXd& to, double seconds = 0.5);
+
 /// The way of the fastest joint, rad (m), along these points.
 double measure_length(const Eigen::VectorXd& from, const std::vector<Eigen::VectorXd>& way);
 

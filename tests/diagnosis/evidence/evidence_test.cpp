@@ -98,9 +98,25 @@ TEST(Evidence, OfTheBaseAloneIsThatOfTheWholeModelWhateverThePrior) {
         other.prior.precision *= scale;
         other.prior.gradient *= scale;
         other.prior.cost *= scale;
-        EXPECT_NEAR(evidence.ln_with(other.prior), whiten(other, repeatability, knowledge).ln_evidence, 1e-8);
+        const WhitenedModel whole = whiten(other, repeatability, knowledge);
+        EXPECT_NEAR(evidence.ln_with(other.prior), whole.ln_evidence, 1e-8);
+        EXPECT_NEAR(ln_evidence_of_base(other, repeatability, knowledge), whole.ln_evidence, 1e-8);
+        EXPECT_NEAR(evidence.squares_with(other.prior), whole.residual_squares, 1e-8 * whole.residual_squares);
       }
     }
+}
+
+TEST(Evidence, WhitenedIntoThePlaceOfAnotherIsTheSame) {
+  const Bench b = workbench(4);
+  WhitenedModel w = whiten(b.model, {3e-4, 2e-4}, {});
+  whiten(b.model, {1e-4, 0}, {}, w);
+  const WhitenedModel alone = whiten(b.model, {1e-4, 0}, {});
+  EXPECT_EQ(w.external, alone.external);
+  EXPECT_EQ(w.shared, alone.shared);
+  EXPECT_EQ(w.external_error, alone.external_error);
+  EXPECT_EQ(w.whiteners.size(), alone.whiteners.size());
+  EXPECT_EQ(w.ln_evidence, alone.ln_evidence);
+  EXPECT_EQ(w.residual_squares, alone.residual_squares);
 }
 
 TEST(Evidence, GainsNothingFromWhatTheModelAlreadyHas) {
