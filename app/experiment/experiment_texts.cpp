@@ -66,6 +66,8 @@ QString reason_in_words(PoseReason reason) {
   switch (reason) {
     case PoseReason::spread:
       return QObject::tr("to settle the estimate");
+    case PoseReason::near_seen:
+      return QObject::tr("a small step from where it was seen");
     case PoseReason::precision:
       return QObject::tr("precision of the hand");
     case PoseReason::cause:

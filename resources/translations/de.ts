@@ -6064,6 +6064,10 @@
         <translation>um zwei Ursachen zu unterscheiden</translation>
     </message>
     <message>
+        <source>a small step from where it was seen</source>
+        <translation>ein kleiner Schritt von dort, wo es zu sehen war</translation>
+    </message>
+    <message>
         <source>where it has not been measured yet</source>
         <translation>wo noch nicht gemessen wurde</translation>
     </message>
@@ -10104,7 +10108,7 @@
     </message>
     <message>
         <source>What is missing follows the %1 in a form that is not in the catalogue, by odds of %2.</source>
-        <translation>Was fehlt, folgt %1 in einer Form, die nicht im Katalog steht, mit einer Quote von %2.</translation>
+        <translation>Was fehlt, folgt %1 in einer Form, die nicht im Katalog steht (Quote: %2).</translation>
     </message>
     <message>
         <source>The experiment was interrupted between two moves.</source>
@@ -10124,7 +10128,7 @@
     </message>
     <message>
         <source>What is missing: %1, by odds of %2.</source>
-        <translation>Es fehlt: %1, mit einer Quote von %2.</translation>
+        <translation>Es fehlt: %1 (Quote: %2).</translation>
     </message>
     <message>
         <source>is no log of recheck; expected the columns %1.</source>

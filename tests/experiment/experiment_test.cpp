@@ -3,8 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "experiment/simulated/simulated_robot.h"
 #include "fixtures/arms.h"
+#include "fixtures/targets.h"
 
 namespace handsight {
 namespace {
@@ -66,6 +69,27 @@ TEST_F(Experiments, WhatHasNoNameIsSettledToo) {
   EXPECT_GE(result.settled->odds, 20);
   EXPECT_THAT(result.reason, HasSubstr("What is missing follows the "));
   EXPECT_THAT(result.reason, HasSubstr("in a form that is not in the catalogue, by odds of"));
+}
+
+/// Two looks of a camera on the hand say badly where the board lies: all ten poses that were chosen by them showed
+/// nothing, and the experiment ended.
+TEST_F(Experiments, WhereNothingIsSeenItGoesInSmallStepsFromWhereSomethingWas) {
+  Session like = fixture::eye_in_hand_session();
+  like.mount.estimate = true;
+  like.sigma_pixel.reset();
+  SimulationOptions truth;
+  truth.seed = 8317;
+  truth.noise = 0.2;
+  SimulatedRobot robot(like, {.truth = truth});
+  const ExperimentResult result = run_experiment(rough_start(like, truth, 2), robot, in_memory("odds=20|count=16"));
+  EXPECT_EQ(result.end, ExperimentEnd::count) << result.reason;
+  EXPECT_GE(result.accepted, 8);
+  const auto is_near = [](const ExperimentStep& s) { return s.move.pose.reason == PoseReason::near_seen; };
+  const auto first = std::find_if(result.steps.begin(), result.steps.end(), is_near);
+  ASSERT_NE(first, result.steps.end());
+  EXPECT_GE(first - result.steps.begin(), 2) << "only after two in vain";
+  EXPECT_FALSE((first - 1)->accepted);
+  EXPECT_FALSE((first - 2)->accepted);
 }
 
 TEST_F(Experiments, TheHandIsKnownAsWellAsItWasAskedFor) {

@@ -2,8 +2,9 @@
 // trial_experiment robots COUNT SEED [FROM [SIZE]]: simulated robots from a rough start, one hidden cause of SIZE (1)
 //   prior sigmas or none; how many poses the loop needs for odds of 20, and how many random ones do that can be reached
 //   and seen; how well the hand is known beside poses chosen with the truth known.
-// trial_experiment knowing COUNT SEED [FROM [SIZE [LEAST]]]: poses of the loop beside those of one who knows what is
-// hidden
+// trial_experiment wrist COUNT SEED [FROM [SIZE]]: the same of a six-axis arm with a camera on its hand, before a
+// board. trial_experiment knowing COUNT SEED [FROM [SIZE [LEAST]]]: poses of the loop beside those of one who knows
+// what is hidden
 //   and random ones; causes of a chi-squared of LEAST and more.
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
 #include <fmt/core.h>
@@ -17,6 +18,7 @@
 #include "experiment/loop/experiment.h"
 #include "experiment/loop/settling.h"
 #include "experiment/simulated/simulated_robot.h"
+#include "fixtures/targets.h"
 #include "fixtures/trial_sessions.h"
 #include "knowing_poses.h"
 
@@ -44,14 +46,23 @@ struct Case {
   std::string hidden;
 };
 
-Case drawn_case(int number, std::uint64_t seed, double size) {
-  const int robot = number % 3;
+constexpr int robots = 3;  // and one with a camera on its hand, by itself
+
+Session like_of(int robot, std::uint64_t seed) {
+  if (robot < robots) return trials::robot_session(robot, seed);
+  Session s = fixture::eye_in_hand_session();
+  s.mount.estimate = true;
+  s.sigma_pixel.reset();
+  return s;
+}
+
+Case drawn_case(int robot, int cause_number, std::uint64_t seed, double size) {
   std::mt19937_64 random(seed);
-  Case c{trials::robot_session(robot, seed), {}, "none"};
+  Case c{like_of(robot, seed), {}, "none"};
   c.truth.seed = seed;
   c.truth.noise = trials::sigma;
   const char* causes[] = {"joint_offset", "joint_elasticity", "joint_scale", "encoder_eccentricity", "none", "curve"};
-  const std::string cause = causes[number / 3 % 6];
+  const std::string cause = causes[cause_number % 6];
   c.hidden = cause;
   const Chain chain = make_chain(c.like);
   if (cause == "curve") {
@@ -173,18 +184,20 @@ double shown_by(const Case& c) {
   return rows * std::pow(fit(session).residual_rms / trials::sigma, 2);
 }
 
-void try_robots(int count, std::uint64_t first, int from, double size) {
+/// The robots in turn, or with a camera on the hand alone.
+void try_robots(int count, std::uint64_t first, int from, double size, bool on_hand) {
   std::vector<double> of_causes, where_poses_count, of_none, hands,
       choices;                                      // poses by the loop over random ones; the rest
   int names_told = 0, names_wrong = 0;              // by the loop
   std::map<std::string, std::array<int, 3>> named;  // all, right by the loop, right by random poses
   for (int i = from; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
-    const Case c = drawn_case(i, seed, size);
+    const int robot = on_hand ? robots : i % robots;
+    const Case c = drawn_case(robot, on_hand ? i : i / robots, seed, size);
     const auto start = Clock::now();
-    SimulatedRobot robot(c.like, {.truth = c.truth});
+    SimulatedRobot driven(c.like, {.truth = c.truth});
     const ExperimentResult loop =
-        run_experiment(make_start(c), robot, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
+        run_experiment(make_start(c), driven, quiet(fmt::format("odds={}|count={}", odds, most_poses)));
     const double seconds = seconds_since(start);
     std::optional<SettledCause> by_random;
     const int random_count = poses_needed(c, random_poses(c), by_random);
@@ -222,7 +235,7 @@ void try_robots(int count, std::uint64_t first, int from, double size) {
     fmt::print(
         "{} robot {} {:<22} chi2 {:<8.3g} {:<8} loop {:>2} poses ({}), random {:>2} ({}), {:.1f} s, choice {:.2f} s a "
         "pose, hand {:.3f}\n",
-        seed, i % 3, c.hidden, shown_by(c), end_name(loop.end), loop.observations, cause_text(loop.settled),
+        seed, robot, c.hidden, shown_by(c), end_name(loop.end), loop.observations, cause_text(loop.settled),
         random_count, cause_text(by_random), seconds, loop.longest_choice, hand);
     if (!loop.settled && loop.known.diagnosis)
       fmt::print("     {}: {} by odds of {:.2g}, best {} {:.1f} of {:.1f}\n",
@@ -254,7 +267,7 @@ void try_knowing(int count, std::uint64_t first, int from, double size, double l
   std::array<int, 3> right{};
   int all = 0;
   for (int i = from; i < count; ++i) {
-    const Case c = drawn_case(i, first + static_cast<std::uint64_t>(i), size);
+    const Case c = drawn_case(i % robots, i / robots, first + static_cast<std::uint64_t>(i), size);
     const double shown = c.truth.effects.empty() ? 0 : shown_by(c);
     if (shown < least_shown) continue;
     const std::vector<Observation> knowing = knowing_poses(c);
@@ -333,8 +346,8 @@ int run(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "robots";
   const int count = argc > 2 ? std::atoi(argv[2]) : 6;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  if (what == "robots")
-    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1);
+  if (what == "robots" || what == "wrist")
+    try_robots(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1, what == "wrist");
   else if (what == "knowing")
     try_knowing(count, seed, argc > 4 ? std::atoi(argv[4]) : 0, argc > 5 ? std::atof(argv[5]) : 1,
                 argc > 6 ? std::atof(argv[6]) : 0);

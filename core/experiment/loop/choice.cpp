@@ -13,6 +13,7 @@ namespace handsight {
 namespace {
 
 constexpr std::size_t least_to_plan = 6;  // used observations
+constexpr int least_in_vain = 2;          // moves in a row, before what the fit says of what is seen is mistrusted
 constexpr int usual_pool = 600, spread_pool = 200, cause_pool = 150;
 constexpr double near_in_vain = 0.15;  // rad (m) of the joint that differs most
 constexpr double most_turned = 60 * M_PI / 180;
@@ -96,13 +97,14 @@ std::vector<Eigen::VectorXd> seen_pool(const Session& session, const Fit& fit, c
 }
 
 /// Nothing is known of where the target sits: a step at a time from where it was seen, or from where the robot stands.
+/// `share` of the usual steps.
 std::vector<Eigen::VectorXd> pool_about(const std::vector<Eigen::VectorXd>& seen, const Reach& reach, int count,
-                                        std::uint64_t seed) {
+                                        std::uint64_t seed, double share = 1) {
   std::mt19937_64 random(seed);
   std::vector<Eigen::VectorXd> pool;
   for (int tries = 0; tries < 20 * count && static_cast<int>(pool.size()) < count; ++tries) {
     Eigen::VectorXd q = seen[static_cast<std::size_t>(random() % seen.size())];
-    const double size = 0.06 + 0.12 * uniform(random);  // of the range
+    const double size = share * (0.06 + 0.12 * uniform(random));  // of the range
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const double range = std::min(reach.ranges.upper[j] - reach.ranges.lower[j], 4.0);
       q[j] += size * range * (2 * uniform(random) - 1);
@@ -125,6 +127,15 @@ void add_spread(const Session& session, const Knowledge& known, const Reach& rea
   for (int i = 0; i < options.count; ++i)
     if (const auto position = take_farthest(pool, taken, reach.ranges))
       chosen.push_back({*position, PoseReason::spread});
+}
+
+void add_near_seen(const Session& session, const Reach& reach, const Eigen::VectorXd& from,
+                   const ChoiceOptions& options, std::vector<ChosenPose>& chosen) {
+  std::vector<Eigen::VectorXd> seen = taken_in(session);
+  if (seen.empty()) seen.push_back(from);
+  const double share = std::pow(0.7, options.in_vain - least_in_vain);
+  for (const Eigen::VectorXd& q : pool_about(seen, reach, options.count, options.seed, share))
+    chosen.push_back({q, PoseReason::near_seen});
 }
 
 /// May it be taken, and is it none of those that are chosen already?
@@ -182,6 +193,8 @@ const char* reason_text(PoseReason reason) {
   switch (reason) {
     case PoseReason::spread:
       return "to begin with, spread over what is seen";
+    case PoseReason::near_seen:
+      return "a small step from where the target was seen";
     case PoseReason::precision:
       return "to settle the estimate";
     case PoseReason::cause:
@@ -199,6 +212,8 @@ const char* reason_name(PoseReason reason) {
   switch (reason) {
     case PoseReason::spread:
       return "spread";
+    case PoseReason::near_seen:
+      return "near_seen";
     case PoseReason::precision:
       return "precision";
     case PoseReason::cause:
@@ -257,6 +272,10 @@ std::vector<Eigen::VectorXd> poses_to_judge_by(const Session& session, const Fit
 std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
                                      const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options) {
   std::vector<ChosenPose> chosen;
+  if (options.in_vain >= least_in_vain) {
+    add_near_seen(session, reach, from, options, chosen);
+    return chosen;
+  }
   if (!known.fit || (known.used < least_to_plan && !options.for_cause)) {
     add_spread(session, known, reach, from, options, chosen);
     return chosen;

@@ -9,7 +9,7 @@
 
 namespace handsight {
 
-enum class PoseReason { spread, precision, cause, between, region, repeat };
+enum class PoseReason { spread, near_seen, precision, cause, between, region, repeat };
 /// "to settle the estimate", for people.
 const char* reason_text(PoseReason reason);
 /// "precision", for programs.
@@ -42,10 +42,13 @@ struct ChoiceOptions {
   int count = 5;
   bool with_repeat = false;
   bool for_cause = false;  // what is missing is asked for, and not known yet
+  int in_vain = 0;         // moves in a row that have brought nothing
   std::uint64_t seed = 1;
 };
 
-/// Up to `count` poses. Without a fit poses are spread about where the target was seen, or where the robot stands
+/// Up to `count` poses. From two moves in vain on: small steps from where the target was seen, the smaller the more
+/// were in vain, for where it sits is not known as well as it seems. Without a fit poses are spread about where the
+/// target was seen, or where the robot stands
 /// (`from`). With one, for_cause: those that say most about what is missing (plan_for_causes). Otherwise, with fewer
 /// than six observations spread over what can be seen, later for the two causes that cannot be distinguished, the rest
 /// for the precision of the model with what is likely. Of four and more one is in a region not yet seen, of three and

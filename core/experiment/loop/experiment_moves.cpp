@@ -29,6 +29,8 @@ std::vector<PlannedMove> Experiment::next_moves() {
     const int most = used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1;
     choice.count = std::min(choice.count, batches_ == 0 ? std::max(least_shown, most) : most);
   }
+  choice.in_vain = in_vain_;
+  if (in_vain_ > 0) choice.count = 1;  // what it brings is wanted before the next
   asked_for_ = std::max(choice.count, 1);
   choice.with_repeat = batches_ % 2 == 1;
   choice.seed = options_.seed + 1000 * static_cast<std::uint64_t>(batches_ + session_.observations.size());
