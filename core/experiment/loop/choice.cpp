@@ -102,7 +102,8 @@ std::vector<Eigen::VectorXd> pool_about(const std::vector<Eigen::VectorXd>& seen
                                         std::uint64_t seed, double share = 1) {
   std::mt19937_64 random(seed);
   std::vector<Eigen::VectorXd> pool;
-  for (int tries = 0; tries < 20 * count && static_cast<int>(pool.size()) < count; ++tries) {
+  const int most_tries = 20 * std::max(count, 20);
+  for (int tries = 0; tries < most_tries && static_cast<int>(pool.size()) < count; ++tries) {
     Eigen::VectorXd q = seen[static_cast<std::size_t>(random() % seen.size())];
     const double size = share * (0.06 + 0.12 * uniform(random));  // of the range
     for (Eigen::Index j = 0; j < q.size(); ++j) {

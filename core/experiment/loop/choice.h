@@ -42,17 +42,17 @@ struct ChoiceOptions {
   int count = 5;
   bool with_repeat = false;
   bool for_cause = false;  // what is missing is asked for, and not known yet
-  int in_vain = 0;         // moves in a row that have brought nothing
+  int in_vain = 0;         // in a row: moves that have brought nothing, or poses but one that no way leads to
   std::uint64_t seed = 1;
 };
 
-/// Up to `count` poses. From two moves in vain on: small steps from where the target was seen, the smaller the more
-/// were in vain, for where it sits is not known as well as it seems. Without a fit poses are spread about where the
-/// target was seen, or where the robot stands
-/// (`from`). With one, for_cause: those that say most about what is missing (plan_for_causes). Otherwise, with fewer
-/// than six observations spread over what can be seen, later for the two causes that cannot be distinguished, the rest
-/// for the precision of the model with what is likely. Of four and more one is in a region not yet seen, of three and
-/// more one is repeated for the scatter where that is asked for. Fewer, or none, where there are no more.
+/// Up to `count` poses. From two in vain on: small steps from where the target was seen, the smaller the more were in
+/// vain, for where it sits is not known as well as it seems, or no way leads farther. Without a fit poses are spread
+/// about where the target was seen, or where the robot stands (`from`). With one, for_cause: those that say most about
+/// what is missing (plan_for_causes). Otherwise, with fewer than six observations spread over what can be seen, later
+/// for the two causes that cannot be distinguished, the rest for the precision of the model with what is likely. Of
+/// four and more one is in a region not yet seen, of three and more one is repeated for the scatter where that is asked
+/// for. Fewer, or none, where there are no more.
 std::vector<ChosenPose> choose_poses(const Session& session, const ExperimentModel& model, const Knowledge& known,
                                      const Reach& reach, const Eigen::VectorXd& from, const ChoiceOptions& options);
 

@@ -29,7 +29,7 @@ std::vector<PlannedMove> Experiment::next_moves() {
     const int most = used < least_to_diagnose ? static_cast<int>(least_to_diagnose - used) : 1;
     choice.count = std::min(choice.count, batches_ == 0 ? std::max(least_shown, most) : most);
   }
-  choice.in_vain = in_vain_;
+  choice.in_vain = std::max(in_vain_, poses_without_ - 1);
   if (in_vain_ > 0) choice.count = 1;  // what it brings is wanted before the next
   asked_for_ = std::max(choice.count, 1);
   choice.with_repeat = batches_ % 2 == 1;
