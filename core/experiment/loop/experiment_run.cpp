@@ -22,7 +22,7 @@ double rounded_odds(double odds) {
 
 Message named_cause(const SettledCause& settled) {
   const Effect* const effect = find_effect(settled.id);
-  const Message cause = effect ? looked_up(effect->title) : verbatim(settled.id);
+  Message cause = effect ? looked_up(effect->title) : verbatim(settled.id);
   if (settled.where.empty()) return cause;
   return settled.where.front().starts_with("from observation")
              ? message("{} {}", cause, listed_places(settled.where))
