@@ -9,7 +9,6 @@
 #include <string>
 #include <thread>
 
-#include "base/freed_memory.h"
 #include "base/threads.h"
 #include "widgets/scene/robot_view.h"
 #include "window/appearance.h"
@@ -81,7 +80,6 @@ int refuse(const std::string& sentence) {
 
 int main(int argc, char** argv) {
   using namespace handsight;
-  keep_freed_memory();
   const Arguments arguments = parse(argc, argv);
   if (!arguments.refusal.empty()) return refuse(arguments.refusal);
   if (arguments.wants_help) return std::fputs(usage, stdout), 0;

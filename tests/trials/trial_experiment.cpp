@@ -2,10 +2,11 @@
 // trial_experiment robots COUNT SEED [FROM [SIZE]]: simulated robots from a rough start, one hidden cause of SIZE (1)
 //   prior sigmas or none; how many poses the loop needs for odds of 20, and how many random ones do that can be reached
 //   and seen; how well the hand is known beside poses chosen with the truth known.
-// trial_experiment wrist COUNT SEED [FROM [SIZE]]: the same of a six-axis arm with a camera on its hand, before a
-// board. trial_experiment knowing COUNT SEED [FROM [SIZE [LEAST]]]: poses of the loop beside those of one who knows
-// what is hidden
-//   and random ones; causes of a chi-squared of LEAST and more.
+// trial_experiment wrist COUNT SEED [FROM [SIZE]]: the same of six axes with a camera on the hand, before a board.
+//
+// trial_experiment knowing COUNT SEED [FROM [SIZE [LEAST]]]: poses of the loop beside those of one who knows what is
+//   hidden and random ones; causes of a chi-squared of LEAST and more.
+//
 // trial_experiment ways COUNT SEED: ways between random postures, checked at twice finer steps.
 #include <fmt/core.h>
 #include <sys/resource.h>

@@ -198,8 +198,9 @@ class EffectRanker {
   Score all_;
 };
 
-/// Where the effects that matter sit: of the best by evidence.
-void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& noise, Ranking& ranking) {
+/// Where the effects that matter sit: of the best by evidence. `w` is overwritten: two of them at once may not fit.
+void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& noise, WhitenedModel& w,
+                               Ranking& ranking) {
   constexpr std::size_t most = 4;
   std::vector<RankedEffect*> best;
   for (RankedEffect& r : ranking.effects)
@@ -208,11 +209,12 @@ void search_places_of_the_best(const LinearModel& model, const NoiseKnowledge& n
                    [](const auto* a, const auto* b) { return a->ln_bayes_factor > b->ln_bayes_factor; });
   if (best.size() > most) best.resize(most);
   for (const Repeatability& repeatability : ranking.scatters) {
-    std::optional<WhitenedModel> w;
+    bool is_whitened = false;
     for (RankedEffect* r : best) {
       if (r->repeatability != repeatability) continue;
-      if (!w) w = whiten(model, repeatability, noise);
-      EffectRanker(*w, noise, *r->candidate).search_places(*r);
+      if (!is_whitened) whiten(model, repeatability, noise, w);
+      is_whitened = true;
+      EffectRanker(w, noise, *r->candidate).search_places(*r);
     }
   }
 }
@@ -276,7 +278,7 @@ Ranking rank(const LinearModel& model, const NoiseKnowledge& noise, const Candid
                           ln_odds_of_unnamed_along(*empirical_errors[best][l].variable);
     ranking.empirical_errors.push_back({empirical_errors[best][l], factor, ranking.scatters[best]});
   }
-  search_places_of_the_best(model, noise, ranking);
+  search_places_of_the_best(model, noise, w, ranking);
   whiten(model, {}, noise, w);
   each_part(static_cast<int>(ranking.effects.size()), true, [&](int i) {
     RankedEffect& r = ranking.effects[static_cast<std::size_t>(i)];

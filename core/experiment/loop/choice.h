@@ -42,7 +42,7 @@ struct ChoiceOptions {
   int count = 5;
   bool with_repeat = false;
   bool for_cause = false;  // what is missing is asked for, and not known yet
-  int in_vain = 0;         // in a row: moves that have brought nothing, or poses but one that no way leads to
+  int in_vain = 0;         // in a row: moves that brought nothing, or one less than poses that no way leads to
   std::uint64_t seed = 1;
 };
 

@@ -28,8 +28,8 @@ struct SettledCause {
   std::vector<std::string> where;
   std::vector<EffectTerm> terms;
   /// Of it against all others together, none and the likeliest curve without a name among them, those left out that
-  /// cannot be distinguished from it; of none against the mean of the causes that the poses can show, of all prior
-  /// sigmas, small ones too.
+  /// cannot be distinguished from it; of what has no name against none and all names; of none against the mean of the
+  /// causes that the poses can show, of all prior sigmas, small ones too.
   double odds = 1;
   std::optional<Message> follows = {};  // of what has no name: the variable that it follows
 };
