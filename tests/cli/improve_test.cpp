@@ -337,5 +337,14 @@ TEST_F(Improve, LeavesTheSessionAsItIs) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(session), std::filesystem::directory_iterator()), 3);
 }
 
+/// What explains everything is the end, however much time there is.
+TEST_F(Improve, ThoroughOnesStopWhereAllIsExplained) {
+  const Json quick = run(sample_session("hidden_3")).json(),
+             thorough = run(sample_session("hidden_3"), {"--thorough"}).json();
+  EXPECT_EQ(thorough["steps"], quick["steps"]);
+  EXPECT_EQ(thorough["models"]["tried"], quick["models"]["tried"]);
+  EXPECT_EQ(thorough["models"]["most"], 400);
+}
+
 }  // namespace
 }  // namespace handsight

@@ -55,7 +55,7 @@ double hand_error(const Fit& fit, const Session& session, const std::vector<Effe
 }
 
 struct Tally {
-  int worlds = 0, named = 0, named_alone = 0, named_by_best = 0, wrong = 0;
+  int worlds = 0, not_there = 0, named = 0, named_alone = 0, named_by_best = 0, wrong = 0;
   int reported_as_open = 0, sure_and_wrong = 0, likelier_truth = 0;  // of those that were not named
   int sure = 0, sure_of_wrong = 0;                                   // names told above 95 %
   int inside = 0, told = 0;  // numbers of each TCP->Body in their 95 % intervals
@@ -164,6 +164,16 @@ void run(const WorldKind& kind, std::uint64_t seed, Tally& t) {
              w.place, is_named, reported, any, 1e3 * of_all, 1e3 * of_one);
   if (!is_named && !w.hidden.empty()) look_at_miss(s, w, together, t);
   std::fflush(stdout);
+}
+
+/// Some seeds have a world in which nothing can be hidden so: these are counted, and the next is taken.
+void run_if_there_is_one(const WorldKind& kind, std::uint64_t seed, Tally& t) {
+  try {
+    run(kind, seed, t);
+  } catch (const NoSuchWorld&) {
+    ++t.not_there;
+    fmt::print("{} {} nothing can be hidden so\n", kind.name, seed);
+  }
 }
 
 double middle(std::vector<double> v) {
@@ -285,15 +295,16 @@ int main(int argc, char** argv) {
       continue;
     }
     Tally t;
-    for (int i = 0; i < count; ++i) run(kind, seed + static_cast<std::uint64_t>(i), t);
+    for (std::uint64_t of = seed; t.worlds < count && t.not_there <= count; ++of) run_if_there_is_one(kind, of, t);
     const bool is_hidden = !kind.places.empty();
     table.print({kind.title, is_hidden ? trials::TableCell(t.named) : "-",
                  is_hidden ? trials::TableCell(t.named_alone) : "-", t.wrong,
                  fmt::format("{} of {}", t.sure_of_wrong, t.sure), middle(t.ratio),
                  fmt::format("{:.1f} %", 100.0 * t.inside / t.told)});
     fmt::print(
-        "  of {} worlds named by that session alone that shows it best {}; not named but reported as open {}, sure and "
-        "wrong {}, the truth clearly likelier {}; {:.1f} s a world\n",
-        t.worlds, t.named_by_best, t.reported_as_open, t.sure_and_wrong, t.likelier_truth, middle(t.seconds));
+        "  of {} worlds ({} seeds have none) named by that session alone that shows it best {}; not named but reported "
+        "as open {}, sure and wrong {}, the truth clearly likelier {}; {:.1f} s a world\n",
+        t.worlds, t.not_there, t.named_by_best, t.reported_as_open, t.sure_and_wrong, t.likelier_truth,
+        middle(t.seconds));
   }
 }

@@ -15,9 +15,11 @@ namespace {
 struct ImproveArguments {
   std::string session;
   std::vector<std::string> effects;
-  bool names_only = false;
+  bool names_only = false, thorough = false;
   Output output;
 };
+
+constexpr int most_models_of_thorough = 400;
 
 double fitted_rms(const ImprovementStep& step) {
   return step.fitted.rms_pixel ? *step.fitted.rms_pixel : step.fitted.rms_m.value_or(0);
@@ -36,6 +38,10 @@ int run(const ImproveArguments& o) {
   ImprovementOptions options;
   add_effects(o.effects, session, options.effects, options.estimated);
   options.with_curves = !o.names_only;
+  if (o.thorough) {
+    options.is_thorough = true;
+    options.most_models = most_models_of_thorough;
+  }
   Progress progress("improve", 100);
   options.on_progress = [&](double done) {
     progress.at(static_cast<std::size_t>(100 * done));
@@ -66,6 +72,8 @@ Command add_improve(const CommandLine& program) {
   command.option("--effects", options->effects, "Effects in the model from the start");
   add_export_option(command, options->output);
   command.flag("--names-only", options->names_only, "Take in effects alone, no curves without a name");
+  command.flag("--thorough", options->thorough,
+               "Leave out one name after another and go on from there, however long that takes (minutes)");
   add_json_option(command, options->output);
   return {command, [options] { return run(*options); }};
 }

@@ -45,6 +45,7 @@ struct ImprovementOptions {
   int most_models = 80;  // the budget: no change is begun once so many models were fitted and held out
   /// Curves without a name are taken in beside the names; without them, names that leave a curve on top are taken back.
   bool with_curves = true;
+  bool is_thorough = false;   // other ends are sought as long as most_models last, which takes minutes (regrowing.h)
   bool with_choosing = true;  // Improvement::held_out_choosing
   bool with_held_out = true;  // of the candidates that every diagnosis fits, too; improve() goes without
   /// After every diagnosis and before every change; returning false stops with what there is.
@@ -81,6 +82,12 @@ struct Improvement {
   bool is_budget_spent = false;  // then more may be missing than was looked for
   bool stopped = false;
 };
+
+/// Effect ids that only one of two models has.
+struct ChangedNames {
+  std::vector<std::string> gone, come;
+};
+ChangedNames changed_names(const std::vector<EffectTerm>& before, const std::vector<EffectTerm>& after);
 
 /// The first step of an improvement: nothing added.
 ImprovementStep find_step(const Diagnosis& model);

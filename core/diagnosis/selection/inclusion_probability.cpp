@@ -167,6 +167,26 @@ Chosen likely_units(std::size_t name, const ModelSpace& all, const std::vector<d
   return likely;
 }
 
+/// What is likely of a name: where the model lacks it, all of its likely units `where`; where the model has it, those
+/// units that are likely by themselves.
+Chosen units_to_come(const ModelSpace& all, std::size_t n, const InclusionProbability& name, const Chosen& where,
+                     const std::vector<double>& of_unit) {
+  if (!name.is_in_model) return name.probability >= InclusionProbabilities::least_likely ? where : Chosen{};
+  Chosen likely;
+  for (std::size_t u = 0; u < all.units().size(); ++u)
+    if (all.units()[u].name == n && !all.units()[u].is_present && of_unit[u] >= InclusionProbabilities::least_likely)
+      likely.push_back(u);
+  return likely;
+}
+
+/// The probability of what is to come of a name: its own where the model lacks it, else that of its likeliest place.
+double of_likeliest(const Chosen& likely, const InclusionProbability& name, const std::vector<double>& of_unit) {
+  if (!name.is_in_model) return name.probability;
+  double most = 0;
+  for (const std::size_t u : likely) most = std::max(most, of_unit[u]);
+  return most;
+}
+
 std::vector<std::string> places(const Chosen& units, const ModelSpace& all, const Session& session) {
   std::vector<EffectTerm> terms;
   for (const std::size_t u : units) terms.push_back(all.units()[u].term);
@@ -206,8 +226,10 @@ void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, co
       if (std::find(name.indistinguishable_from.begin(), name.indistinguishable_from.end(), id) ==
           name.indistinguishable_from.end())
         name.indistinguishable_from.push_back(id);
-    if (!name.is_in_model && name.probability >= InclusionProbabilities::least_likely)
-      inclusion_probabilities.likely.push_back({name, estimated_with(all, where)});
+    if (const Chosen likely = units_to_come(all, n, name, where, probability); !likely.empty())
+      inclusion_probabilities.likely.push_back(
+          {{name.id, places(likely, all, session), of_likeliest(likely, name, probability), name.is_in_model},
+           estimated_with(all, likely)});
     inclusion_probabilities.names.push_back(std::move(name));
   }
   std::stable_sort(inclusion_probabilities.names.begin(), inclusion_probabilities.names.end(),

@@ -145,12 +145,6 @@ Weighed Search::pruned(Chosen chosen) const {
   }
 }
 
-std::vector<std::string> difference(const std::set<std::string>& all, const std::set<std::string>& those) {
-  std::vector<std::string> left;
-  std::set_difference(all.begin(), all.end(), those.begin(), those.end(), std::back_inserter(left));
-  return left;
-}
-
 /// The best by first order, sought from what is present on; nothing where that is not clearly better than what stands.
 std::optional<Chosen> better_choice(const ModelSpace& model_space, const Chosen& stands,
                                     const std::function<bool()>& goes_on) {
@@ -235,11 +229,10 @@ std::optional<ModelAlternative> fitted_choice(const ModelSpace& space, const Cho
   const double gained = ln_evidence(refit->fit, chosen) - ln_evidence(model.model.fit, stands) +
                         cost_of_curves_beside(space, model, first);
   if (gained <= least) return std::nullopt;
-  std::set<std::string> before;
-  for (std::size_t t = first; t < model.model_options.estimated.size(); ++t)
-    before.insert(model.model_options.estimated[t].id);
-  const std::set<std::string> after = space.list_names(chosen);
-  return ModelAlternative{difference(before, after), difference(after, before), std::move(refit->options), gained};
+  const auto from = static_cast<std::ptrdiff_t>(first);
+  const std::vector<EffectTerm>&was = model.model_options.estimated, &is = refit->options.estimated;
+  const ChangedNames changed = changed_names({was.begin() + from, was.end()}, {is.begin() + from, is.end()});
+  return ModelAlternative{changed.gone, changed.come, std::move(refit->options), gained};
 }
 
 /// What is clearly likelier in `space` than the model, whose names stand in it too.

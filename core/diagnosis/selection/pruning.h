@@ -14,6 +14,12 @@ inline constexpr double as_good = 1 + 1e-4;
 /// The same where the other names are clearly likelier: a rise in the third digit is chance.
 inline constexpr double as_good_as_reported = 1 + 2e-3;
 
+/// Clearly lower than the held-out error of a model that is as likely, times it.
+inline constexpr double clearly_less = 0.95;
+
+/// Clearly likelier: ln of a Bayes factor, odds of 20.
+inline constexpr double clear_gain = 3;
+
 /// ln of the evidence for one place more of an effect that is in the model.
 inline constexpr double worth_a_place = 1;
 

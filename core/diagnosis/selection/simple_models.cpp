@@ -6,17 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 
-#include "base/combinations.h"
 #include "base/threads.h"
 #include "diagnosis/evidence/candidates.h"
-#include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/cost_of_names.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
@@ -25,35 +23,12 @@
 namespace handsight {
 namespace {
 
-constexpr double clear_gain = 3;       // ln of a Bayes factor, odds of 20
-constexpr double clearly_less = 0.95;  // times the held-out error
-
 /// One effect alone in the place of a model's names.
 struct SimpleModel {
   std::string id;
   FitOptions options;    // the model with it, at its answer
   double ln_gained = 0;  // evidence against the model that stands, with what either costs to choose
 };
-
-/// At how many places each effect could sit.
-std::map<std::string, int> places_of_effects(const Candidates& candidates) {
-  std::map<std::string, int> places;
-  for (const CandidateEffect& e : candidates.effects) places[e.effect->id] = static_cast<int>(e.units.size());
-  return places;
-}
-
-/// ln of the odds against the names of these terms, and of the ways in which they could have sat at so many places.
-double compute_cost(const std::vector<EffectTerm>& terms, const std::map<std::string, int>& places,
-                    double cost_of_a_name) {
-  double cost = 0;
-  std::map<std::string, int> counted;
-  for (const EffectTerm& t : terms)
-    if (counted[t.id]++ == 0) cost += cost_of_a_name + (is_curve(t) ? ln_odds_against_curve(t) : ln_odds_against(t));
-  for (const auto& [id, count] : counted)
-    if (const auto all = places.find(id); all != places.end() && all->second >= count)
-      cost += ln_choose(all->second, count);
-  return cost;
-}
 
 std::vector<EffectTerm> everywhere(const CandidateEffect& effect) {
   std::vector<EffectTerm> terms;
@@ -96,7 +71,7 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
   const auto places = places_of_effects(candidates);
   const Eigen::Index base = plain.fit.problem.effect_count();
   const double ln_before = compute_ln_evidence(plain, by);
-  const double stands = fit_evidence(present, base, by).ln_evidence - compute_cost(names, places, model.threshold);
+  const double stands = fit_evidence(present, base, by).ln_evidence - cost_of_names(names, places, model.threshold);
   // Held out, an error of points is reported by length, and what a fit leaves by coordinate.
   const double predicted = held_out_error(model) / (model.report.held_out.rms_pixel ? 1 : std::sqrt(3.0));
 
@@ -119,7 +94,7 @@ std::vector<SimpleModel> simple_models(const Diagnosis& model, std::size_t first
     r.options.on_iteration = nullptr;
     made[static_cast<std::size_t>(i)] = {
         simple[static_cast<std::size_t>(i)]->effect->id, std::move(r.options),
-        ln_before + r.ln_bayes_factor - compute_cost(terms, places, model.threshold) - stands};
+        ln_before + r.ln_bayes_factor - cost_of_names(terms, places, model.threshold) - stands};
   });
   if (!goes_on()) return {};
   std::vector<SimpleModel> found;

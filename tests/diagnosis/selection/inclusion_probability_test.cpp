@@ -192,6 +192,29 @@ TEST(Improve, TellsHowSureItsNamesAre) {
   for (const InclusionProbability& n : nothing.inclusion_probabilities.names) EXPECT_LT(n.probability, 0.8) << n.id;
 }
 
+/// The model that is likely, place by place (Barbieri and Berger 2004): a name that is in it may be likely at one more.
+TEST(InclusionProbabilities, APlaceMoreOfANameOfTheModelIsLikely) {
+  const EffectTerm one_more = {"joint_elasticity", 2, {2e-5}};
+  const Session session = simulated({sure, one_more}, 21, 60);
+  const Diagnosis model = diagnosed_with(session, {sure});
+  InclusionProbabilities c = inclusion_probability_of(model);
+  std::erase_if(c.likely, [](const LikelyName& l) { return !l.name.is_in_model; });
+  ASSERT_EQ(c.likely.size(), 1U);
+  const LikelyName& likely = c.likely.front();
+  EXPECT_EQ(likely.name.id, sure.id);
+  EXPECT_THAT(likely.name.where, testing::ElementsAre("a3"));
+  EXPECT_GE(likely.name.probability, InclusionProbabilities::least_likely);
+  ASSERT_EQ(likely.estimated.size(), 2U);
+  EXPECT_EQ(likely.estimated.front().place, sure.place);
+  EXPECT_EQ(likely.estimated.back().place, one_more.place);
+  const ModelChange change = add_likely(session, {}, model, c);
+  ASSERT_TRUE(change.model);
+  EXPECT_EQ(change.steps.back().added, sure.id);
+  EXPECT_LT(held_out_error(*change.model), held_out_error(model));
+  for (const LikelyName& l : inclusion_probability_of(*change.model).likely)
+    EXPECT_FALSE(l.name.is_in_model) << "what stands does not come again";
+}
+
 /// Beside what has names already a name may be likely without the evidence that is asked of a first one.
 TEST(Improve, ALikelyNameIsTakenWhereTheHeldOutErrorFalls) {
   const Session session = simulated({sure, doubtful}, 26, 60);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// One model after another, each with a change that explains more, until nothing is left to change.
+#pragma once
+
+#include <set>
+
+#include "diagnosis/selection/improvement_result.h"
+#include "diagnosis/selection/model_changes.h"
+
+namespace handsight {
+
+/// `session` outlives it.
+class ModelWalk {
+ public:
+  ModelWalk(const Session& session, const ImprovementOptions& options);
+
+  /// From the session's own model.
+  void begin();
+  /// From the model at which another walk came to its end, without the terms of one effect; that does not come again at
+  /// once, nor, where it is a curve, another curve.
+  void begin_without(const std::string& id, const Diagnosis& end);
+  /// As far as it goes; after begin().
+  void run();
+  /// Goes on from where another walk came to its end.
+  void take(ModelWalk&& other);
+
+  /// Not concluded: its bill, shares and inclusion probabilities are not made yet.
+  Improvement& so_far() { return m_; }
+  const std::vector<RefusedStep>& refused_last() const { return refused_; }  // of the last model
+  /// Of the last model; asked once.
+  const InclusionProbabilities& certain();
+
+ private:
+  void begin_with(const std::vector<EffectTerm>& estimated);
+  /// False where nothing is left, or it was stopped.
+  bool one_more();
+  ModelChange one_that_is_likely();
+  void note_refusals(const ModelChange& change);
+
+  const Session& session_;
+  ImprovementOptions options_;
+  Improvement m_;
+  Improvement settled_;                            // names alone: the last model that no unnamed curve outdoes
+  std::vector<RefusedStep> refused_;               // of the last model
+  std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
+  int sought_ = 0;                                 // times
+  bool sought_simpler_ = false, sought_fuller_ = false, sought_likeliest_ = false;
+  std::set<std::string> tried_;  // likely names
+};
+
+}  // namespace handsight

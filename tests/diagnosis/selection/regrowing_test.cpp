@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/regrowing.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "diagnosis/evidence/prior_odds.h"
+#include "diagnosis/selection/improvement.h"
+#include "diagnosis/simulated_stand.h"
+#include "session/session_xml.h"
+
+namespace handsight {
+namespace {
+
+const std::vector<EffectTerm>& three_causes() {
+  static const std::vector<EffectTerm> hidden{
+      {"joint_elasticity", 1, {3e-5}}, {"joint_offset", 3, {4e-3}}, {"payload", -1, {2, 0.05, 0, 0}}};
+  return hidden;
+}
+
+std::set<std::string> ids(const std::vector<EffectTerm>& terms) {
+  std::set<std::string> all;
+  for (const EffectTerm& t : terms) all.insert(t.id);
+  return all;
+}
+
+std::set<std::string> names(const Diagnosis& d) { return ids(d.model_options.estimated); }
+
+ModelWalk walked(const Session& session) {
+  ModelWalk walk(session, {});
+  walk.begin();
+  walk.run();
+  return walk;
+}
+
+/// Where the walk from `end` stands that was cut short at once, one name left out.
+ModelWalk cut_short(const Session& session, const std::string& without, const Diagnosis& end) {
+  ImprovementOptions one;
+  one.most_models = 1;
+  ModelWalk walk(session, one);
+  walk.begin_without(without, end);
+  walk.run();
+  return walk;
+}
+
+TEST(Regrowing, WhatIsLeftOutOfARightModelComesBack) {
+  const Session s = simulated(three_causes(), 31, 40);
+  ModelWalk right = walked(s);
+  const Diagnosis& end = right.so_far().last;
+  ASSERT_EQ(names(end), ids(three_causes()));
+  for (const EffectTerm& cause : three_causes()) {
+    ModelWalk other(s, {});
+    other.begin_without(cause.id, end);
+    EXPECT_FALSE(names(other.so_far().last).contains(cause.id));
+    for (const DiagnosisCandidate& c : other.so_far().last.candidates) EXPECT_NE(c.id, cause.id) << "at once";
+    other.run();
+    EXPECT_EQ(names(other.so_far().last), ids(three_causes())) << "without " << cause.id;
+    EXPECT_NEAR(held_out_error(other.so_far().last), held_out_error(end), 1e-3 * held_out_error(end));
+  }
+}
+
+TEST(Regrowing, GoesOnFromAnEndThatIsClearlyLikelier) {
+  const Session s = simulated(three_causes(), 31, 40);
+  ModelWalk right = walked(s);
+  for (const EffectTerm& cause : three_causes()) {
+    ModelWalk walk = cut_short(s, cause.id, right.so_far().last);
+    ASSERT_FALSE(names(walk.so_far().last).contains(cause.id));
+    const double before = held_out_error(walk.so_far().last);
+    ImprovementOptions o;
+    o.is_thorough = true;
+    int told = 0;
+    o.on_step = [&](const ImprovementStep& step) { return ++told > 0 && !step.exchanged.empty(); };
+    regrow(s, o, walk);
+    const Improvement& m = walk.so_far();
+    EXPECT_EQ(names(m.last), ids(three_causes())) << "without " << cause.id;
+    EXPECT_LT(held_out_error(m.last), 0.9 * before);
+    EXPECT_EQ(m.steps.back().exchanged, std::vector<std::string>{cause.id});
+    EXPECT_EQ(told, 1) << "the new end alone, not the models on the way";
+    EXPECT_FALSE(m.stopped);
+    EXPECT_GT(m.models, 2);
+  }
+}
+
+TEST(Regrowing, StopsWhereItIsTold) {
+  const Session s = simulated(three_causes(), 31, 40);
+  ModelWalk right = walked(s);
+  ModelWalk walk = cut_short(s, "payload", right.so_far().last);
+  ImprovementOptions o;
+  o.on_progress = [](double) { return false; };
+  regrow(s, o, walk);
+  EXPECT_TRUE(walk.so_far().stopped);
+  EXPECT_EQ(names(walk.so_far().last), (std::set<std::string>{"joint_elasticity", "joint_offset"}));
+}
+
+TEST(Regrowing, SpendsNoMoreModelsThanAreLeft) {
+  const Session s = simulated(three_causes(), 31, 40);
+  ModelWalk right = walked(s);
+  ModelWalk walk = cut_short(s, "payload", right.so_far().last);
+  ImprovementOptions o;
+  o.is_thorough = true;
+  o.most_models = walk.so_far().models;
+  regrow(s, o, walk);
+  EXPECT_EQ(walk.so_far().models, o.most_models);
+  EXPECT_TRUE(walk.so_far().is_budget_spent);
+  EXPECT_FALSE(names(walk.so_far().last).contains("payload"));
+}
+
+TEST(Regrowing, AsksNothingMoreWhereAllIsExplained) {
+  const Session s = simulated(three_causes(), 31, 40);
+  ModelWalk walk = walked(s);
+  ASSERT_EQ(walk.so_far().last.verdict, Verdict::adequate);
+  const int before = walk.so_far().models;
+  ImprovementOptions o;
+  o.is_thorough = true;
+  regrow(s, o, walk);
+  EXPECT_EQ(walk.so_far().models, before);
+}
+
+/// Two axes and a scan, region by region: a drift passes beside nothing else, and is not needed beside the curves.
+TEST(Regrowing, OfAPositionerNoDriftStaysThatPostureExplains) {
+  const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "real/positioner_even";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  const Improvement m = improve(read_session(folder));
+  for (const EffectTerm& t : m.last.model_options.estimated) EXPECT_FALSE(follows_time(t)) << t.id;
+  EXPECT_LT(*m.last.report.held_out.mean_m, 0.16e-3);
+}
+
+}  // namespace
+}  // namespace handsight
