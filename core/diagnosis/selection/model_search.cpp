@@ -14,7 +14,6 @@
 namespace handsight {
 namespace {
 
-constexpr double clearly = 3;        // ln of a Bayes factor, odds of 20
 constexpr double least_gain = 1e-6;  // of two ways round, the last digit would go on for ever
 
 struct Weighed {
@@ -153,7 +152,7 @@ std::optional<Chosen> better_choice(const ModelSpace& model_space, const Chosen&
                                       &Search::with_others_for_a_unit, &Search::with_others_for_a_name,
                                       &Search::grown_afresh};
   const Search search(model_space);
-  const double least = model_space.worth(stands) + clearly;
+  const double least = model_space.worth(stands) + clear_gain;
   Weighed best = search.pruned(model_space.present());
   for (std::size_t move = 0; move < moves.size();) {
     if (!goes_on()) return std::nullopt;
@@ -239,7 +238,7 @@ std::optional<ModelAlternative> fitted_choice(const ModelSpace& space, const Cho
 std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagnosis& model, const Fit& start,
                                             std::size_t first, const std::function<bool()>& goes_on) {
   const auto chosen = better_choice(space, units_of(model, space, first), goes_on);
-  return chosen ? fitted_choice(space, *chosen, model, start, first, clearly, goes_on) : std::nullopt;
+  return chosen ? fitted_choice(space, *chosen, model, start, first, clear_gain, goes_on) : std::nullopt;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/fuller_models.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/selection/simple_models.h"
 #include "estimation/fit/sure_fit.h"

@@ -2,10 +2,12 @@
 // One model after another, each with a change that explains more, until nothing is left to change.
 #pragma once
 
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "diagnosis/selection/improvement_result.h"
-#include "diagnosis/selection/model_changes.h"
 
 namespace handsight {
 

@@ -2,8 +2,10 @@
 #include "diagnosis/selection/regrowing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/cost_of_names.h"
@@ -94,11 +96,11 @@ bool found_another_end(const Session& session, const ImprovementOptions& options
   Improvement& m = walk.so_far();
   const std::size_t first = options.estimated.size();
   const std::vector<std::string> ids = least_certain_first(m.last, first, walk.certain());
+  if (ids.size() < 2) return false;
   std::optional<Odds> odds;
   for (const std::string& id : ids) {
     ImprovementOptions own = options;
     own.most_models = models_left(options, m);
-    if (ids.size() < 2) return false;
     if (own.most_models < 1) {
       m.is_budget_spent = options.is_thorough;
       return false;

@@ -3,10 +3,6 @@
 // often ends elsewhere (Schrimpf, Schneider, Stamm-Wilbrandt and Dueck 2000, ruin and recreate).
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "diagnosis/selection/model_walk.h"
 
 namespace handsight {
