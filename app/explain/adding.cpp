@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "diagnosis/selection/improvement.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
 #include "document/curve_words.h"
@@ -81,16 +82,22 @@ std::shared_ptr<ModelVersion> version_of_all(const Session& session, const Model
   return std::make_shared<ModelVersion>(*made);
 }
 
-/// Other names for what is in the model, else what is likely beside it, else one in the place of all; what is not taken
-/// of that was not asked for.
-ModelChange other_or_likely_names(const Session& session, const ImprovementOptions& options, const Diagnosis& before,
-                                  bool only_likely) {
-  ModelChange change = only_likely ? ModelChange{} : search_models(session, options, before);
-  if (change.model || change.stopped) return change;
-  change =
-      add_likely(session, options, before,
-                 inclusion_probabilities(before, options.estimated.size(), [&] { return options.on_progress(0.97); }));
-  if (!change.model && !change.stopped) change = seek_simpler_model(session, options, before);
+/// What is not taken was not asked for.
+ModelChange found_by_seeking(const Session& session, ImprovementOptions options, const Diagnosis& before,
+                             Adding::Seeking what) {
+  ModelChange change;
+  const auto is_done = [&] { return change.model || change.stopped; };
+  if (what == Adding::Seeking::other_names) change = search_models(session, options, before);
+  if (!is_done() && what != Adding::Seeking::thoroughly)
+    change = add_likely(session, options, before, inclusion_probabilities(before, options.estimated.size(), [&] {
+                          return options.on_progress(0.97);
+                        }));
+  if (!is_done() && what != Adding::Seeking::thoroughly) change = seek_simpler_model(session, options, before);
+  if (!is_done()) {
+    options.is_thorough = what == Adding::Seeking::thoroughly;
+    if (options.is_thorough) options.most_models = most_models_of_thorough;
+    change = improve_on(session, options, before);
+  }
   change.refused.clear();
   return change;
 }
@@ -139,11 +146,13 @@ void Adding::add(const std::string& id) {
          view ? view->proof : make_proof(*before, *found)});
 }
 
-void Adding::search_models(bool only_likely) {
+void Adding::seek(Seeking what) {
   const auto before = workbench_.diagnosing.diagnosis();
   if (is_running_ || !before || !workbench_.document.model()) return;
-  start({before, std::nullopt, workbench_.document.revision(), only_likely},
-        tr("Seeking other names for what is in the model"), {});
+  start({before, std::nullopt, workbench_.document.revision(), what},
+        what == Seeking::thoroughly ? tr("Beginning again from other names")
+                                    : tr("Seeking other names for what is in the model"),
+        {});
 }
 
 void Adding::start(Run run, const QString& what, Proof offered) {
@@ -178,7 +187,7 @@ Adding::Outcome Adding::make_outcome(const Run& run, const Session& session, con
   };
   options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
   Outcome outcome{run.candidate ? add_candidate(session, options, *run.before, *run.candidate)
-                                : other_or_likely_names(session, options, *run.before, run.only_likely)};
+                                : found_by_seeking(session, options, *run.before, run.seeking)};
   if (!outcome.change.model) return outcome;
   outcome.model = std::make_shared<const Diagnosis>(std::move(*outcome.change.model));
   outcome.change.model.reset();

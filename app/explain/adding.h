@@ -29,9 +29,14 @@ class Adding : public QObject {
   /// Adds a candidate of the present diagnosis by its find_id. Nothing happens where there is none, or while one is
   /// added.
   void add(const std::string& id);
-  /// Once nothing is left to add: other names for what is in the model, where they are clearly likelier, else a name
-  /// that is likely beside them; or that alone. Nothing happens without a diagnosis, or while something is added.
-  void search_models(bool only_likely = false);
+  /// What is sought where nothing is left to add.
+  enum class Seeking {
+    other_names,  // for what is in the model, where they are clearly likelier; else as the next
+    likely,       // a name that is likely beside them, else one in the place of all, else where `improve` would end
+    thoroughly    // all ends of a search: minutes
+  };
+  /// Nothing happens without a diagnosis, or while something is added.
+  void seek(Seeking what);
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
   const std::vector<Refusal>& refused() const { return workbench_.refused; }
@@ -56,7 +61,7 @@ class Adding : public QObject {
     std::shared_ptr<const Diagnosis> before;
     std::optional<DiagnosisCandidate> candidate;  // none: other names are sought
     std::int64_t revision = 0;
-    bool only_likely = false;
+    Seeking seeking = Seeking::other_names;
   };
   struct Outcome {
     ModelChange change;                      // its model is handed on:

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "diagnosis/selection/model_changes.h"
+#include "diagnosis/selection/regrowing.h"
 #include "diagnosis/verdict/finding.h"
 #include "document/effect_words.h"
 #include "document/refusal.h"
@@ -16,9 +17,11 @@ AddingOn::AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList&
     : QObject(parent), workbench_(workbench), adding_(adding), cards_(cards) {
   connect(&adding, &Adding::ended, this, [this](AdditionEnd end, const QString&) {
     if (end == AdditionEnd::taken) note_taken();
+    const bool was_longer = std::exchange(is_seeking_longer_, false);
     const bool found_none = std::exchange(is_seeking_, false) && end == AdditionEnd::refused;
-    if (found_none) sought_at_ = workbench_.document.revision();
-    if (is_running_ && found_none) this->end(reported_at_the_end());
+    if (found_none) (was_longer ? sought_longer_at_ : sought_at_) = workbench_.document.revision();
+    if (is_running_ && found_none)
+      this->end(was_longer ? tr("Nothing better was found from any other beginning.") : reported_at_the_end());
     if (is_running_ && (end == AdditionEnd::stopped || end == AdditionEnd::failed)) this->end({});
   });
   next_.setSingleShot(true);
@@ -26,6 +29,7 @@ AddingOn::AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList&
   connect(&next_, &QTimer::timeout, this, &AddingOn::add_first);
   connect(&workbench.document, &Document::closed, this, [this] {
     sought_at_.reset();
+    sought_longer_at_.reset();
     end({});
   });
 }
@@ -47,6 +51,7 @@ void AddingOn::start() {
   added_ = sought_ = 0;
   found_others_ = only_likely_ = false;
   emit changed();
+  if (can_seek_longer() && !is_waiting() && !first_to_add()) return seek(Adding::Seeking::thoroughly);
   look();
 }
 
@@ -89,15 +94,22 @@ void AddingOn::look() {
   if (is_running_ && !is_paused_ && !is_waiting()) next_.start();
 }
 
-void AddingOn::add_first() {
-  if (!is_running_ || is_paused_ || is_waiting()) return;
-  // In the order of `improve`, not of the cards, which put first what robots usually have.
+std::optional<std::string> AddingOn::first_to_add() const {
   const auto diagnosis = workbench_.diagnosing.diagnosis();
+  const std::set<std::string> refused = refused_now(workbench_.refused, workbench_.document);
   for (const DiagnosisCandidate* c : candidates_to_try(*diagnosis, true)) {
     const std::string id = find_id(*c);
-    if (can_be_added(*c) && !refused_now(workbench_.refused, workbench_.document).contains(id)) return adding_.add(id);
+    if (can_be_added(*c) && !refused.contains(id)) return id;
   }
-  seek_or_end();
+  return std::nullopt;
+}
+
+void AddingOn::add_first() {
+  if (!is_running_ || is_paused_ || is_waiting()) return;
+  if (const auto id = first_to_add())
+    adding_.add(*id);
+  else
+    seek_or_end();
 }
 
 bool AddingOn::can_seek() const {
@@ -106,10 +118,22 @@ bool AddingOn::can_seek() const {
   return static_cast<int>(settings.estimated.size()) > settings.by_hand;
 }
 
+bool AddingOn::can_seek_longer() const {
+  if (!workbench_.document.is_open() || sought_at_ != workbench_.document.revision()) return false;
+  const auto diagnosis = workbench_.diagnosing.diagnosis();
+  return diagnosis && sought_longer_at_ != workbench_.document.revision() &&
+         is_worth_seeking(*diagnosis, static_cast<std::size_t>(workbench_.document.settings().by_hand));
+}
+
 void AddingOn::seek_or_end() {
   if (!can_seek() || sought_++ >= 2 * most_times_sought) return end(reported_at_the_end());
+  seek(only_likely_ || sought_ > most_times_sought ? Adding::Seeking::likely : Adding::Seeking::other_names);
+}
+
+void AddingOn::seek(Adding::Seeking what) {
   is_seeking_ = true;
-  adding_.search_models(only_likely_ || sought_ > most_times_sought);
+  is_seeking_longer_ = what == Adding::Seeking::thoroughly;
+  adding_.seek(what);
 }
 
 /// As the story says it: done is what agrees with the measurements, and stands in for nothing.

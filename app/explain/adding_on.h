@@ -13,6 +13,7 @@ class AddingOn : public QObject {
  public:
   AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList& cards, QObject* parent = nullptr);
 
+  /// Seeks longer where that alone is left to do.
   void start();
   /// What is being added now is stopped with it.
   void stop();
@@ -23,6 +24,8 @@ class AddingOn : public QObject {
   bool is_paused() const { return is_paused_; }
   /// Something was added, and other names for it were not sought yet: there is something to do without any card.
   bool can_seek() const;
+  /// All that is quick was done, and more than noise is left: other ends may be sought, which takes minutes.
+  bool can_seek_longer() const;
   /// The cards are up to date: takes the first where it can be added, else it is done.
   void look();
 
@@ -35,8 +38,11 @@ class AddingOn : public QObject {
   void end(const QString& sentence);
   bool is_waiting() const;
   void add_first();
+  /// In the order of `improve`, not of the cards, which put first what robots usually have.
+  std::optional<std::string> first_to_add() const;
   /// Nothing is left to add: other names for what was added, then the end.
   void seek_or_end();
+  void seek(Adding::Seeking what);
   QString reported_at_the_end() const;
 
   Workbench& workbench_;
@@ -45,9 +51,9 @@ class AddingOn : public QObject {
   QTimer next_;  // a stair stands for a moment before the next one
   bool is_running_ = false, is_paused_ = false;
   int added_ = 0, sought_ = 0;  // causes; how often other names were sought
-  bool is_seeking_ = false, found_others_ = false;
-  bool only_likely_ = false;               // a name was taken for being likely: other names are no longer sought
-  std::optional<std::int64_t> sought_at_;  // the document's revision
+  bool is_seeking_ = false, is_seeking_longer_ = false, found_others_ = false;
+  bool only_likely_ = false;  // a name was taken for being likely: other names are no longer sought
+  std::optional<std::int64_t> sought_at_, sought_longer_at_;  // the document's revision
 };
 
 }  // namespace handsight::app

@@ -86,17 +86,13 @@ void MissingPane::make_until_it_stops() {
   adding_on_ = new AddingOn(workbench_, adding_, *cards_, this);
   until_it_stops_ = new QPushButton(this);
   until_it_stops_->setObjectName("until_it_stops");
-  until_it_stops_->setToolTip(
-      tr("Adds the first card, and the first of what is left, until nothing more helps; then seeks other names that "
-         "explain what was added better"));
   pause_ = new QPushButton(this);
   pause_->setObjectName("pause_adding");
   pause_->setToolTip(tr("Rests after the cause that is being added, so that its proof can be looked at"));
   const auto show_state = [this] {
-    until_it_stops_->setText(adding_on_->is_running() ? tr("Stop") : tr("Add until it stops"));
     pause_->setText(adding_on_->is_paused() ? tr("Go on") : tr("Pause"));
     pause_->setVisible(adding_on_->is_running());
-    allow_until_it_stops();
+    show_until_it_stops();
   };
   show_state();
   until_it_stops_->setMinimumWidth(until_it_stops_->sizeHint().width());  // Stop stands in the same place
@@ -200,18 +196,27 @@ void MissingPane::refresh_truth() {
 
 void MissingPane::refresh() {
   refresh_cards();
-  allow_until_it_stops();
+  show_until_it_stops();
   adding_on_->look();
 }
 
 /// Where nothing is left to add it would do nothing. What no robot is built like stands behind what is said of it.
-void MissingPane::allow_until_it_stops() {
+void MissingPane::show_until_it_stops() {
   bool can_begin = adding_on_->can_seek() && workbench_.blunders().empty();
   for (int i = 0; i < cards_->count(); ++i) {
     const widgets::CardState& card = cards_->card(i)->state();
     can_begin = can_begin || (card.kind == widgets::CardKind::candidate && card.can_add);
   }
-  until_it_stops_->setEnabled(can_begin || adding_on_->is_running());
+  const bool runs = adding_on_->is_running();
+  const bool can_seek_longer = !can_begin && workbench_.blunders().empty() && adding_on_->can_seek_longer();
+  until_it_stops_->setText(runs ? tr("Stop") : can_seek_longer ? tr("Seek longer") : tr("Add until it stops"));
+  until_it_stops_->setToolTip(
+      can_seek_longer
+          ? tr("Begins again with each other name, and without each of those that were added: takes minutes; what it "
+               "finds is taken where it is clearly likelier and predicts as well")
+          : tr("Adds the first card, and the first of what is left, until nothing more helps; then seeks other names "
+               "that explain what was added better"));
+  until_it_stops_->setEnabled(can_begin || runs || can_seek_longer);
 }
 
 void MissingPane::refresh_cards() {

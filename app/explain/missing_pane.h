@@ -53,7 +53,8 @@ class MissingPane : public QWidget {
  private:
   void make_layout();
   void make_until_it_stops();
-  void allow_until_it_stops();
+  /// What the button does, and whether there is something to do.
+  void show_until_it_stops();
   void refresh_cards();
   void connect_all();
   void refresh_truth();

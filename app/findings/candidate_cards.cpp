@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/percent.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/verdict/finding.h"
 #include "document/curve_words.h"
 #include "document/effect_words.h"
@@ -118,6 +119,17 @@ bool has_curve(const Workbench& workbench, const ModelVersionPointer& model) {
                                   [](const DiagnosisCandidate& c) { return c.unnamed.has_value(); });
 }
 
+/// " What is left ..."; empty where that is the measurements' noise alone, or it is not known of this model.
+QString scatter_sentence(const Workbench& workbench, const ModelVersionPointer& model) {
+  const auto diagnosis = workbench.diagnosing.diagnosis();
+  if (!diagnosis || !diagnosis->repeatability.is_any() || model != workbench.document.model()) return {};
+  const Message size = repeatability_text(diagnosis->repeatability, diagnosis->model.session.joints);
+  return size.empty()
+             ? QString()
+             : ' ' +
+                   QObject::tr("Beyond the noise it leaves scatter from pose to pose, as of %1.").arg(translated(size));
+}
+
 /// What is said where no cause leads; the verdict's sentence stands above it and is not said again.
 std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelVersionPointer& model) {
   const Story& story = workbench.find_story(model);
@@ -130,7 +142,8 @@ std::optional<CardState> honest_card_of(const Workbench& workbench, const ModelV
                                                    "no others.")));
       return with_export(honest_card(CardKind::adequate, QObject::tr("Nothing is missing"),
                                      QObject::tr("No cause that these poses can show would lower the error on "
-                                                 "observations that the fit has not seen.")));
+                                                 "observations that the fit has not seen.") +
+                                         scatter_sentence(workbench, model)));
     case StoryState::unnamed_at_the_noise:
       return with_export(
           honest_card(CardKind::repeatability, QObject::tr("Down at the noise, but not all has a name"),

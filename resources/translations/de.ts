@@ -1219,6 +1219,26 @@
         <translation>Bis zum Schluss</translation>
     </message>
     <message>
+        <source>Beyond the noise it leaves scatter from pose to pose, as of %1.</source>
+        <translation>Über das Rauschen hinaus bleibt Streuung von Pose zu Pose, wie von %1.</translation>
+    </message>
+    <message>
+        <source>Seek longer</source>
+        <translation>Länger suchen</translation>
+    </message>
+    <message>
+        <source>Begins again with each other name, and without each of those that were added: takes minutes; what it finds is taken where it is clearly likelier and predicts as well</source>
+        <translation>Beginnt von Neuem mit jedem anderen Namen, und ohne jeden der hinzugefügten: dauert Minuten; was es findet, wird genommen, wo es deutlich wahrscheinlicher ist und ebenso gut vorhersagt</translation>
+    </message>
+    <message>
+        <source>Beginning again from other names</source>
+        <translation>Von anderen Namen aus wird von Neuem begonnen</translation>
+    </message>
+    <message>
+        <source>Nothing better was found from any other beginning.</source>
+        <translation>Von keinem anderen Anfang aus wurde Besseres gefunden.</translation>
+    </message>
+    <message>
         <source>Seeking other names for what is in the model</source>
         <translation>Andere Namen für das, was im Modell ist, werden gesucht</translation>
     </message>

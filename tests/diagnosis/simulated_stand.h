@@ -25,4 +25,14 @@ inline Session simulated(const std::vector<EffectTerm>& effects, std::uint64_t s
   return simulate_session(like, o).session;
 }
 
+/// Play at each joint of the seven-axis arm, and a base that is tilted: a first joint whose axis is upright has no
+/// load, so that its play shows only with the tilt, and the tilt hardly without it.
+inline std::vector<EffectTerm> play_beside_a_tilt() {
+  std::vector<EffectTerm> hidden{{"base_tilt", -1, {-0.0336, -0.029}}};
+  int joint = 0;
+  for (const double gap : {-6.1e-4, -5.1e-4, -1.6e-5, 6.2e-4, 3.8e-4, 5.3e-4, 1.3e-4})
+    hidden.push_back({"backlash", joint++, {gap}});
+  return hidden;
+}
+
 }  // namespace handsight

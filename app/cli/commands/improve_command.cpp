@@ -19,8 +19,6 @@ struct ImproveArguments {
   Output output;
 };
 
-constexpr int most_models_of_thorough = 400;
-
 double fitted_rms(const ImprovementStep& step) {
   return step.fitted.rms_pixel ? *step.fitted.rms_pixel : step.fitted.rms_m.value_or(0);
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/improvement.h"
 
+#include <set>
+#include <string>
+#include <utility>
+
 #include "diagnosis/selection/choosing.h"
 #include "diagnosis/selection/conclusion.h"
 #include "diagnosis/selection/elsewhere.h"
@@ -66,6 +70,12 @@ void try_choosing(const Session& session, const ImprovementOptions& options, Imp
   });
 }
 
+std::set<std::pair<std::string, int>> places_of(const Diagnosis& model) {
+  std::set<std::pair<std::string, int>> places;
+  for (const EffectTerm& t : model.model_options.estimated) places.emplace(t.id, t.place);
+  return places;
+}
+
 }  // namespace
 
 Improvement improve(const Session& session, const ImprovementOptions& options) {
@@ -77,6 +87,30 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
   Improvement m = improved(session, options);
   try_choosing(session, options, m);
   return m;
+}
+
+ModelChange improve_on(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  if (const auto sample = sample_to_judge(session)) {
+    ModelChange change = improve_on(sample->session, options, model);
+    if (change.model) check_on_the_others(session, *sample, *change.model);
+    return change;
+  }
+  ImprovementOptions of_walk = options;
+  if (options.is_thorough)  // most of the time goes by after it
+    of_walk.on_progress = [&options](double) { return !options.on_progress || options.on_progress(0); };
+  ModelWalk walk(session, of_walk);
+  walk.begin_at(model);
+  walk.run();
+  if (!walk.so_far().stopped) regrow(session, options, walk);
+  Improvement& m = walk.so_far();
+  ModelChange change;
+  change.models = m.models;
+  change.refused = std::move(m.refused);
+  change.stopped = m.stopped;
+  if (m.stopped || places_of(m.last) == places_of(model)) return change;
+  change.steps.assign(m.steps.begin() + 1, m.steps.end());
+  change.model = std::move(m.last);
+  return change;
 }
 
 }  // namespace handsight

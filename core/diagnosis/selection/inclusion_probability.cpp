@@ -21,6 +21,7 @@ namespace {
 
 constexpr double least_of_others = 0.02;  // probability
 constexpr double likeliest_odd = 0.05;    // probability of what no robot is built like: it stands in for another cause
+constexpr double surest_by_size = 0.95;   // probability of what only usual sizes tell from another name of the model
 
 /// How xi, the model's numbers and those of others move with the open numbers, in prior sigmas of these.
 class Movements {
@@ -205,6 +206,11 @@ std::vector<EffectTerm> estimated_with(const ModelSpace& all, const Chosen& unit
   return estimated;
 }
 
+void add_new(const std::vector<std::string>& ids, std::vector<std::string>& list) {
+  for (const std::string& id : ids)
+    if (std::find(list.begin(), list.end(), id) == list.end()) list.push_back(id);
+}
+
 void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, const Weights& weights,
                const std::vector<SmallCauses>& small_instead, const Session& session,
                InclusionProbabilities& inclusion_probabilities) {
@@ -221,11 +227,11 @@ void set_names(const Fit& fit, const ModelSpace& all, const OpenUnits& units, co
     if (!name.is_in_model && name.probability < InclusionProbabilities::least_reported) continue;
     const Chosen where = likely_units(n, all, probability, name.probability);
     name.where = places(where, all, session);
+    const std::vector<std::string> by_size = name.is_in_model ? told_by_size_from(all, n) : std::vector<std::string>{};
+    if (!by_size.empty()) name.probability = std::min(name.probability, surest_by_size);
     if (name.is_in_model) name.indistinguishable_from = indistinguishable_from(all, n);
-    for (const std::string& id : small_instead[n].names)
-      if (std::find(name.indistinguishable_from.begin(), name.indistinguishable_from.end(), id) ==
-          name.indistinguishable_from.end())
-        name.indistinguishable_from.push_back(id);
+    add_new(small_instead[n].names, name.indistinguishable_from);
+    add_new(by_size, name.indistinguishable_from);
     if (const Chosen likely = units_to_come(all, n, name, where, probability); !likely.empty())
       inclusion_probabilities.likely.push_back(
           {{name.id, places(likely, all, session), of_likeliest(likely, name, probability), name.is_in_model},

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double ln_odds_of_telling = 3;  // ln 20, as where a diagnosis tells candidates apart
 constexpr double of_a_prior = 1.0 / 9;    // three prior sigmas
+constexpr double of_any_size = 1e-2;      // ten of them, which few have
 constexpr double least_visible = 1;       // chi-squared of a rival's prior sigma
+constexpr double largest_left = 0.1;      // of the chi-squared, by what does the same
 using Numbers = std::vector<Eigen::Index>;
 
 /// The information of some numbers once these others have taken up what they can.
@@ -45,8 +47,10 @@ Own own_of(const ModelSpace& all, const Chosen& units) {
   return own;
 }
 
-/// Half the chi-squared that is left where the rival stands in its place: ln of the odds against the rival.
-double left_by(const ModelSpace& all, const Own& own, const Numbers& rival, const Numbers& rest) {
+/// Half the chi-squared that is left where the rival stands in its place: ln of the odds against the rival, of which a
+/// number of one prior sigma costs `precision`.
+double left_by(const ModelSpace& all, const Own& own, const Numbers& rival, const Numbers& rest,
+               double precision = of_a_prior) {
   Numbers both = own.numbers;
   both.insert(both.end(), rival.begin(), rival.end());
   const Eigen::MatrixXd a = information_beside(all.score().information, both, rest);
@@ -54,7 +58,7 @@ double left_by(const ModelSpace& all, const Own& own, const Numbers& rival, cons
   const double signal = own.value.dot(a.topLeftCorner(n, n) * own.value);
   Eigen::MatrixXd of_rival = a.bottomRightCorner(m, m);
   if (of_rival.trace() < least_visible) return 0.5 * signal;
-  of_rival.diagonal().array() += of_a_prior;
+  of_rival.diagonal().array() += precision;
   const Eigen::VectorXd shared = a.bottomLeftCorner(m, n) * own.value;
   return 0.5 * (signal - shared.dot(of_rival.ldlt().solve(shared)));
 }
@@ -86,6 +90,23 @@ bool imitates(const ModelSpace& all, const Own& own, std::size_t rival, const Ch
 }
 
 }  // namespace
+
+std::vector<std::string> told_by_size_from(const ModelSpace& all, std::size_t name) {
+  Chosen units, others;
+  for (const std::size_t u : all.present()) (all.units()[u].name == name ? units : others).push_back(u);
+  const Own own = own_of(all, units);
+  std::vector<std::string> ids;
+  if (static_cast<std::size_t>(own.value.size()) != own.numbers.size()) return ids;
+  for (std::size_t n = 0; n < all.names().size(); ++n) {
+    Chosen rival, rest;
+    for (const std::size_t u : others) (all.units()[u].name == n ? rival : rest).push_back(u);
+    if (rival.empty()) continue;
+    const Numbers numbers = all.list_numbers(rival), of_rest = all.list_numbers(rest);
+    const double left = left_by(all, own, numbers, of_rest, of_any_size), seen = left_by(all, own, {}, of_rest);
+    if (left < ln_odds_of_telling && left < largest_left * seen) ids.push_back(all.names()[n].id);
+  }
+  return ids;
+}
 
 std::vector<std::string> indistinguishable_from(const ModelSpace& all, std::size_t name) {
   Chosen units, others;

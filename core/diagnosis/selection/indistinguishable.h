@@ -11,4 +11,8 @@ namespace handsight {
 /// odds against it stay below twenty to one. Empty where it does nothing that could be seen.
 std::vector<std::string> indistinguishable_from(const ModelSpace& all, std::size_t name);
 
+/// Ids of the other names of the model that would do the same where they are, were their numbers up to ten times what
+/// is usual: a zero is a turn of the next link's frame. Only what sizes are usual, which is a guess, tells them apart.
+std::vector<std::string> told_by_size_from(const ModelSpace& all, std::size_t name);
+
 }  // namespace handsight

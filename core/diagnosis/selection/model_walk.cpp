@@ -44,9 +44,18 @@ ModelWalk::ModelWalk(const Session& session, const ImprovementOptions& options) 
 
 void ModelWalk::begin() { begin_with(options_.estimated); }
 
+void ModelWalk::begin_at(Diagnosis model) {
+  has_begun_with_names_ = model.model_options.estimated.size() > options_.estimated.size();
+  stand_at(std::move(model));
+}
+
 void ModelWalk::begin_with(const std::vector<EffectTerm>& estimated) {
-  m_.last = diagnosed_from(session_, options_, estimated, {});
+  stand_at(diagnosed_from(session_, options_, estimated, {}));
   m_.models = 1;
+}
+
+void ModelWalk::stand_at(Diagnosis model) {
+  m_.last = std::move(model);
   m_.most_models = options_.most_models;
   if (!m_.last.stopped) set_errors_elsewhere(m_.last);
   m_.steps = {find_step(m_.last)};
@@ -80,7 +89,8 @@ void ModelWalk::take(ModelWalk&& other) {
   step.exchanged = changed.come;
   m_.steps.push_back(std::move(step));
   m_.last = std::move(other.m_.last);
-  certain_ = std::move(other.certain_);
+  certain_.reset();
+  if (other.options_.estimated.size() == options_.estimated.size()) certain_ = std::move(other.certain_);
   refused_ = std::move(other.refused_);
   m_.refused.insert(m_.refused.end(), other.m_.refused.begin(), other.m_.refused.end());
   forget_refusals_of(changed.come, m_.refused);
@@ -98,23 +108,23 @@ bool ModelWalk::one_more() {
   ModelChange change = add_best(session_, options_, m_.last);
   refused_ = change.refused;
   note_refusals(change);
-  if (!change.model && !m_.stopped && m_.steps.size() > 1 && sought_++ < most_times_sought) {
+  if (!change.model && may_seek() && sought_++ < most_times_sought) {
     change = search_models(session_, options_, m_.last);
     for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m_.refused);
     note_refusals(change);
   }
-  if (!change.model && !m_.stopped && m_.steps.size() > 1) change = one_that_is_likely();
-  if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_fuller_) {
+  if (!change.model && may_seek()) change = one_that_is_likely();
+  if (!change.model && may_seek() && !sought_fuller_) {
     sought_fuller_ = true;
     change = seek_fuller_model(session_, options_, m_.last, certain());
     note_refusals(change);
   }
-  if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_simpler_) {
+  if (!change.model && may_seek() && !sought_simpler_) {
     sought_simpler_ = true;
     change = seek_simpler_model(session_, options_, m_.last);
     note_refusals(change);
   }
-  if (!change.model && !m_.stopped && m_.steps.size() > 1 && !sought_likeliest_) {
+  if (!change.model && may_seek() && !sought_likeliest_) {
     sought_likeliest_ = true;
     change = take_likeliest(session_, options_, m_.last, certain());
     for (const ImprovementStep& s : change.steps) forget_refusals_of(s.exchanged, m_.refused);

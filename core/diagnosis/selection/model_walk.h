@@ -18,12 +18,14 @@ class ModelWalk {
 
   /// From the session's own model.
   void begin();
+  /// From a model with names, whatever has led to it.
+  void begin_at(Diagnosis model);
   /// From the model at which another walk came to its end, without the terms of one effect; that does not come again at
   /// once, nor, where it is a curve, another curve.
   void begin_without(const std::string& id, const Diagnosis& end);
   /// As far as it goes; after begin().
   void run();
-  /// Goes on from where another walk came to its end.
+  /// Goes on from where another walk came to its end, which may have begun with more terms.
   void take(ModelWalk&& other);
 
   /// Not concluded: its bill, shares and inclusion probabilities are not made yet.
@@ -34,8 +36,11 @@ class ModelWalk {
 
  private:
   void begin_with(const std::vector<EffectTerm>& estimated);
+  void stand_at(Diagnosis model);
   /// False where nothing is left, or it was stopped.
   bool one_more();
+  /// Other names are sought once there are names that were chosen.
+  bool may_seek() const { return !m_.stopped && (has_begun_with_names_ || m_.steps.size() > 1); }
   ModelChange one_that_is_likely();
   void note_refusals(const ModelChange& change);
 
@@ -45,7 +50,8 @@ class ModelWalk {
   Improvement settled_;                            // names alone: the last model that no unnamed curve outdoes
   std::vector<RefusedStep> refused_;               // of the last model
   std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
-  int sought_ = 0;                                 // times
+  bool has_begun_with_names_ = false;
+  int sought_ = 0;  // times
   bool sought_simpler_ = false, sought_fuller_ = false, sought_likeliest_ = false;
   std::set<std::string> tried_;  // likely names
 };

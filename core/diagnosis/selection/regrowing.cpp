@@ -2,14 +2,17 @@
 #include "diagnosis/selection/regrowing.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/cost_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/explanation.h"
 #include "estimation/fit/sure_fit.h"
@@ -39,6 +42,13 @@ std::vector<std::string> least_certain_first(const Diagnosis& model, std::size_t
   };
   std::stable_sort(ids.begin(), ids.end(),
                    [&](const std::string& a, const std::string& b) { return sure(a) < sure(b); });
+  return ids;
+}
+
+std::set<std::string> ids_of(const Diagnosis& model, std::size_t first) {
+  std::set<std::string> ids;
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  for (std::size_t t = first; t < all.size(); ++t) ids.insert(all[t].id);
   return ids;
 }
 
@@ -78,12 +88,6 @@ class Odds {
   double of_end_ = 0;
 };
 
-/// Has it names of which one could stand in for another, and is something left that they do not explain?
-bool is_worth_seeking(const Diagnosis& end, std::size_t first) {
-  const bool is_explained = end.verdict == Verdict::adequate || end.verdict == Verdict::too_few_observations;
-  return !is_explained && end.model_options.estimated.size() > first && !has_no_answer(end.model.fit);
-}
-
 /// `gained`: ln of the odds of the other end.
 bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& end, Diagnosis& other) {
   if (!gained || *gained < -clear_gain) return false;
@@ -91,41 +95,127 @@ bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& e
   return held_out_error(other) <= most && worse_elsewhere(end, other).empty();
 }
 
-/// One round: true where the walk goes on from another end.
-bool found_another_end(const Session& session, const ImprovementOptions& options, ModelWalk& walk) {
-  Improvement& m = walk.so_far();
-  const std::size_t first = options.estimated.size();
-  const std::vector<std::string> ids = least_certain_first(m.last, first, walk.certain());
-  if (ids.size() < 2) return false;
-  std::optional<Odds> odds;
-  for (const std::string& id : ids) {
-    ImprovementOptions own = options;
-    own.most_models = models_left(options, m);
-    if (own.most_models < 1) {
-      m.is_budget_spent = options.is_thorough;
-      return false;
+/// Seeks ends other than that of a walk, and goes on from those that are better.
+class Regrowth {
+ public:
+  Regrowth(const Session& session, const ImprovementOptions& options, ModelWalk& walk)
+      : session_(session), options_(options), walk_(walk), first_(options.estimated.size()) {}
+
+  void run() {
+    while (is_open() && (took_an_end_without_a_name() || took_an_end_from_another_beginning())) {
     }
-    ModelWalk other(session, own);
-    other.begin_without(id, m.last);
+  }
+
+ private:
+  bool is_open() {
+    const Improvement& m = walk_.so_far();
+    return !m.stopped && !is_out_of_models_ && is_worth_seeking(m.last, first_);
+  }
+
+  bool took_an_end_without_a_name() {
+    const std::vector<std::string> ids = least_certain_first(walk_.so_far().last, first_, walk_.certain());
+    if (ids.size() < 2) return false;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const auto begin = [&](ModelWalk& other) { other.begin_without(ids[i], walk_.so_far().last); };
+      if (took_the_end_of(options_, begin, ids.size() - i + left_to_begin())) return true;
+      if (!is_open()) return false;
+    }
+    return false;
+  }
+
+  std::size_t left_to_begin() const {
+    constexpr std::size_t usual = 12;
+    return beginnings_ ? beginnings_->size() - begun_ : usual;
+  }
+
+  /// A name that says little alone may say much beside others, and stays to the end of its walk. Each is tried once.
+  bool took_an_end_from_another_beginning() {
+    if (!beginnings_) list_beginnings();
+    while (begun_ < beginnings_->size() && is_open()) {
+      const std::vector<EffectTerm>& terms = (*beginnings_)[begun_++];
+      if (ids_of(walk_.so_far().last, first_).contains(terms.front().id)) continue;
+      ImprovementOptions own = options_;
+      own.estimated.insert(own.estimated.end(), terms.begin(), terms.end());
+      if (took_the_end_of(
+              own, [](ModelWalk& other) { other.begin(); }, left_to_begin() + 1))
+        return true;
+    }
+    return false;
+  }
+
+  /// The names that the session's own model may lack.
+  void list_beginnings() {
+    beginnings_.emplace();
+    Improvement& m = walk_.so_far();
+    if (is_without_models()) return;
+    ImprovementOptions own = options_;
+    own.with_held_out = false;
+    own.on_progress = [&](double) { return goes_on(); };
+    const Diagnosis plain = diagnosed(session_, own);
+    ++m.models;
+    m.stopped = plain.stopped;
+    for (const DiagnosisCandidate& c : plain.candidates)
+      if (!c.unnamed && c.ln_bayes_factor > 0) beginnings_->push_back(c.terms);
+  }
+
+  bool is_without_models() {
+    Improvement& m = walk_.so_far();
+    if (models_left(options_, m) > 0) return false;
+    is_out_of_models_ = true;
+    m.is_budget_spent = m.is_budget_spent || options_.is_thorough;
+    return true;
+  }
+
+  /// What is done at once is nearly done.
+  bool goes_on() const {
+    return !options_.on_progress || options_.on_progress(options_.is_thorough ? done_ : nearly_all);
+  }
+
+  /// Of another walk, where that is better. `left`: walks that may be left with it, should none be better.
+  bool took_the_end_of(ImprovementOptions own, const std::function<void(ModelWalk&)>& begin, std::size_t left) {
+    Improvement& m = walk_.so_far();
+    if (is_without_models()) return false;
+    own.on_step = {};
+    own.on_progress = [&](double) { return goes_on(); };
+    own.most_models = models_left(options_, m);
+    ModelWalk other(session_, own);
+    begin(other);
     other.run();
+    done_ += (1 - done_) / static_cast<double>(left + 1);
     Improvement& end = other.so_far();
     m.models += end.models;
     m.stopped = end.stopped;
     if (m.stopped) return false;
-    if (!odds) odds.emplace(m.last, first);
-    if (!stands_in_its_place(odds->of(end.last), m.last, end.last)) continue;
-    walk.take(std::move(other));
-    m.stopped = options.on_step && !options.on_step(m.steps.back());
-    return !m.stopped;
+    if (!odds_) odds_.emplace(m.last, first_);
+    if (!stands_in_its_place(odds_->of(end.last), m.last, end.last)) return false;
+    odds_.reset();
+    walk_.take(std::move(other));
+    m.stopped = options_.on_step && !options_.on_step(m.steps.back());
+    return true;
   }
-  return false;
-}
+
+  const Session& session_;
+  const ImprovementOptions& options_;
+  ModelWalk& walk_;
+  std::size_t first_;  // term that was added
+  std::optional<std::vector<std::vector<EffectTerm>>> beginnings_;
+  std::size_t begun_ = 0;
+  std::optional<Odds> odds_;  // against the end where the walk stands
+  bool is_out_of_models_ = false;
+  static constexpr double nearly_all = 0.98;
+  double done_ = 0;  // of the walks
+};
 
 }  // namespace
 
+bool is_worth_seeking(const Diagnosis& end, std::size_t first) {
+  const bool is_explained =
+      (end.verdict == Verdict::adequate && !end.repeatability.is_any()) || end.verdict == Verdict::too_few_observations;
+  return !is_explained && end.model_options.estimated.size() > first && !has_no_answer(end.model.fit);
+}
+
 void regrow(const Session& session, const ImprovementOptions& options, ModelWalk& walk) {
-  while (is_worth_seeking(walk.so_far().last, options.estimated.size()) && found_another_end(session, options, walk)) {
-  }
+  Regrowth(session, options, walk).run();
 }
 
 }  // namespace handsight

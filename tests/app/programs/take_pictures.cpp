@@ -236,7 +236,8 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
   desk.press_button("report_html");
 }
 
-/// Of a session of one's own, HANDSIGHT_SESSION: Explain at the end of *Add until it stops*, Inspect and Export.
+/// Of a session of one's own, HANDSIGHT_SESSION: Explain at the end of *Add until it stops*, and of *Seek longer* where
+/// that is offered; Inspect and Export.
 TEST_F(Explained, ASessionOfOnesOwn) {
   const QString session = qEnvironmentVariable("HANDSIGHT_SESSION");
   if (session.isEmpty()) GTEST_SKIP() << "HANDSIGHT_SESSION names no session";
@@ -250,6 +251,14 @@ TEST_F(Explained, ASessionOfOnesOwn) {
   ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 400000));
   ASSERT_TRUE(explain.is_settled());
   photo.take_now("own_explain_end");
+  if (desk.find<QWidget>("until_it_stops")->isEnabled()) {
+    desk.press_button("until_it_stops");
+    QTest::qWait(1500);
+    photo.take_now("own_explain_seeking");
+    ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 400000));
+    ASSERT_TRUE(explain.is_settled());
+    photo.take_now("own_explain_sought");
+  }
   desk.key(Qt::Key_3, Qt::ControlModifier);
   photo.take("own_inspect_end");
   desk.key(Qt::Key_2, Qt::ControlModifier);

@@ -8,7 +8,10 @@
 #include "app/window/explain_fixture.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
+#include "diagnosis/simulated_stand.h"
 #include "explain/failing_pane.h"
+#include "fixtures/robot_texts.h"
+#include "session/session_xml.h"
 #include "widgets/explain/cost_curve.h"
 #include "widgets/explain/staircase.h"
 #include "widgets/explain/version_list.h"
@@ -137,6 +140,60 @@ TEST_F(Explain, AddUntilItStopsSeeksOtherNamesAtItsEnd) {
   ASSERT_TRUE(explain.is_settled());
   EXPECT_EQ(effects_in_the_model().count("camera_mount "), 0U) << "other names are an action of their own";
   EXPECT_TRUE(desk.find<QAbstractButton>("until_it_stops")->isEnabled()) << "and can be sought again";
+}
+
+/// What stood for play and a tilted base at first leaves scatter that robots have: no card is left, and only a search
+/// that begins with the tilt finds both.
+TEST_F(Explain, SeekLongerFindsWhatNoCardOffers) {
+  Session hidden = simulated(play_beside_a_tilt(), 91009, 80, fixture::seven_axis_session(4));
+  session = folder.path;
+  hidden.file = session / "session.xml";
+  hidden.source.reset();
+  replace_file(session / hidden.robot_file, fixture::urdf_text(hidden.robot));
+  save_session(hidden);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  QString said;
+  QObject::connect(&desk.document(), &app::Document::noticed, &desk.window, [&](const QString& s) { said = s; });
+  const auto* button = desk.find<QAbstractButton>("until_it_stops");
+  const auto press_and_wait = [&] {
+    desk.press_button("until_it_stops");
+    return desk.wait([&] { return button->text() != "Stop"; }, 120000) && explain.is_settled();
+  };
+  ASSERT_TRUE(press_and_wait());
+  ASSERT_EQ(effects_in_the_model().count("base_tilt "), 0U);
+  const double before = held_out();
+  const int stairs = desk.document().undo_stack().index();
+  ASSERT_EQ(button->text(), "Seek longer");
+  ASSERT_TRUE(button->isEnabled());
+  ASSERT_TRUE(press_and_wait());
+  EXPECT_EQ(effects_in_the_model().count("base_tilt "), 1U);
+  EXPECT_LT(held_out(), 0.96 * before);
+  EXPECT_EQ(desk.document().undo_stack().index(), stairs + 1) << "an action of its own";
+  EXPECT_TRUE(said.contains("other names found for what was added")) << said.toStdString();
+  EXPECT_EQ(button->text(), "Add until it stops") << "what is left is noise";
+  EXPECT_FALSE(button->isEnabled());
+}
+
+/// Few poses of a real robot, where `improve` goes on from its end without one of its names.
+TEST_F(Explain, AddUntilItStopsEndsWhereImproveEndsOnARealRobot) {
+  const auto real = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "real/mukca_panda_6";
+  if (!std::filesystem::exists(real)) GTEST_SKIP() << real << " is not here";
+  session = folder.path / "real";
+  std::filesystem::copy(real, session, std::filesystem::copy_options::recursive);
+  desk.window.resize(1440, 900);
+  ASSERT_TRUE(desk.window.open(QString::fromStdString(session.string())));
+  ASSERT_TRUE(desk.settle());
+  ASSERT_TRUE(explain.open());
+  const auto* button = desk.find<QAbstractButton>("until_it_stops");
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return button->text() != "Stop"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(list_effects(run_cli(folder.path, {"improve", session.string(), "--json", "-"}).json()),
+            effects_in_the_model());
+  EXPECT_EQ(button->text(), "Seek longer");
 }
 
 /// The curve stands behind what is said of it, where its size is that of no robot: the way on is open all the same.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <set>
 
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/selection/model_changes.h"
@@ -115,6 +116,24 @@ TEST(InclusionProbabilities, ANameThatIsLackingIsLikelyAtItsPlace) {
   const EffectTerm& found = c.likely.front().estimated.back();
   EXPECT_EQ(found.place, 2);
   EXPECT_NEAR(found.values[0], 1e-3, 2e-4);
+}
+
+/// The zero of a joint is a turn of the frames that follow: where these are in the model, usual sizes alone decide.
+TEST(InclusionProbabilities, WhatOnlySizesTellIsNotSure) {
+  const EffectTerm zero = {"joint_offset", 2, {0.04}};
+  const auto told = [&](const std::set<int>& places) {
+    std::vector<EffectTerm> all{zero};
+    for (const int place : places) all.push_back({"link_geometry", place, {1e-3, 5e-4, 1e-3, 2e-3}});
+    for (const InclusionProbability& n : inclusion_probability_of(diagnosed_with(simulated(all, 24, 60), all)).names)
+      if (n.id == zero.id) return n;
+    return InclusionProbability{};
+  };
+  const InclusionProbability beside = told({3, 4, 5}), alone = told({5});
+  EXPECT_NEAR(beside.probability, 0.95, 0.05);
+  EXPECT_LE(beside.probability, 0.95);
+  EXPECT_THAT(beside.indistinguishable_from, testing::Contains("link_geometry"));
+  EXPECT_GT(alone.probability, 0.99);
+  EXPECT_THAT(alone.indistinguishable_from, testing::Not(testing::Contains("link_geometry")));
 }
 
 TEST(InclusionProbabilities, StoppedItSaysNothing) {

@@ -107,6 +107,27 @@ TEST(Regrowing, SpendsNoMoreModelsThanAreLeft) {
   EXPECT_FALSE(names(walk.so_far().last).contains("payload"));
 }
 
+/// What stood for both at first leaves scatter that robots have.
+TEST(Regrowing, BeginsAgainWithANameThatSaysLittleAlone) {
+  const std::vector<EffectTerm> hidden = play_beside_a_tilt();
+  const Session s = simulated(hidden, 91009, 80, fixture::seven_axis_session(4));
+  ModelWalk walk = walked(s);
+  ASSERT_FALSE(names(walk.so_far().last).contains("base_tilt"));
+  ASSERT_EQ(walk.so_far().last.verdict, Verdict::adequate);
+  ASSERT_TRUE(walk.so_far().last.repeatability.is_any());
+  ImprovementOptions o;
+  o.is_thorough = true;
+  o.most_models = 400;
+  regrow(s, o, walk);
+  const Diagnosis& end = walk.so_far().last;
+  EXPECT_EQ(names(end), ids(hidden));
+  EXPECT_FALSE(end.repeatability.is_any());
+  ASSERT_FALSE(walk.certain().names.empty());
+  for (const InclusionProbability& n : walk.certain().names) {
+    if (n.is_in_model) EXPECT_GT(n.probability, 0.999) << n.id << ", also what the other walk began with";
+  }
+}
+
 TEST(Regrowing, AsksNothingMoreWhereAllIsExplained) {
   const Session s = simulated(three_causes(), 31, 40);
   ModelWalk walk = walked(s);
