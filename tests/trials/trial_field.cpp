@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What laboratories bring: causes far larger than usual, mistakes, robots that scatter, poses that come region by
-// region. trial_field [COUNT] [FIRST_SEED] [KIND]; kinds: zero, zeros, link, slip, scatter, regions, target, mount,
-// sense. At the end: how often the names that were reported with some probability are there.
+// region. trial_field [COUNT] [FIRST_SEED] [KIND] [judge]; kinds: zero, zeros, link, slip, scatter, regions, target,
+// mount, sense. At the end: how often the names that were reported with some probability are there. With `judge`, for
+// worlds with a background: the hand of one who is told the large cause and that each of four small effects is there at
+// every joint in half of the worlds, and chooses among the sixteen by their evidence.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,9 +11,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 #include "blunders/find_blunders.h"
+#include "diagnosis/ranking/refitting.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/targets.h"
@@ -28,6 +32,7 @@ constexpr double tracker_sigma = 1e-4;  // m
 struct World {
   Session session;  // as measured: the nominal robot
   std::vector<EffectTerm> effects;
+  std::vector<EffectTerm> large;   // of these, without what is small
   std::set<std::string> right;     // names that are true
   std::set<std::string> unasked;   // neither right nor wrong: another name does the very same
   std::set<std::string> dominant;  // those that come first
@@ -111,11 +116,14 @@ Session like_of(const std::string& kind, std::uint64_t seed) {
   return robot_session(rig, seed);
 }
 
+const std::array<const char*, 4> small_effects{"joint_offset", "link_geometry", "joint_elasticity",
+                                               "encoder_eccentricity"};
+
 /// Small deviations: a tenth of what is usual, at every joint; each of four effects is there in half of the worlds.
 std::vector<EffectTerm> background(const Session& like, Draw& draw) {
   const Chain chain = make_chain(like);
   std::vector<EffectTerm> terms;
-  for (const char* id : {"joint_offset", "link_geometry", "joint_elasticity", "encoder_eccentricity"}) {
+  for (const char* id : small_effects) {
     if (draw.sign() < 0) continue;
     const Effect& e = *find_effect(id);
     for (const int place : effect_places(e, chain)) {
@@ -175,7 +183,7 @@ World world(const std::string& kind, int observations, std::uint64_t seed) {
   o.observations = observations;
   if (like.is_tracker()) o.noise = tracker_sigma;
   World w;
-  w.effects = hidden(kind, like, o, draw);
+  w.effects = w.large = hidden(kind, like, o, draw);
   for (const EffectTerm& t : w.effects) w.dominant.insert(t.id);
   // Where the first joint sits and where a mount is that is held are one and the same.
   const bool is_first = !w.effects.empty() && w.effects.front().place ==
@@ -237,20 +245,56 @@ double error_on_fresh(const World& w, const Fit& f) {
   return 1e3 * sum / static_cast<double>(w.fresh_poses.size());
 }
 
-Fit reported(const World& w) {
-  FitOptions o;
-  for (EffectTerm t : w.effects) {
+/// The same at 0, and what is described wrongly beside them.
+std::vector<EffectTerm> to_estimate(const World& w, const std::vector<EffectTerm>& effects) {
+  std::vector<EffectTerm> terms;
+  for (EffectTerm t : effects) {
     const Effect& e = term_effect(t);
     for (std::size_t p = 0; p < t.values.size(); ++p)
       if (!e.parameters[p].is_choice) t.values[p] = 0;
-    o.estimated.push_back(t);
+    terms.push_back(t);
   }
   for (const char* id : {"target_scale", "camera_mount"})
     if (w.dominant.contains(id)) {
       const Chain chain = make_chain(w.session);
-      for (EffectTerm& t : effect_terms(id, chain, list_own_effects(w.session, chain))) o.estimated.push_back(t);
+      for (EffectTerm& t : effect_terms(id, chain, list_own_effects(w.session, chain))) terms.push_back(t);
     }
+  return terms;
+}
+
+Fit reported(const World& w) {
+  FitOptions o;
+  o.estimated = to_estimate(w, w.effects);
   return fit(w.session, o);
+}
+
+/// Of one who knows how worlds are made, but not what is in this one beside what is large.
+Fit judged(const World& w) {
+  const Chain chain = make_chain(w.session);
+  FitOptions o;
+  o.estimated = to_estimate(w, w.large);
+  std::optional<Fit> likeliest = fit(w.session, o);
+  const Eigen::Index large = likeliest->problem.effect_count();
+  const NoiseModel by = noise_model(reported(w));
+  double best = fit_evidence(*likeliest, large, by).ln_evidence;
+  for (unsigned which = 1; which < 1U << small_effects.size(); ++which) {
+    FitOptions with = o;
+    for (std::size_t i = 0; i < small_effects.size(); ++i) {
+      if (!(which >> i & 1U)) continue;
+      const Effect& e = *find_effect(small_effects[i]);
+      for (const int place : effect_places(e, chain))
+        if (std::none_of(o.estimated.begin(), o.estimated.end(),
+                         [&](const EffectTerm& t) { return t.id == e.id && t.place == place; }))
+          with.estimated.push_back(term_of(e, place));
+    }
+    Fit f = fit(w.session, with);
+    if (!f.converged()) continue;
+    const double evidence = fit_evidence(f, large, by).ln_evidence;
+    if (evidence <= best) continue;
+    best = evidence;
+    likeliest = std::move(f);
+  }
+  return std::move(*likeliest);
 }
 
 /// Reported against true, of names of the catalogue, by probability.
@@ -284,6 +328,7 @@ struct Claims {
 struct Score {
   int worlds = 0, first = 0, disowned = 0, wrongly_adequate = 0, wrong_names = 0, names = 0, worse_than_plain = 0;
   std::vector<double> to_reported;  // error on fresh poses by that of the fit told everything
+  std::vector<double> of_judge;     // the same of the judge, where that is asked for
   double seconds = 0;
 };
 
@@ -297,7 +342,7 @@ void judge_blunder(const World& w, Score& score) {
     fmt::print("  {}: {}\n", w.blunder, found.empty() ? "nothing found" : "found " + display_name(found.front()));
 }
 
-void judge_effects(std::uint64_t seed, const World& w, Score& score, Claims& claims) {
+void judge_effects(std::uint64_t seed, const World& w, bool with_judge, Score& score, Claims& claims) {
   const Improvement m = improve(w.session, {});
   const std::string named = m.steps.size() > 1 ? m.steps[1].added : "";
   const bool is_first = w.dominant.empty() ? named.empty() || named.starts_with("curve_") : w.dominant.contains(named);
@@ -321,6 +366,7 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score, Claims& cla
   const double found = error_on_fresh(w, m.last.model.fit), best = error_on_fresh(w, reported(w)),
                plain = error_on_fresh(w, fit(w.session, {}));
   score.to_reported.push_back(found / std::max(best, 1e-3));
+  if (with_judge) score.of_judge.push_back(error_on_fresh(w, judged(w)) / std::max(best, 1e-3));
   const bool is_worse = found > 1.5 * plain;
   score.worse_than_plain += is_worse;
   if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 1.3 * best) return;
@@ -331,31 +377,38 @@ void judge_effects(std::uint64_t seed, const World& w, Score& score, Claims& cla
              wrong_names, found, best, plain, verdict_text(m.last.verdict));
 }
 
-void judge(std::uint64_t seed, const World& w, Score& score, Claims& claims) {
+void judge(std::uint64_t seed, const World& w, bool with_judge, Score& score, Claims& claims) {
   const auto began = std::chrono::steady_clock::now();
   ++score.worlds;
   if (w.blunder.empty())
-    judge_effects(seed, w, score, claims);
+    judge_effects(seed, w, with_judge, score, claims);
   else
     judge_blunder(w, score);
   score.seconds =
       std::max(score.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
 }
 
-void run(const std::string& kind, int count, std::uint64_t first_seed, Claims& claims) {
-  for (const int observations : {8, 15, 25, 40, 80}) {  // effects are reported from ten on
+/// "1.04 median 1.97 worst"
+std::string ratios_text(std::vector<double> ratios) {
+  if (ratios.empty()) return "of none";
+  std::sort(ratios.begin(), ratios.end());
+  return fmt::format("{:.2f} median {:.2f} worst", ratios[ratios.size() / 2], ratios.back());
+}
+
+void run(const std::string& kind, int count, std::uint64_t first_seed, bool asks_judge, Claims& claims) {
+  const bool with_judge = asks_judge && kind != "scatter" && kind != "regions";  // these have no background
+  for (const int observations : {8, 15, 25, 40, 80}) {                           // effects are reported from ten on
     Score s;
     for (int i = 0; i < count; ++i) {
       const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-      judge(seed, world(kind, observations, seed), s, claims);
+      judge(seed, world(kind, observations, seed), with_judge, s, claims);
     }
-    std::sort(s.to_reported.begin(), s.to_reported.end());
-    const double median = s.to_reported.empty() ? 0 : s.to_reported[s.to_reported.size() / 2];
     fmt::print(
         "{:8} {:2} poses: first right {} of {}, disowned {}, wrong names above 95 % {} of {}, adequate wrongly {}, "
-        "worse than 1.5 plain {}, hand to told {:.2f} median {:.2f} worst, {:.1f} s at most\n",
+        "worse than 1.5 plain {}, hand to told {}{}, {:.1f} s at most\n",
         kind, observations, s.first, s.worlds, s.disowned, s.wrong_names, s.names, s.wrongly_adequate,
-        s.worse_than_plain, median, s.to_reported.empty() ? 0 : s.to_reported.back(), s.seconds);
+        s.worse_than_plain, ratios_text(s.to_reported), with_judge ? ", a judge's " + ratios_text(s.of_judge) : "",
+        s.seconds);
     std::fflush(stdout);
   }
 }
@@ -368,6 +421,7 @@ int main(int argc, char** argv) {
   const auto first = static_cast<std::uint64_t>(argc > 2 ? std::atoi(argv[2]) : 1);
   handsight::trials::Claims claims;
   for (const char* kind : {"zero", "zeros", "link", "slip", "scatter", "regions", "target", "mount", "sense"})
-    if (argc <= 3 || std::string(argv[3]) == kind) handsight::trials::run(kind, count, first, claims);
+    if (argc <= 3 || std::string(argv[3]) == kind)
+      handsight::trials::run(kind, count, first, argc > 4 && std::string(argv[4]) == "judge", claims);
   claims.print();
 }

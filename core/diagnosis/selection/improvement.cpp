@@ -38,33 +38,40 @@ void weigh_the_robots_error(const Session& session, Improvement& m) {
   last.held_out_session = now.held_out_session;
 }
 
-Improvement improved(const Session& session, const ImprovementOptions& options) {
+struct Improved {
+  Improvement m;
+  int models = 0;  // of the walk alone, without other ends
+};
+
+Improved improved(const Session& session, const ImprovementOptions& options, bool with_other_ends) {
   ModelWalk walk(session, options);
   walk.begin();
   const std::optional<double> excess = walk.so_far().last.excess;
   walk.run();
-  if (!walk.so_far().stopped) regrow(session, options, walk);
+  const int models = walk.so_far().models;
+  if (with_other_ends && !walk.so_far().stopped) regrow(session, options, walk);
   Improvement& m = walk.so_far();
-  if (m.stopped) return std::move(m);
+  if (m.stopped) return {std::move(m), models};
   m.inclusion_probabilities = walk.certain();
   conclude(excess, walk.refused_last(), m);
   weigh_the_robots_error(session, m);
-  return std::move(m);
+  return {std::move(m), models};
 }
 
-void try_choosing(const Session& session, const ImprovementOptions& options, Improvement& m) {
+/// Other ends are not sought there: folds would take as long again, each.
+void try_choosing(const Session& session, const ImprovementOptions& options, int models, Improvement& m) {
   const bool has_chosen =
       options.with_choosing && m.steps.size() > 1 && !m.stopped && m.last.verdict != Verdict::too_few_observations;
   const Fit& chosen = m.last.model.fit;
   if (!has_chosen || !session.parts.empty() || has_no_answer(chosen) || !are_few_to_choose_by(chosen) ||
-      !is_cheap_to_choose(chosen, m.models))
+      !is_cheap_to_choose(chosen, models))
     return;
   ImprovementOptions quiet = options;
   quiet.on_step = {};
   quiet.on_iteration = {};
   quiet.on_progress = [&options](double) { return !options.on_progress || options.on_progress(0.99); };
   m.held_out_choosing = error_with_choosing(session, chosen, [&](const Session& part) -> std::optional<Fit> {
-    Improvement without = improved(part, quiet);
+    Improvement without = improved(part, quiet, false).m;
     if (without.stopped) return std::nullopt;
     return std::move(without.last.model.fit);
   });
@@ -84,9 +91,9 @@ Improvement improve(const Session& session, const ImprovementOptions& options) {
     check_on_the_others(session, *sample, m.last);
     return m;
   }
-  Improvement m = improved(session, options);
-  try_choosing(session, options, m);
-  return m;
+  Improved i = improved(session, options, true);
+  try_choosing(session, options, i.models, i.m);
+  return std::move(i.m);
 }
 
 ModelChange improve_on(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
