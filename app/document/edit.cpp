@@ -122,7 +122,8 @@ bool same_definition(const EffectTerm& a, const EffectTerm& b) {
 }
 
 bool same_term(const EffectTerm& a, const EffectTerm& b) {
-  if (a.id != b.id || a.place != b.place || a.values != b.values || !same_definition(a, b)) return false;
+  if (a.id != b.id || a.place != b.place || a.values != b.values || a.size != b.size || !same_definition(a, b))
+    return false;
   return (!holds_a_number(a) && !holds_a_number(b)) || a.held == b.held;
 }
 
@@ -155,6 +156,7 @@ Json terms_json(const std::vector<EffectTerm>& terms) {
   Json list = Json::array();
   for (const EffectTerm& t : terms) {
     list.push_back({{"id", t.id}, {"place", t.place}, {"values", t.values}});
+    if (is_small(t)) list.back()["size"] = t.size;
     if (holds_a_number(t)) list.back()["held"] = std::vector<int>(t.held.begin(), t.held.end());
     if (t.own && t.own->definition) list.back()["definition"] = effect_definition_text(*t.own->definition);
   }
@@ -186,6 +188,10 @@ std::vector<EffectTerm> parse_terms(const Json& settings, const char* key, const
                     one.at("values").get<std::vector<double>>()};
     if (one.contains("held"))
       for (const int held : one["held"].get<std::vector<int>>()) term.held.push_back(held != 0 ? 1 : 0);
+    if (one.contains("size")) {
+      term.size = one["size"].get<double>();
+      if (!(term.size > 0 && term.size <= 1)) throw InputError("The journal holds an effect of a size that cannot be.");
+    }
     term.own = one.contains("definition") ? parse_own(one["definition"], session) : of_cameras(term.id, session);
     const Effect* effect = term.own ? term.own.get() : find_effect(term.id);
     if (!effect || effect->id != term.id || effect->parameters.size() != term.values.size() ||

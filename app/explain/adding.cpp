@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
@@ -25,6 +26,9 @@ QString step_text(const std::string& id, const ImprovementStep& s, const Session
 }
 
 QString model_alternative_text(const ImprovementStep& s) {
+  if (!s.background.empty())
+    return QObject::tr("added small deviations at each joint: %1")
+        .arg(list_effects(fmt::format("{}", fmt::join(s.background, ", "))));
   if (s.removed.empty() && s.exchanged.empty()) return QObject::tr("moved what is in the model to other places");
   const QString come = list_effects(fmt::format("{}", fmt::join(s.exchanged, ", ")));
   if (s.removed.empty()) return QObject::tr("added %1").arg(come);
@@ -89,9 +93,10 @@ ModelChange found_by_seeking(const Session& session, ImprovementOptions options,
   const auto is_done = [&] { return change.model || change.stopped; };
   if (what == Adding::Seeking::other_names) change = search_models(session, options, before);
   if (!is_done() && what != Adding::Seeking::thoroughly)
-    change = add_likely(session, options, before, inclusion_probabilities(before, options.estimated.size(), [&] {
-                          return options.on_progress(0.97);
-                        }));
+    change =
+        add_likely(session, options, before,
+                   inclusion_probabilities(before, first_name(before.model_options.estimated, options.estimated.size()),
+                                           [&] { return options.on_progress(0.97); }));
   if (!is_done() && what != Adding::Seeking::thoroughly) change = seek_simpler_model(session, options, before);
   if (!is_done()) {
     options.is_thorough = what == Adding::Seeking::thoroughly;
@@ -237,6 +242,9 @@ void Adding::finish(const Run& run, const Outcome& outcome) {
   workbench_.document.take_version(version);
   is_taking_ = false;
   added_likely_ = change.steps.back().likely.has_value();
+  const auto is_background = [](const ImprovementStep& s) { return !s.background.empty(); };
+  added_background_ = std::any_of(change.steps.begin(), change.steps.end(), is_background);
+  found_other_names_ = !std::all_of(change.steps.begin(), change.steps.end(), is_background);
   taken_ = {offered_.name, offered_.leads, outcome.proof};
   end(AdditionEnd::taken, version->cause.left(1).toUpper() + version->cause.mid(1) + '.');
 }

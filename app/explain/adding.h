@@ -45,6 +45,8 @@ class Adding : public QObject {
   const Proof& offered() const { return offered_; }
   const Proof& taken() const { return taken_; }
   bool added_likely() const { return added_likely_; }  // what was taken last
+  bool added_background() const { return added_background_; }
+  bool found_other_names() const { return found_other_names_; }
   /// How many models were fitted to choose from, since the document was opened.
   int models() const { return models_; }
   int pictures() const { return pictures_; }  // shown of the last addition
@@ -85,7 +87,7 @@ class Adding : public QObject {
   QTimer timer_;
   Proof offered_, taken_;
   bool is_running_ = false;
-  bool added_likely_ = false;
+  bool added_likely_ = false, added_background_ = false, found_other_names_ = false;
   bool is_taking_ = false;  // the document is being changed by what was found
   int pictures_ = 0, skipped_ = 0;
   int models_ = 0;

@@ -36,7 +36,8 @@ AddingOn::AddingOn(Workbench& workbench, Adding& adding, widgets::CandidateList&
 
 void AddingOn::note_taken() {
   if (is_seeking_ && !adding_.added_likely()) {
-    found_others_ = true;
+    found_others_ = found_others_ || adding_.found_other_names();
+    found_background_ = found_background_ || adding_.added_background();
     return;
   }
   // Other names are sought by more evidence than it has: it would be taken out again.
@@ -49,7 +50,7 @@ void AddingOn::start() {
   is_running_ = true;
   is_paused_ = false;
   added_ = sought_ = 0;
-  found_others_ = only_likely_ = false;
+  found_others_ = found_background_ = only_likely_ = false;
   emit changed();
   if (can_seek_longer() && !is_waiting() && !first_to_add()) return seek(Adding::Seeking::thoroughly);
   look();
@@ -140,8 +141,9 @@ void AddingOn::seek(Adding::Seeking what) {
 QString AddingOn::reported_at_the_end() const {
   const Story& story = workbench_.find_story(workbench_.document.model());
   QStringList done;
-  if (added_ > 0 || !found_others_) done << tr("%1 added").arg(counted(added_, "%n cause(s)"));
+  if (added_ > 0 || (!found_others_ && !found_background_)) done << tr("%1 added").arg(counted(added_, "%n cause(s)"));
   if (found_others_) done << tr("other names found for what was added");
+  if (found_background_) done << tr("small deviations at each joint taken in");
   QString sentence = (story.state == StoryState::at_the_noise && story.stands_in.empty()
                           ? tr("Done: %1, and nothing is missing any more.")
                       : story.state == StoryState::at_the_noise || story.state == StoryState::unnamed_at_the_noise

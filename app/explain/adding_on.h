@@ -51,7 +51,7 @@ class AddingOn : public QObject {
   QTimer next_;  // a stair stands for a moment before the next one
   bool is_running_ = false, is_paused_ = false;
   int added_ = 0, sought_ = 0;  // causes; how often other names were sought
-  bool is_seeking_ = false, is_seeking_longer_ = false, found_others_ = false;
+  bool is_seeking_ = false, is_seeking_longer_ = false, found_others_ = false, found_background_ = false;
   bool only_likely_ = false;  // a name was taken for being likely: other names are no longer sought
   std::optional<std::int64_t> sought_at_, sought_longer_at_;  // the document's revision
 };

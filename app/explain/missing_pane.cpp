@@ -211,7 +211,8 @@ void MissingPane::show_until_it_stops() {
   const bool can_seek_longer = !can_begin && workbench_.blunders().empty() && adding_on_->can_seek_longer();
   until_it_stops_->setText(runs ? tr("Stop") : can_seek_longer ? tr("Seek longer") : tr("Add until it stops"));
   until_it_stops_->setToolTip(
-      can_seek_longer
+      runs ? tr("Stops; what was taken so far stays")
+      : can_seek_longer
           ? tr("Begins again with each other name, and without each of those that were added: takes minutes; what it "
                "finds is taken where it is clearly likelier and predicts as well")
           : tr("Adds the first card, and the first of what is left, until nothing more helps; then seeks other names "

@@ -12,7 +12,7 @@ namespace handsight::app {
 namespace {
 
 QString cause_of(const BillRow& row, const Fit& fit) {
-  QString name = effect_text(row.id, row.where);
+  QString name = effect_text(row.id, row.is_small ? std::vector<std::string>{} : row.where);
   if (row.unnamed)
     for (const FittedEffect& f : fit.effects)
       if (f.term.id == row.id) name = make_title(f.term, fit.problem.source->chain.robot);
@@ -31,6 +31,7 @@ QString built_text(const BillRow& row) {
   if (row.pushes_back) return QObject::tr("a spring that pushes back: it stands in for another cause");
   if (row.too_large) return QObject::tr("larger than robots are built: it stands in for another cause");
   if (row.held) return QObject::tr("held, not estimated");
+  if (row.is_small) return QObject::tr("a little at each joint, as in every robot");
   return row.unnamed ? QObject::tr("no name in the catalogue") : QObject::tr("plausible");
 }
 

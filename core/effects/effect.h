@@ -101,7 +101,12 @@ struct EffectTerm {
   std::vector<char> held =
       {};  // per parameter, not 0: where the term is estimated, this number stays; empty: none does
   std::shared_ptr<const Effect> own = nullptr;  // the effect where it is one of OwnEffects; null: that of the catalogue
+  double size = 1;  // of its numbers where it is estimated: their prior sigmas, in usual ones
 };
+
+/// Is the term there a little, as at each joint of every robot? Then it is a part of the model, but no cause that is
+/// told.
+inline bool is_small(const EffectTerm& term) { return term.size < 1; }
 
 /// What the term is a term of. Its id must be one of the catalogue where it is no own effect.
 const Effect& term_effect(const EffectTerm& term);

@@ -2787,6 +2787,14 @@
         <translation>%1 hinzugefügt</translation>
     </message>
     <message>
+        <source>small deviations at each joint taken in</source>
+        <translation>kleine Abweichungen an jedem Gelenk aufgenommen</translation>
+    </message>
+    <message>
+        <source>Stops; what was taken so far stays</source>
+        <translation>Hält an; was bisher übernommen wurde, bleibt</translation>
+    </message>
+    <message>
         <source>other names found for what was added</source>
         <translation>andere Namen für das Hinzugefügte gefunden</translation>
     </message>
@@ -3593,6 +3601,10 @@
     <message>
         <source>estimated %1 again</source>
         <translation>%1 wieder geschätzt</translation>
+    </message>
+    <message>
+        <source>added small deviations at each joint: %1</source>
+        <translation>kleine Abweichungen an jedem Gelenk hinzugefügt: %1</translation>
     </message>
     <message>
         <source>moved what is in the model to other places</source>
@@ -5495,6 +5507,10 @@
     <message>
         <source>larger than robots are built: it stands in for another cause</source>
         <translation>größer, als Roboter gebaut sind: Sie vertritt eine andere Ursache</translation>
+    </message>
+    <message>
+        <source>a little at each joint, as in every robot</source>
+        <translation>ein wenig an jedem Gelenk, wie in jedem Roboter</translation>
     </message>
     <message>
         <source>held, not estimated</source>

@@ -22,6 +22,7 @@ Json bill_json(const std::vector<BillRow>& rows) {
                     {"unnamed", row.unnamed},
                     {"follows", row.follows.empty() ? null : Json(row.follows)},
                     {"held", row.held},
+                    {"a_little_at_each_joint", row.is_small},
                     {"hand_m", number(row.hand_m)},
                     {"hand_sigma_m", row.held ? null : number(row.hand_sigma_m)},
                     {"probability", number(row.probability)},

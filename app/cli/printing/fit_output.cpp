@@ -60,6 +60,7 @@ Json parameters_json(const Session& session, const Fit& fit, const std::string& 
            {"value", is_told ? Json(e.term.values[p]) : Json(nullptr)},
            {"sigma", is_told ? number(e.sigmas[p]) : Json(nullptr)},
            {"unit", unit_at(*effect, p, e.term.place, session.robot)}});
+      if (is_small(e.term)) list.back()["usual_size"] = e.term.size;
     }
   }
   return list;
@@ -101,9 +102,10 @@ void print_effects(const Output& out, const Session& session, const Fit& fit) {
         out.line(name + " not determined by these touches");
         continue;
       }
-      out.line(fmt::format("{} {:>11.4g}{} {}", name, e.term.values[p],
+      out.line(fmt::format("{} {:>11.4g}{} {}{}", name, e.term.values[p],
                            e.sigmas[p] > 0 ? fmt::format(" +- {:<8.2g}", e.sigmas[p]) : std::string(" (held)    "),
-                           unit_at(effect, p, e.term.place, session.robot)));
+                           unit_at(effect, p, e.term.place, session.robot),
+                           is_small(e.term) ? ", a little at each joint" : ""));
     }
   }
 }

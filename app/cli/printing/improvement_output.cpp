@@ -23,8 +23,15 @@ std::string noise_or_unknown(const ImprovementStep& s, bool tracker) {
   return tracker ? fmt::format("{:.3f} mm", 1e3 * *noise) : fmt::format("{:.3f} px", *noise);
 }
 
+std::string step_title(const ImprovementStep& s, bool is_first) {
+  if (is_first) return "(as it was)";
+  if (!s.background.empty()) return "small deviations";
+  return s.added.empty() ? "names sought again" : "+ " + s.added;
+}
+
 /// What else went and came with a step that is not the first.
 std::string changes_text(const ImprovementStep& s) {
+  if (!s.background.empty()) return "a little at each joint, no causes that are told: " + listed(s.background);
   if (s.added.empty() && s.removed.empty() && s.exchanged.empty()) return "the same names at other places";
   if (s.removed.empty()) return s.exchanged.empty() ? "" : "beside what stands: " + listed(s.exchanged);
   return "no longer needed: " + s.removed +
@@ -59,6 +66,7 @@ Json step_json(const ImprovementStep& s, bool tracker) {
   return {{"added", s.added.empty() ? null : Json(s.added)},
           {"removed", s.removed.empty() ? null : Json(s.removed)},
           {"exchanged", s.exchanged},
+          {"a_little_at_each_joint", s.background},
           {"where", s.where},
           {"formula", s.formula.empty() ? null : Json(s.formula)},
           {"variable", s.variable.empty() ? null : Json(s.variable)},
@@ -91,7 +99,7 @@ void print_improvement(const Output& out, const Session& session, const Improvem
                        "by region", "noise"));
   for (std::size_t i = 0; i < m.steps.size(); ++i) {
     const ImprovementStep& s = m.steps[i];
-    const std::string what = i == 0 ? "(as it was)" : s.added.empty() ? "names sought again" : "+ " + s.added;
+    const std::string what = step_title(s, i == 0);
     out.line(fmt::format("{:<4} {:<24} {:>12} {:>12} {:>12} {:>12}  {}", i, what, error_text(s.fitted),
                          error_text(s.held_out), error_text(s.held_out_region), noise_or_unknown(s, tracker),
                          listed(s.where)));

@@ -24,13 +24,15 @@ struct Estimated {
   double sigma = 0;
 };
 
-std::vector<Estimated> estimated_of(const Fit& fit, const std::string& id) {
+bool is_of(const BillRow& row, const EffectTerm& term) { return term.id == row.id && is_small(term) == row.is_small; }
+
+std::vector<Estimated> estimated_of(const Fit& fit, const BillRow& row) {
   std::vector<Estimated> list;
   Eigen::Index place = 6;  // after TCP->Body's
   for (std::size_t t = 0; t < fit.effects.size(); ++t) {
     const std::vector<double>& sigmas = fit.effects[t].sigmas;
     for (std::size_t p = 0; p < sigmas.size(); ++p, ++place)
-      if (fit.effects[t].term.id == id && sigmas[p] > 0) list.push_back({t, p, place, sigmas[p]});
+      if (is_of(row, fit.effects[t].term) && sigmas[p] > 0) list.push_back({t, p, place, sigmas[p]});
   }
   return list;
 }
@@ -61,19 +63,19 @@ double sigma_of(const Fit& fit, const std::vector<Estimated>& numbers, const Eig
 
 void set_worth(const Fit& fit, HandPlaces& places, BillRow& row) {
   std::vector<EffectTerm> others = list_terms(fit);
-  std::erase_if(others, [&](const EffectTerm& t) { return t.id == row.id; });
+  std::erase_if(others, [&](const EffectTerm& t) { return is_of(row, t); });
   const Eigen::Matrix3Xd moved = -places.moved_by(others);
   row.hand_m = root_mean_square(moved);
-  const std::vector<Estimated> numbers = estimated_of(fit, row.id);
+  const std::vector<Estimated> numbers = estimated_of(fit, row);
   row.held = numbers.empty();
   if (!row.held) row.hand_sigma_m = sigma_of(fit, numbers, moved, places);
 }
 
-BillRow find_row(const Fit& fit, const std::string& id) {
-  BillRow row{.id = id};
+BillRow find_row(const Fit& fit, const EffectTerm& like) {
+  BillRow row{.id = like.id, .is_small = is_small(like)};
   std::vector<EffectTerm> terms;
   for (const FittedEffect& f : fit.effects)
-    if (f.term.id == id) terms.push_back(f.term);
+    if (is_of(row, f.term)) terms.push_back(f.term);
   row.where = list_places(terms, fit.problem.source->chain);
   row.unnamed = is_curve(terms.front());
   if (row.unnamed) row.follows = terms.front().own->definition->cause;
@@ -89,13 +91,13 @@ std::vector<BillRow> make_bill(const Fit& fit, const InclusionProbabilities* inc
   if (fit.effects.empty() || !fit.problem.source || fit.problem.observations.empty()) return rows;
   HandPlaces places(fit);
   for (const FittedEffect& f : fit.effects) {
-    if (std::any_of(rows.begin(), rows.end(), [&](const BillRow& r) { return r.id == f.term.id; })) continue;
-    rows.push_back(find_row(fit, f.term.id));
+    if (std::any_of(rows.begin(), rows.end(), [&](const BillRow& r) { return is_of(r, f.term); })) continue;
+    rows.push_back(find_row(fit, f.term));
     set_worth(fit, places, rows.back());
   }
   for (const StandIn& odd : stand_ins(fit))
     for (BillRow& row : rows)
-      if (row.id == odd.id) {
+      if (row.id == odd.id && !row.is_small) {
         (odd.pushes_back ? row.pushes_back : row.too_large) = true;
         if (!odd.is_everywhere) row.stands_in_at = odd.where;
       }
@@ -107,7 +109,7 @@ std::vector<BillRow> with_inclusion_probabilities(std::vector<BillRow> rows,
                                                   const InclusionProbabilities& inclusion_probabilities) {
   for (BillRow& row : rows)
     for (const InclusionProbability& name : inclusion_probabilities.names) {
-      if (name.id != row.id || !name.is_in_model) continue;
+      if (name.id != row.id || row.is_small || !name.is_in_model) continue;
       row.probability = name.probability;
       row.indistinguishable_from = name.indistinguishable_from;
     }
@@ -126,11 +128,12 @@ std::string model_uncertainty_of(const BillRow& row) {
   const std::string at = row.stands_in_at.empty() ? "" : fmt::format(" at {}", listed(row.stands_in_at));
   if (row.pushes_back) return fmt::format("stands in{}: a spring that pushes back", at);
   if (row.too_large) return fmt::format("stands in{}: larger than robots are built", at);
+  if (row.is_small) return "a little at each joint";
   return row.held ? "held" : row.unnamed ? "no name" : "plausible";
 }
 
 std::string told_from(const BillRow& row) {
-  if (row.held) return "-";
+  if (row.held || row.is_small) return "-";
   if (!row.indistinguishable_from) return "not looked at";
   return row.indistinguishable_from->empty() ? "from all others" : "not from " + listed(*row.indistinguishable_from);
 }

@@ -17,8 +17,9 @@ struct BillRow {
   std::string id;
   std::vector<std::string> where;  // joints, markers, "from observation 37 on"; of a curve where it acts
   bool unnamed = false;
-  std::string follows;  // of a curve: what it follows; else empty
-  bool held = false;    // by the user, not estimated
+  std::string follows;    // of a curve: what it follows; else empty
+  bool held = false;      // by the user, not estimated
+  bool is_small = false;  // a little at each joint, as in every robot: part of the model, no cause that is told
   /// Root mean square over the observations of how far it moves the body's origin as the sensor sees it, m. Where the
   /// mount is estimated too, what is the same in all of them is the mount's and left out.
   double hand_m = 0;

@@ -43,10 +43,11 @@ void set_shares(std::optional<double> excess, Improvement& m) {
   m.unnamed_share = (middle - left) / *excess;
 }
 
-enum class Told { names, unsure_names, curves };
+enum class Told { names, unsure_names, curves, nothing };
 
 Told told_as(const BillRow& row) {
   constexpr double likely = 0.5;
+  if (row.is_small) return Told::nothing;
   if (row.unnamed) return Told::curves;
   return row.probability.value_or(1) < likely ? Told::unsure_names : Told::names;
 }

@@ -50,6 +50,7 @@ Improved improved(const Session& session, const ImprovementOptions& options, boo
   walk.run();
   const int models = walk.so_far().models;
   if (with_other_ends && !walk.so_far().stopped) regrow(session, options, walk);
+  walk.run_beside_background();
   Improvement& m = walk.so_far();
   if (m.stopped) return {std::move(m), models};
   m.inclusion_probabilities = walk.certain();
@@ -109,6 +110,7 @@ ModelChange improve_on(const Session& session, const ImprovementOptions& options
   walk.begin_at(model);
   walk.run();
   if (!walk.so_far().stopped) regrow(session, options, walk);
+  walk.run_beside_background();
   Improvement& m = walk.so_far();
   ModelChange change;
   change.models = m.models;

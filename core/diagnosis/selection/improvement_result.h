@@ -21,10 +21,11 @@ struct ImprovementStep {
   std::string removed;  // effect ids, where something added before is no longer needed, or stood in for another
   std::vector<std::string> exchanged = {};  // effect ids that came in the place of `removed`, beside `added`
   std::vector<std::string> where;
-  std::vector<EffectTerm> terms;    // added, else removed
-  std::string formula, variable;    // of a curve that was added
-  std::vector<std::string> stands;  // numbers of it beyond four prior sigmas: it stands in for something else
-  std::optional<double> likely;     // its probability, where the evidence alone is less than a name is asked for
+  std::vector<EffectTerm> terms;             // added, else removed
+  std::string formula, variable;             // of a curve that was added
+  std::vector<std::string> stands;           // numbers of it beyond four prior sigmas: it stands in for something else
+  std::vector<std::string> background = {};  // effect ids that are there a little at each joint since (background.h)
+  std::optional<double> likely;  // its probability, where the evidence alone is less than a name is asked for
   ErrorSummary fitted, held_out, held_out_region, held_out_session;
   std::optional<double> noise;           // of a coordinate, px or m
   std::optional<double> rms_of_noise_m;  // FitReport

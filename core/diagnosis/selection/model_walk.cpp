@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "diagnosis/ranking/curves.h"
+#include "diagnosis/selection/background.h"
 #include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/fuller_models.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
@@ -82,6 +84,15 @@ void ModelWalk::run() {
   }
 }
 
+void ModelWalk::run_beside_background() {
+  if (m_.stopped) return;
+  ModelChange change = add_background(session_, options_, m_.last);
+  note_refusals(change);
+  if (!change.model) return;
+  step_to(std::move(change));
+  run();
+}
+
 void ModelWalk::take(ModelWalk&& other) {
   ImprovementStep step = find_step(other.m_.last);
   const ChangedNames changed = changed_names(m_.last.model_options.estimated, other.m_.last.model_options.estimated);
@@ -131,11 +142,15 @@ bool ModelWalk::one_more() {
     note_refusals(change);
   }
   if (!change.model) return false;
+  step_to(std::move(change));
+  return true;
+}
+
+void ModelWalk::step_to(ModelChange&& change) {
   m_.steps.insert(m_.steps.end(), change.steps.begin(), change.steps.end());
   m_.last = std::move(*change.model);
   certain_.reset();
   if (!options_.with_curves && !is_outdone(m_.last)) settled_ = m_;
-  return true;
 }
 
 /// Each is tried once. From the first that is taken on other names are not sought: they would ask for the evidence
@@ -157,7 +172,7 @@ const InclusionProbabilities& ModelWalk::certain() {
   if (certain_) return *certain_;
   certain_.emplace();
   if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return *certain_;
-  certain_ = inclusion_probabilities(m_.last, options_.estimated.size(),
+  certain_ = inclusion_probabilities(m_.last, first_name(m_.last.model_options.estimated, options_.estimated.size()),
                                      [&] { return !options_.on_progress || options_.on_progress(0.98); });
   return *certain_;
 }

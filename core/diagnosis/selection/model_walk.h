@@ -25,6 +25,8 @@ class ModelWalk {
   void begin_without(const std::string& id, const Diagnosis& end);
   /// As far as it goes; after begin().
   void run();
+  /// Takes in what is there a little at each joint, and goes on as far as that leads.
+  void run_beside_background();
   /// Goes on from where another walk came to its end, which may have begun with more terms.
   void take(ModelWalk&& other);
 
@@ -42,6 +44,7 @@ class ModelWalk {
   /// Other names are sought once there are names that were chosen.
   bool may_seek() const { return !m_.stopped && (has_begun_with_names_ || m_.steps.size() > 1); }
   ModelChange one_that_is_likely();
+  void step_to(ModelChange&& change);
   void note_refusals(const ModelChange& change);
 
   const Session& session_;

@@ -10,6 +10,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
+#include "diagnosis/selection/first_name.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "estimation/solvers/inverse_parts.h"
 
@@ -106,10 +107,11 @@ class Pruning {
     return o;
   }
 
+  std::size_t first_of_names() const { return first_name(terms(), options_.estimated.size()); }
+
   int group_count() const {
     int count = 0;
-    for (std::size_t first = options_.estimated.size(); first < terms().size(); first = end_of_group(terms(), first))
-      ++count;
+    for (std::size_t first = first_of_names(); first < terms().size(); first = end_of_group(terms(), first)) ++count;
     return count;
   }
 
@@ -155,7 +157,7 @@ class Pruning {
 
   /// Everything added before the last step must still be worth its parameters.
   void drop_what_is_no_longer_needed() {
-    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+    for (std::size_t first = first_of_names(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
       if (last == terms().size() || !drop(first, last)) first = last;
     }
@@ -183,7 +185,7 @@ class Pruning {
     const NoiseModel by = noise_model(model);
     set_quick(by, o);
     std::optional<double> ln_with;  // of `model`; absent: that of the present one
-    for (std::size_t t = options_.estimated.size(); t < o.estimated.size() && goes_on();) {
+    for (std::size_t t = first_of_names(); t < o.estimated.size() && goes_on();) {
       const auto fewer = is_one_of_several(o.estimated, t) ? without_place(model, o, t, by, ln_with) : std::nullopt;
       if (!fewer) {
         ++t;
@@ -201,7 +203,8 @@ class Pruning {
   }
 
   static bool is_one_of_several(const std::vector<EffectTerm>& all, std::size_t t) {
-    return (t > 0 && all[t - 1].id == all[t].id) || (t + 1 < all.size() && all[t + 1].id == all[t].id);
+    return (t > 0 && all[t - 1].id == all[t].id && !is_small(all[t - 1])) ||
+           (t + 1 < all.size() && all[t + 1].id == all[t].id);
   }
 
   /// The fit without one place, whose evidence is then `ln_with`; nothing where the place is worth its numbers.
@@ -222,7 +225,7 @@ class Pruning {
 
   /// Names and curves that stood in for another name are exchanged; a name that was added last stays.
   void exchange_names() {
-    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+    for (std::size_t first = first_of_names(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
       if (last == terms().size() && !is_curve(terms()[first])) return;
       const std::string removed = terms()[first].id;
@@ -242,7 +245,7 @@ class Pruning {
 
   /// With other terms beside it, a curve may have another form, and a slip another moment.
   void look_for_forms_again() {
-    for (std::size_t first = options_.estimated.size(); !change_.stopped && first < terms().size();) {
+    for (std::size_t first = first_of_names(); !change_.stopped && first < terms().size();) {
       const std::size_t last = end_of_group(terms(), first);
       const bool is_earlier = last < terms().size();
       if (is_earlier && is_curve(terms()[first])) look_for_curve(first, last);

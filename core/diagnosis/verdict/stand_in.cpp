@@ -59,7 +59,7 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
   if (!fit.problem.source) return list;
   const Chain& chain = fit.problem.source->chain;
   for (const FittedEffect& f : fit.effects) {
-    if (!is_estimated(f) || term_effect(f.term).is_unnamed()) continue;
+    if (!is_estimated(f) || is_small(f.term) || term_effect(f.term).is_unnamed()) continue;
     const bool back = pushes_back({f.term}, {f.sigmas});
     if (!back && !is_too_large(f.term, chain)) continue;
     auto same = std::find_if(list.begin(), list.end(), [&](const StandIn& s) { return s.id == f.term.id; });
@@ -70,7 +70,8 @@ std::vector<StandIn> stand_ins(const Fit& fit) {
   }
   for (const FittedEffect& f : fit.effects)
     for (StandIn& s : list)
-      if (s.id == f.term.id && is_estimated(f) && !pushes_back({f.term}, {f.sigmas}) && !is_too_large(f.term, chain))
+      if (s.id == f.term.id && is_estimated(f) && !is_small(f.term) && !pushes_back({f.term}, {f.sigmas}) &&
+          !is_too_large(f.term, chain))
         s.is_everywhere = false;
   return list;
 }

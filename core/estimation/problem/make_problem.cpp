@@ -95,7 +95,8 @@ Problem make_problem(const Session& session, const Chain& chain, const std::vect
     const Effect& effect = term_effect(term);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
       if (is_free(effect, term, p))
-        problem.columns_of_effects.push_back({problem.terms.size(), p, prior_sigma(effect.parameters[p], chain)});
+        problem.columns_of_effects.push_back(
+            {problem.terms.size(), p, term.size * prior_sigma(effect.parameters[p], chain)});
     problem.terms.push_back(term);
   }
   auto source = std::make_shared<ProblemSource>();

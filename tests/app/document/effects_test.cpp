@@ -96,6 +96,16 @@ TEST_F(EffectsTest, TheJournalHoldsThemBitForBit) {
   EXPECT_EQ(document.settings(), wanted);
 }
 
+TEST_F(EffectsTest, TheJournalHoldsTheSizeOfSmallDeviations) {
+  ModelSettings wanted = with_springs();
+  wanted.estimated[0].size = 0.1;
+  EXPECT_FALSE(wanted == with_springs());
+  Edit edit{.sentence = "x", .settings = SettingsEdit{{}, wanted}};
+  EXPECT_EQ(parse_edit(edit_text(edit)).settings->after, wanted);
+  edit.settings->after.estimated[0].size = -0.5;
+  EXPECT_THROW(parse_edit(edit_text(edit)), InputError);
+}
+
 /// A curve without a name: its definition goes along in the journal, and it is made again for the session's robot.
 TEST_F(EffectsTest, CurvesComeBackFromTheJournal) {
   EffectDefinition definition;

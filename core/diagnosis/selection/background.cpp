@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/selection/background.h"
+
+#include "diagnosis/selection/elsewhere.h"
+#include "diagnosis/selection/first_name.h"
+#include "diagnosis/selection/pruning.h"
+#include "diagnosis/selection/spreading.h"
+#include "diagnosis/verdict/explanation.h"
+#include "estimation/fit/sure_fit.h"
+
+namespace handsight {
+namespace {
+
+constexpr double largest = 0.3;  // of what is usual; all places of a name at its usual size are a name
+
+/// What has no name is left as it is, and what has a background has one.
+bool may_have_background(const Diagnosis& model, std::size_t own) {
+  const std::vector<EffectTerm>& all = model.model_options.estimated;
+  if (model.verdict == Verdict::too_few_observations || has_no_answer(model.model.fit)) return false;
+  return all.size() > own && first_name(all, own) == own;
+}
+
+/// The likeliest, to first order; none where the model alone is likelier.
+std::vector<EffectTerm> likeliest_background(const Diagnosis& model, std::size_t first) {
+  const ModelSpace all(model, first, InclusionProbabilities::cost_of_a_name);
+  const Chosen present = all.present();
+  std::vector<EffectTerm> terms;
+  for (const SpreadName& s : Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest).likeliest)
+    for (const std::size_t u : list_open_units(all, present, s.name)) {
+      terms.push_back(all.units()[u].term);
+      terms.back().size = s.size;
+    }
+  return terms;
+}
+
+void note_background(const std::vector<EffectTerm>& background, const Diagnosis& next, ModelChange& change) {
+  ImprovementStep step = find_step(next);
+  for (const EffectTerm& t : background)
+    if (step.background.empty() || step.background.back() != t.id) step.background.push_back(t.id);
+  change.steps.push_back(std::move(step));
+}
+
+}  // namespace
+
+ModelChange add_background(const Session& session, const ImprovementOptions& options, const Diagnosis& model) {
+  ModelChange change;
+  const std::size_t own = options.estimated.size();
+  if (!may_have_background(model, own)) return change;
+  const std::vector<EffectTerm> background = likeliest_background(model, own);
+  if (background.empty()) return change;
+  std::vector<EffectTerm> estimated = model.model_options.estimated;
+  estimated.insert(estimated.begin() + static_cast<std::ptrdiff_t>(own), background.begin(), background.end());
+  const double before = held_out_error(model);
+  Diagnosis next = model_from(session, options, estimated, std::nullopt, before);
+  change.models = 1;
+  change.stopped = next.stopped;
+  if (next.stopped || has_no_answer(next.model.fit) || held_out_error(next) >= before) return change;
+  if (!worse_elsewhere(model, next, as_good_as_reported).empty()) return change;
+  next = diagnosed_on(session, options, std::move(next));
+  change.stopped = next.stopped;
+  if (next.stopped) return change;
+  set_errors_elsewhere(next);
+  note_background(background, next, change);
+  change.model = std::move(next);
+  return change;
+}
+
+}  // namespace handsight
