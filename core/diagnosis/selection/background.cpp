@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/selection/background.h"
 
+#include <algorithm>
+
+#include "diagnosis/ranking/curves.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/pruning.h"
@@ -13,11 +16,21 @@ namespace {
 
 constexpr double largest = 0.3;  // of what is usual; all places of a name at its usual size are a name
 
-/// What has no name is left as it is, and what has a background has one.
+/// Is a name larger than usual, so that its prior is wider, or is the target another size than was said? Who describes
+/// one thing so wrongly has not measured the others either.
+bool is_described_badly(const Diagnosis& model, std::size_t own) {
+  const Problem& p = model.model.fit.problem;
+  const std::size_t first = model.model_options.effects.size() + own;
+  return std::any_of(p.columns_of_effects.begin(), p.columns_of_effects.end(), [&](const EffectColumn& c) {
+    const EffectTerm& term = p.terms[c.term];
+    return c.term >= first && !is_curve(term) && (c.width > 1 || term.id == "target_scale");
+  });
+}
+
 bool may_have_background(const Diagnosis& model, std::size_t own) {
-  const std::vector<EffectTerm>& all = model.model_options.estimated;
   if (model.verdict == Verdict::too_few_observations || has_no_answer(model.model.fit)) return false;
-  return all.size() > own && first_name(all, own) == own;
+  const bool has_one = first_name(model.model_options.estimated, own) > own;
+  return !has_one && is_described_badly(model, own);
 }
 
 /// The likeliest, to first order; none where the model alone is likelier.

@@ -85,7 +85,7 @@ void ModelWalk::run() {
 }
 
 void ModelWalk::run_beside_background() {
-  if (m_.stopped) return;
+  if (m_.stopped || m_.models >= options_.most_models) return;
   ModelChange change = add_background(session_, options_, m_.last);
   note_refusals(change);
   if (!change.model) return;

@@ -124,9 +124,10 @@ TEST(Background, IsNoCauseThatImproveTells) {
   EXPECT_GT(small->hand_m, 0);
   EXPECT_EQ(m.last.reason.english().find("joint_elasticity"), std::string::npos) << m.last.reason.english();
   const InclusionProbabilities& told = m.inclusion_probabilities;
-  EXPECT_EQ(told.model_uncertainty.covariance.rows(),
-            6 + static_cast<Eigen::Index>(m.last.model_options.estimated.size() + told.model_uncertainty.others.size()))
-      << "of one number a term";
+  Eigen::Index numbers = 6;
+  for (const auto* terms : {&m.last.model_options.estimated, &told.model_uncertainty.others})
+    for (const EffectTerm& t : *terms) numbers += static_cast<Eigen::Index>(t.values.size());
+  EXPECT_EQ(told.model_uncertainty.covariance.rows(), numbers);
   EXPECT_FALSE(improve_on(session, {}, m.last).model) << "the end is an end";
 }
 
