@@ -35,7 +35,7 @@ class Spreading {
   };
 
   /// With each of the names that make the choice likelier, one after another. `first` is there in any case, `never` in
-  /// none.
+  /// none; sizes above `largest` are not tried.
   Sum sum(const Chosen& chosen, std::optional<std::size_t> first, std::optional<std::size_t> never,
           double largest = 1) const;
 
