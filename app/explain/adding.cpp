@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "diagnosis/selection/first_name.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/simple_models.h"
@@ -93,10 +93,10 @@ ModelChange found_by_seeking(const Session& session, ImprovementOptions options,
   const auto is_done = [&] { return change.model || change.stopped; };
   if (what == Adding::Seeking::other_names) change = search_models(session, options, before);
   if (!is_done() && what != Adding::Seeking::thoroughly)
-    change =
-        add_likely(session, options, before,
-                   inclusion_probabilities(before, first_name(before.model_options.estimated, options.estimated.size()),
-                                           [&] { return options.on_progress(0.97); }));
+    change = add_likely(
+        session, options, before,
+        inclusion_probabilities(before, begin_of_names(before.model_options.estimated, options.estimated.size()),
+                                [&] { return options.on_progress(0.97); }));
   if (!is_done() && what != Adding::Seeking::thoroughly) change = seek_simpler_model(session, options, before);
   if (!is_done()) {
     options.is_thorough = what == Adding::Seeking::thoroughly;

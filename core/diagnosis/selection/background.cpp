@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "diagnosis/ranking/curves.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/selection/spreading.h"
 #include "diagnosis/verdict/explanation.h"
@@ -29,7 +29,7 @@ bool is_described_badly(const Diagnosis& model, std::size_t own) {
 
 bool may_have_background(const Diagnosis& model, std::size_t own) {
   if (model.verdict == Verdict::too_few_observations || has_no_answer(model.model.fit)) return false;
-  const bool has_one = first_name(model.model_options.estimated, own) > own;
+  const bool has_one = begin_of_names(model.model_options.estimated, own) > own;
   return !has_one && is_described_badly(model, own);
 }
 

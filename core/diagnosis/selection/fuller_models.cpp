@@ -8,7 +8,7 @@
 #include "diagnosis/evidence/noise_model.h"
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
-#include "diagnosis/selection/first_name.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_search.h"
 #include "diagnosis/selection/model_space.h"
@@ -95,7 +95,7 @@ ModelChange seek_fuller_model(const Session& session, const ImprovementOptions& 
     return !change.stopped;
   };
   const std::vector<EffectTerm>& all = model.model_options.estimated;
-  const std::size_t first = first_name(all, options.estimated.size());
+  const std::size_t first = begin_of_names(all, options.estimated.size());
   const std::vector<EffectTerm> names(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   const std::set<std::string> ids = names_that_may_be(names, certainty);
   std::vector<ModelAlternative> found;

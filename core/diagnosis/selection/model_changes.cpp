@@ -10,8 +10,8 @@
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/slips.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/model_search.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/explanation.h"
@@ -201,7 +201,8 @@ ModelChange search_models(const Session& session, const ImprovementOptions& opti
     if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
     return !change.stopped;
   };
-  const auto other = search_models(model, first_name(model.model_options.estimated, options.estimated.size()), goes_on);
+  const auto other =
+      search_models(model, begin_of_names(model.model_options.estimated, options.estimated.size()), goes_on);
   if (other && !change.stopped) put_in_place(session, options, model, *other, change);
   return change;
 }
@@ -218,7 +219,7 @@ ModelChange add_likely(const Session& session, const ImprovementOptions& options
     const bool is_sure = likely.name.probability >= surely_there;
     const double most = is_sure ? as_good_as_reported * before : before;
     const std::vector<EffectTerm>& all = model.model_options.estimated;
-    const std::size_t first = first_name(all, options.estimated.size());
+    const std::size_t first = begin_of_names(all, options.estimated.size());
     std::vector<EffectTerm> estimated(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first));
     estimated.insert(estimated.end(), likely.estimated.begin(), likely.estimated.end());
     ++change.models;
@@ -253,7 +254,7 @@ ModelChange take_likeliest(const Session& session, const ImprovementOptions& opt
     if (options.on_progress && !options.on_progress(0.97)) change.stopped = true;
     return !change.stopped;
   };
-  const auto other = fit_likeliest(model, first_name(model.model_options.estimated, options.estimated.size()),
+  const auto other = fit_likeliest(model, begin_of_names(model.model_options.estimated, options.estimated.size()),
                                    inclusion_probabilities, goes_on);
   if (other && !change.stopped) put_in_place(session, options, model, *other, change);
   return change;

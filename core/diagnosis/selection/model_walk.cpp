@@ -8,8 +8,8 @@
 
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/selection/background.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/fuller_models.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
@@ -172,8 +172,9 @@ const InclusionProbabilities& ModelWalk::certain() {
   if (certain_) return *certain_;
   certain_.emplace();
   if (m_.last.verdict == Verdict::too_few_observations || has_no_answer(m_.last.model.fit)) return *certain_;
-  certain_ = inclusion_probabilities(m_.last, first_name(m_.last.model_options.estimated, options_.estimated.size()),
-                                     [&] { return !options_.on_progress || options_.on_progress(0.98); });
+  certain_ =
+      inclusion_probabilities(m_.last, begin_of_names(m_.last.model_options.estimated, options_.estimated.size()),
+                              [&] { return !options_.on_progress || options_.on_progress(0.98); });
   return *certain_;
 }
 

@@ -8,9 +8,9 @@
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/verdict/diagnosis.h"
 #include "estimation/solvers/inverse_parts.h"
 
@@ -107,7 +107,7 @@ class Pruning {
     return o;
   }
 
-  std::size_t first_of_names() const { return first_name(terms(), options_.estimated.size()); }
+  std::size_t first_of_names() const { return begin_of_names(terms(), options_.estimated.size()); }
 
   int group_count() const {
     int count = 0;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/cost_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/explanation.h"
@@ -35,7 +35,7 @@ std::vector<std::string> least_certain_first(const Diagnosis& model, std::size_t
   for (const InclusionProbability& n : certain.names) probability[n.id] = n.probability;
   std::vector<std::string> ids;
   const std::vector<EffectTerm>& all = model.model_options.estimated;
-  for (std::size_t t = first_name(all, first); t < all.size(); ++t)
+  for (std::size_t t = begin_of_names(all, first); t < all.size(); ++t)
     if (std::find(ids.begin(), ids.end(), all[t].id) == ids.end()) ids.push_back(all[t].id);
   const auto sure = [&](const std::string& id) {
     const auto told = probability.find(id);
@@ -49,7 +49,7 @@ std::vector<std::string> least_certain_first(const Diagnosis& model, std::size_t
 std::set<std::string> ids_of(const Diagnosis& model, std::size_t first) {
   std::set<std::string> ids;
   const std::vector<EffectTerm>& all = model.model_options.estimated;
-  for (std::size_t t = first_name(all, first); t < all.size(); ++t) ids.insert(all[t].id);
+  for (std::size_t t = begin_of_names(all, first); t < all.size(); ++t) ids.insert(all[t].id);
   return ids;
 }
 
@@ -76,7 +76,8 @@ class Odds {
  private:
   double worth(const Diagnosis& d) const {
     const std::vector<EffectTerm>& all = d.model_options.estimated;
-    const std::vector<EffectTerm> names(all.begin() + static_cast<std::ptrdiff_t>(first_name(all, first_)), all.end());
+    const std::vector<EffectTerm> names(all.begin() + static_cast<std::ptrdiff_t>(begin_of_names(all, first_)),
+                                        all.end());
     return fit_evidence(d.model.fit, base_, by_).ln_evidence -
            cost_of_names(names, places_, InclusionProbabilities::cost_of_a_name);
   }
@@ -213,7 +214,7 @@ bool is_worth_seeking(const Diagnosis& end, std::size_t first) {
   const bool is_explained =
       (end.verdict == Verdict::adequate && !end.repeatability.is_any()) || end.verdict == Verdict::too_few_observations;
   const std::vector<EffectTerm>& all = end.model_options.estimated;
-  return !is_explained && all.size() > first_name(all, first) && !has_no_answer(end.model.fit);
+  return !is_explained && all.size() > begin_of_names(all, first) && !has_no_answer(end.model.fit);
 }
 
 void regrow(const Session& session, const ImprovementOptions& options, ModelWalk& walk) {

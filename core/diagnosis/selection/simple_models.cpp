@@ -14,9 +14,9 @@
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/cost_of_names.h"
 #include "diagnosis/selection/exchange.h"
-#include "diagnosis/selection/first_name.h"
 #include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/verdict/candidate_report.h"
@@ -122,7 +122,7 @@ ModelChange seek_simpler_model(const Session& session, const ImprovementOptions&
     return !change.stopped;
   };
   const std::vector<EffectTerm>& all = model.model_options.estimated;
-  const std::size_t first = first_name(all, options.estimated.size());
+  const std::size_t first = begin_of_names(all, options.estimated.size());
   const std::vector<EffectTerm> gone(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   if (list_ids(gone).find(',') == std::string::npos) return change;  // one alone stands already
   for (const SimpleModel& simple : simple_models(model, first, goes_on)) {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-#include "diagnosis/selection/first_name.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/simulated_stand.h"
 #include "diagnosis/verdict/diagnosis.h"
@@ -76,8 +76,8 @@ TEST(Background, BringsTheHandNearer) {
     EXPECT_EQ(change.steps[0].added, "");
     EXPECT_THAT(change.steps[0].background, ElementsAre("joint_elasticity")) << seed;
     const std::vector<EffectTerm>& terms = change.model->model_options.estimated;
-    EXPECT_FALSE(is_small(terms[first_name(terms, 0)]));
-    EXPECT_EQ(terms.size(), first_name(terms, 0) + 1) << "the zero is the only name, and stands last";
+    EXPECT_FALSE(is_small(terms[begin_of_names(terms, 0)]));
+    EXPECT_EQ(terms.size(), begin_of_names(terms, 0) + 1) << "the zero is the only name, and stands last";
     EXPECT_LT(held_out_error(*change.model), held_out_error(before)) << seed;
     EXPECT_LT(missed_by(terms, hidden), 0.7 * missed_by(before.model_options.estimated, hidden)) << seed;
   }
