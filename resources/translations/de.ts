@@ -9287,6 +9287,10 @@
         <translation> Nichts in den Residuen spricht dafür.</translation>
     </message>
     <message>
+        <source> Alone %1 is likelier; beside small deviations at each joint, which every robot has, this is.</source>
+        <translation> Allein ist %1 wahrscheinlicher; neben kleinen Abweichungen in jedem Gelenk, die jeder Roboter hat, ist es dies.</translation>
+    </message>
+    <message>
         <source> Its size is more than three times what is usual.</source>
         <translation> Seine Größe ist mehr als das Dreifache des Üblichen.</translation>
     </message>

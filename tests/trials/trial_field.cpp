@@ -5,6 +5,7 @@
 // worlds with a background: the hand of one who is told the large cause and that each of four small effects is there at
 // every joint in half of the worlds, and chooses among the sixteen by their evidence.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -125,7 +126,8 @@ struct Claims {
 };
 
 struct Score {
-  int worlds = 0, first = 0, disowned = 0, wrongly_adequate = 0, wrong_names = 0, names = 0, worse_than_plain = 0;
+  int worlds = 0, first = 0, kept = 0, disowned = 0, wrongly_adequate = 0, wrong_names = 0, names = 0,
+      worse_than_plain = 0;
   std::vector<double> to_reported;  // error on fresh poses by that of the fit told everything
   std::vector<double> of_judge;     // the same of the judge, where that is asked for
   double seconds = 0;
@@ -141,11 +143,25 @@ void judge_blunder(const World& w, Score& score) {
     fmt::print("  {}: {}\n", w.blunder, found.empty() ? "nothing found" : "found " + display_name(found.front()));
 }
 
+/// "joint_offset (disowned)", "-backlash +joint_scale", "a little joint_offset"
+std::string step_text(const ImprovementStep& s) {
+  std::string text = s.added + (s.stands.empty() ? "" : " (disowned)");
+  if (!s.removed.empty()) text += fmt::format(" -{}", s.removed);
+  for (const std::string& id : s.exchanged) text += " +" + id;
+  if (!s.background.empty()) text += fmt::format(" a little {}", fmt::join(s.background, ", "));
+  return text;
+}
+
 void judge_effects(std::uint64_t seed, const World& w, bool with_judge, Score& score, Claims& claims) {
   const Improvement m = improve(w.session, {});
   const std::string named = m.steps.size() > 1 ? m.steps[1].added : "";
   const bool is_first = w.dominant.empty() ? named.empty() || named.starts_with("curve_") : w.dominant.contains(named);
   score.first += is_first;
+  const std::vector<EffectTerm>& last = m.last.model_options.estimated;
+  const bool is_kept = w.dominant.empty() || std::any_of(last.begin(), last.end(), [&](const EffectTerm& t) {
+                         return w.dominant.contains(t.id);
+                       });
+  score.kept += is_kept;
   int disowned = 0, wrong = 0;
   std::string wrong_names;
   for (const ImprovementStep& s : m.steps) disowned += w.dominant.contains(s.added) && !s.stands.empty();
@@ -168,9 +184,9 @@ void judge_effects(std::uint64_t seed, const World& w, bool with_judge, Score& s
   if (with_judge) score.of_judge.push_back(error_on_fresh(w, judged(w)) / std::max(best, 1e-3));
   const bool is_worse = found > 1.5 * plain;
   score.worse_than_plain += is_worse;
-  if (is_first && disowned + wrong == 0 && !is_adequate && !is_worse && found < 1.3 * best) return;
+  if (is_first && is_kept && disowned + wrong == 0 && !is_adequate && !is_worse && found < 1.3 * best) return;
   fmt::print("  seed {}, scatter {:.2g} mrad, target {:.1f} %:", seed, 1e3 * w.repeatability, 1e2 * w.target_scale);
-  for (const ImprovementStep& s : m.steps) fmt::print(" {}{}", s.added, s.stands.empty() ? "" : " (disowned)");
+  for (const ImprovementStep& s : m.steps) fmt::print(" {}", step_text(s));
   for (const RefusedStep& r : m.refused) fmt::print(" [{}: {}]", r.id, r.reason);
   fmt::print("; {} disowned, {} wrong names{}, hand {:.2f} mm, told {:.2f}, plain {:.2f}, {}\n", disowned, wrong,
              wrong_names, found, best, plain, verdict_text(m.last.verdict));
@@ -203,9 +219,10 @@ void run(const std::string& kind, int count, std::uint64_t first_seed, bool asks
       judge(seed, world(kind, observations, seed), with_judge, s, claims);
     }
     fmt::print(
-        "{:8} {:2} poses: first right {} of {}, disowned {}, wrong names above 95 % {} of {}, adequate wrongly {}, "
+        "{:8} {:2} poses: first right {} of {}, in the model {}, disowned {}, wrong names above 95 % {} of {}, "
+        "adequate wrongly {}, "
         "worse than 1.5 plain {}, hand to told {}{}, {:.1f} s at most\n",
-        kind, observations, s.first, s.worlds, s.disowned, s.wrong_names, s.names, s.wrongly_adequate,
+        kind, observations, s.first, s.worlds, s.kept, s.disowned, s.wrong_names, s.names, s.wrongly_adequate,
         s.worse_than_plain, ratios_text(s.to_reported), with_judge ? ", a judge's " + ratios_text(s.of_judge) : "",
         s.seconds);
     std::fflush(stdout);

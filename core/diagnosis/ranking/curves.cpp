@@ -10,6 +10,7 @@
 #include "base/combinations.h"
 #include "base/threads.h"
 #include "diagnosis/curves/place_formulas.h"
+#include "diagnosis/evidence/prior_odds.h"
 #include "effects/own_effect.h"
 
 namespace handsight {
@@ -274,6 +275,10 @@ std::string followed_variable(const EffectDefinition& curve) {
 
 bool is_curve_of_time(const EffectTerm& term) {
   return is_curve(term) && followed_variable(*term.own->definition) == "time";
+}
+
+double ln_odds_against_curve(const EffectTerm& term) {
+  return ln_ways_of_curves - ln_odds_of_unnamed + (is_curve_of_time(term) ? ln_odds_against_drift : 0);
 }
 
 std::string sites_text(const EffectDefinition& d) {

@@ -34,6 +34,12 @@ std::string followed_variable(const EffectDefinition& curve);
 /// Does a curve without a name follow the time: a drift of a form that is not in the catalogue?
 bool is_curve_of_time(const EffectTerm& term);
 
+/// Of the forms, sites and directions in which a curve could have been another.
+inline constexpr double ln_ways_of_curves = 5;
+
+/// ln of the odds against a curve without a name, these ways included.
+double ln_odds_against_curve(const EffectTerm& term);
+
 /// "angle", or "hand_x, hand_z": the sites that it moves.
 std::string sites_text(const EffectDefinition& definition);
 

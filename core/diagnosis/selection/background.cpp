@@ -7,20 +7,18 @@
 #include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/pruning.h"
-#include "diagnosis/selection/spreading.h"
+#include "diagnosis/space/spreading.h"
 #include "diagnosis/verdict/explanation.h"
 #include "estimation/fit/sure_fit.h"
 
 namespace handsight {
 namespace {
 
-constexpr double largest = 0.3;  // of what is usual; all places of a name at its usual size are a name
-
 /// Is a name larger than usual, so that its prior is wider, or is the target another size than was said? Who describes
 /// one thing so wrongly has not measured the others either.
 bool is_described_badly(const Diagnosis& model, std::size_t own) {
   const Problem& p = model.model.fit.problem;
-  const std::size_t first = model.model_options.effects.size() + own;
+  const std::size_t first = term_of_fit(model, own);
   return std::any_of(p.columns_of_effects.begin(), p.columns_of_effects.end(), [&](const EffectColumn& c) {
     const EffectTerm& term = p.terms[c.term];
     return c.term >= first && !is_curve(term) && (c.width > 1 || term.id == "target_scale");
@@ -35,15 +33,10 @@ bool may_have_background(const Diagnosis& model, std::size_t own) {
 
 /// The likeliest, to first order; none where the model alone is likelier.
 std::vector<EffectTerm> likeliest_background(const Diagnosis& model, std::size_t first) {
-  const ModelSpace all(model, first, InclusionProbabilities::cost_of_a_name);
+  const ModelSpace all(model.model.fit, term_of_fit(model, first), InclusionProbabilities::cost_of_a_name);
   const Chosen present = all.present();
-  std::vector<EffectTerm> terms;
-  for (const SpreadName& s : Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest).likeliest)
-    for (const std::size_t u : list_open_units(all, present, s.name)) {
-      terms.push_back(all.units()[u].term);
-      terms.back().size = s.size;
-    }
-  return terms;
+  return list_terms(all, present,
+                    Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest_small).likeliest);
 }
 
 void note_background(const std::vector<EffectTerm>& background, const Diagnosis& next, ModelChange& change) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "diagnosis/verdict/diagnosis_result.h"
 #include "effects/effect.h"
 
 namespace handsight {
@@ -13,6 +14,11 @@ inline std::size_t begin_of_names(const std::vector<EffectTerm>& estimated, std:
   std::size_t first = own;
   while (first < estimated.size() && is_small(estimated[first])) ++first;
   return first;
+}
+
+/// The place of an estimated term of a model among the terms of its fit: those that are held come before.
+inline std::size_t term_of_fit(const Diagnosis& model, std::size_t estimated) {
+  return model.model_options.effects.size() + estimated;
 }
 
 }  // namespace handsight

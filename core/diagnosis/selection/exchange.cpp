@@ -8,6 +8,7 @@
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/taken_over.h"
 #include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {
@@ -23,10 +24,6 @@ double evidence_of(const Refit& refit, const RankedEffect& ranked) {
 }
 
 }  // namespace
-
-double ln_odds_against_curve(const EffectTerm& term) {
-  return ln_ways_of_curves - ln_odds_of_unnamed + (is_curve_of_time(term) ? ln_odds_against_drift : 0);
-}
 
 std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, std::size_t last,
                                     const std::function<bool()>& goes_on) {
@@ -44,7 +41,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     return goes_on();
   };
   const CleanFit without{model.model.session, fit(model.model.session, o), {}};
-  if (without.fit.solution.stopped) return std::nullopt;
+  if (without.fit.solution.stopped || is_taken_over(present, model.model.fit, without.fit)) return std::nullopt;
   for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
 
   const Candidates candidates = all_candidates(without.fit.problem);

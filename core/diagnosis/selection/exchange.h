@@ -8,12 +8,6 @@
 
 namespace handsight {
 
-/// Of the forms, sites and directions in which a curve could have been another.
-inline constexpr double ln_ways_of_curves = 5;
-
-/// ln of the odds against a curve without a name, these ways included.
-double ln_odds_against_curve(const EffectTerm& term);
-
 /// Another effect that does better in the place of one of the model's.
 struct Exchange {
   std::string id;

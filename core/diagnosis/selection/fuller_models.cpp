@@ -11,7 +11,7 @@
 #include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/model_search.h"
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 #include "diagnosis/verdict/stand_in.h"
 #include "estimation/fit/fit.h"
 
@@ -81,7 +81,7 @@ std::optional<ModelAlternative> likelier_fuller_model(const Diagnosis& model, st
   const Fit fuller = fit(model.model.session, o);
   if (fuller.solution.stopped || !fuller.solution.normal.in_front) return std::nullopt;
   for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = fuller.effects[o.effects.size() + t].term;
-  return search_models_about(model, fuller, o, first, goes_on);
+  return search_models_about(model, fuller, first, goes_on);
 }
 
 }  // namespace

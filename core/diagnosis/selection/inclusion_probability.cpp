@@ -255,7 +255,7 @@ InclusionProbabilities inclusion_probabilities(const Diagnosis& model, std::size
   // A shape that is held is one more measurement of the linear model; markers that are held without one are not.
   const bool are_held = fit.fixed_markers && !fit.problem.has_shape_prior();
   if (are_held || fit.sides.markers.empty()) return c;
-  const ModelSpace all(model, first, InclusionProbabilities::cost_of_a_name);
+  const ModelSpace all(fit, term_of_fit(model, first), InclusionProbabilities::cost_of_a_name);
   const OpenUnits units = open_units(all, goes_on);
   const OpenScore score = open_score(all, units);
   const Weights weights = model_posterior(all, units, score, goes_on);

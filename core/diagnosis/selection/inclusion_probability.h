@@ -3,7 +3,7 @@
 // over models (Hoeting, Madigan, Raftery and Volinsky 1999, Bayesian model averaging).
 #pragma once
 
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 #include "diagnosis/verdict/diagnosis_result.h"
 #include "estimation/report/model_uncertainty.h"
 

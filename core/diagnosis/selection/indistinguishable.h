@@ -2,7 +2,7 @@
 // What could do the same to the measurements as a cause that is in the model.
 #pragma once
 
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 
 namespace handsight {
 

@@ -8,8 +8,8 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/exchange.h"
-#include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
+#include "diagnosis/space/model_space.h"
 
 namespace handsight {
 namespace {
@@ -245,7 +245,8 @@ std::optional<ModelAlternative> likelier_in(const ModelSpace& space, const Diagn
 
 std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_t first,
                                               const std::function<bool()>& goes_on) {
-  return likelier_in(ModelSpace(model, first, model.threshold), model, model.model.fit, first, goes_on);
+  return likelier_in(ModelSpace(model.model.fit, term_of_fit(model, first), model.threshold), model, model.model.fit,
+                     first, goes_on);
 }
 
 std::optional<ModelAlternative> fit_likeliest(const Diagnosis& model, std::size_t first,
@@ -253,19 +254,15 @@ std::optional<ModelAlternative> fit_likeliest(const Diagnosis& model, std::size_
                                               const std::function<bool()>& goes_on) {
   const std::optional<Chosen>& chosen = inclusion_probabilities.likeliest;
   if (!chosen) return std::nullopt;
-  const ModelSpace space(model, first, InclusionProbabilities::cost_of_a_name);
+  const ModelSpace space(model.model.fit, term_of_fit(model, first), InclusionProbabilities::cost_of_a_name);
   if (*chosen == space.present()) return std::nullopt;
   return fitted_choice(space, *chosen, model, model.model.fit, first, -inclusion_probabilities.ln_of_small_causes,
                        goes_on);
 }
 
-std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,
-                                                    const FitOptions& fuller_options, std::size_t first,
+std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller, std::size_t first,
                                                     const std::function<bool()>& goes_on) {
-  Diagnosis about;
-  about.model.fit = fuller;
-  about.model_options = fuller_options;
-  return likelier_in(ModelSpace(about, first, model.threshold), model, fuller, first, goes_on);
+  return likelier_in(ModelSpace(fuller, term_of_fit(model, first), model.threshold), model, fuller, first, goes_on);
 }
 
 }  // namespace handsight

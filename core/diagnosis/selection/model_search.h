@@ -22,9 +22,8 @@ std::optional<ModelAlternative> search_models(const Diagnosis& model, std::size_
                                               const std::function<bool()>& goes_on);
 
 /// The same, but to first order at the answer of `fuller`: a fit of the model's points with all of its names, and its
-/// curves or none of them, and more, by `fuller_options`.
-std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller,
-                                                    const FitOptions& fuller_options, std::size_t first,
+/// curves or none of them, and more.
+std::optional<ModelAlternative> search_models_about(const Diagnosis& model, const Fit& fuller, std::size_t first,
                                                     const std::function<bool()>& goes_on);
 
 /// The likeliest choice of names of a model, where that is another than its own, fitted in full: where it is likelier

@@ -17,8 +17,8 @@
 #include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/cost_of_names.h"
 #include "diagnosis/selection/exchange.h"
-#include "diagnosis/selection/model_space.h"
 #include "diagnosis/selection/pruning.h"
+#include "diagnosis/space/model_space.h"
 #include "diagnosis/verdict/candidate_report.h"
 
 namespace handsight {

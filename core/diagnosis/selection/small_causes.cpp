@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "diagnosis/selection/spreading.h"
+#include "diagnosis/space/spreading.h"
 
 namespace handsight {
 namespace {

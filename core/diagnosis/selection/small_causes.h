@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 
 namespace handsight {
 

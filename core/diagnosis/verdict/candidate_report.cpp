@@ -38,18 +38,6 @@ Eigen::MatrixXd make_covariance(const RankedEffect& r) {
   return sizes.asDiagonal() * r.estimate.covariance * sizes.asDiagonal();
 }
 
-/// Every number within three of its prior sigmas.
-bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
-  for (const EffectTerm& term : terms) {
-    const Effect& effect = term_effect(term);
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice &&
-          std::abs(term.values[p]) > largest_plausible * prior_sigma(effect.parameters[p], chain))
-        return false;
-  }
-  return true;
-}
-
 bool are_too_large(const std::vector<EffectTerm>& terms, const Chain& chain) {
   return std::any_of(terms.begin(), terms.end(), [&](const EffectTerm& t) { return is_too_large(t, chain); });
 }

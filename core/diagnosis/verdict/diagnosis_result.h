@@ -48,6 +48,7 @@ struct DiagnosisCandidate {
   std::optional<double> predicted_held_out;  // px, or m with a tracker
   std::optional<ErrorSummary> held_out;      // after the full fit
   std::optional<double> explained;           // share of the excess over the noise
+  std::optional<double> ln_of_small;  // what small deviations at each joint add to ln_bayes_factor, where it was asked
   std::vector<std::string> indistinguishable_from;
   std::optional<CheckPrediction> check;  // of the candidates that pass the threshold
   std::string explanation;

@@ -8,6 +8,7 @@
 
 #include "base/percent.h"
 #include "diagnosis/evidence/repeatability_levels.h"
+#include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/robot_check.h"
 #include "effects/units.h"
 
@@ -116,6 +117,9 @@ Message explain(const DiagnosisCandidate& c, const Diagnosis& d, const Session& 
   if (!c.held_back.empty()) text += message(" Not named: {}.", c.held_back);
   text += message(" Odds against nothing missing: {}; {}.", odds(c.ln_bayes_factor), numbers_text(c, session));
   text += speaks_for(c, d);
+  if (c.ln_of_small && is_likelier_beside_small(d.candidates.front(), c) && &c != &d.candidates.front())
+    text += message(" Alone {} is likelier; beside small deviations at each joint, which every robot has, this is.",
+                    d.candidates.front().id);
   if (!c.plausible) text += " Its size is more than three times what is usual.";
   if (!c.indistinguishable_from.empty())
     text += message(" On these poses it cannot be told from {}.", listed(c.indistinguishable_from));

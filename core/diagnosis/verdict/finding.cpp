@@ -62,6 +62,11 @@ bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
   return best.unnamed || (!best.plausible && 2 * count_of_numbers(c) <= count_of_numbers(best));
 }
 
+bool is_likelier_beside_small(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {
+  return best.ln_of_small && c.ln_of_small &&
+         c.ln_bayes_factor + *c.ln_of_small >= best.ln_bayes_factor + *best.ln_of_small;
+}
+
 /// A curve follows chance too: odds below 20 do not set it before a name that explains most of the same.
 static bool is_name_for(const DiagnosisCandidate& curve, const DiagnosisCandidate& c) {
   constexpr double most = 0.8;  // of what is explained, where that is known
@@ -77,7 +82,8 @@ bool comes_before(const DiagnosisCandidate& c, const DiagnosisCandidate& best) {
   const bool is_of_target = c.id == "target_scale" || c.id == "target_bend";
   if (is_of_target && c.plausible && c.ln_bayes_factor > about_as_much * best.ln_bayes_factor) return true;
   if (is_name_for(best, c)) return true;
-  return may_stand_in(best, c) && c.explained.value_or(0) >= nearly * best.explained.value_or(1);
+  if (!may_stand_in(best, c)) return false;
+  return is_likelier_beside_small(best, c) || c.explained.value_or(0) >= nearly * best.explained.value_or(1);
 }
 
 /// Of the best one's evidence: what is believable and explains less is no rival of what is only large.

@@ -28,9 +28,14 @@ bool is_believable(const DiagnosisCandidate& candidate);
 /// has?
 bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& candidate);
 
+/// Do small deviations at each joint beside either make `candidate` as likely as the best one? These are in every
+/// robot, and the best one may be likelier alone only since it takes them in.
+bool is_likelier_beside_small(const DiagnosisCandidate& best, const DiagnosisCandidate& candidate);
+
 /// Does a candidate come before the one with the most evidence? What the target is comes before what the robot is,
 /// where it explains about as much: a wrong size bends every link a little. And few numbers come before many that no
-/// robot has, where they explain nearly as much: what is left then is the next step's.
+/// robot has, where they explain nearly as much or are likelier beside small deviations at each joint: what is left
+/// then is the next step's.
 bool comes_before(const DiagnosisCandidate& candidate, const DiagnosisCandidate& best);
 
 /// The candidates that pass the threshold, as they are offered: what comes before the best, what is believable and has

@@ -11,6 +11,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/verdict/candidate_report.h"
 #include "diagnosis/verdict/finding.h"
+#include "diagnosis/verdict/small_beside.h"
 
 namespace handsight {
 namespace {
@@ -51,6 +52,7 @@ class FullFits {
     if (!stopped_) {
       sort_candidates(d_.candidates);
       refit_what_is_simpler();
+      weigh_beside_small();
     }
     return std::move(fits_);
   }
@@ -83,6 +85,27 @@ class FullFits {
       ++done;
     }
     if (done > 0) sort_candidates(d_.candidates);
+  }
+
+  /// What the best one may stand in for and that explains most of the same, and the best one itself.
+  void weigh_beside_small() {
+    constexpr double most = 0.8;  // of what the best one explains
+    DiagnosisCandidate& best = d_.candidates.front();
+    if (stopped_ || best.unnamed || !best.refitted || !best.explained) return;
+    std::vector<DiagnosisCandidate*> asked{&best};
+    for (DiagnosisCandidate& c : d_.candidates)
+      if (&c != &best && !c.unnamed && c.refitted && c.ln_bayes_factor >= d_.threshold && may_stand_in(best, c) &&
+          c.explained.value_or(0) >= most * *best.explained)
+        asked.push_back(&c);
+    if (asked.size() == 1) return;
+    each_part(static_cast<int>(asked.size()), true, [&](int i) {
+      DiagnosisCandidate& c = *asked[static_cast<std::size_t>(i)];
+      const double gain = gain_by_small_deviations(fits_.at(c.id), [this](const std::vector<EffectTerm>& terms) {
+        std::vector<FitIteration> path;
+        return refitted(terms, path);
+      });
+      if (!stopped_) c.ln_of_small = gain;
+    });
   }
 
   /// The unnamed candidates that pass as curves that the model may take in; the first one fitted in full.

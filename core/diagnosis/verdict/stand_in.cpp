@@ -47,6 +47,17 @@ double find_largest_built(const EffectTerm& term, std::size_t parameter, const C
   return load > 0 ? std::max(usual, steepest_bend / load) : usual;
 }
 
+bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain) {
+  for (const EffectTerm& term : terms) {
+    const Effect& effect = term_effect(term);
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+      if (!effect.parameters[p].is_choice &&
+          std::abs(term.values[p]) > largest_plausible * prior_sigma(effect.parameters[p], chain))
+        return false;
+  }
+  return true;
+}
+
 bool is_too_large(const EffectTerm& term, const Chain& chain) {
   const Effect& effect = term_effect(term);
   for (std::size_t p = 0; p < effect.parameters.size(); ++p)

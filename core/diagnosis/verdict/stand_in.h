@@ -29,6 +29,9 @@ inline constexpr double largest_plausible = 3;
 /// springs.
 double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain);
 
+/// Is every number of the terms within largest_plausible?
+bool is_plausible(const std::vector<EffectTerm>& terms, const Chain& chain);
+
 /// Is a number of the term that a fit moves larger than robots are built?
 bool is_too_large(const EffectTerm& term, const Chain& chain);
 

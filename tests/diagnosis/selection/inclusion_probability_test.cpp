@@ -67,7 +67,7 @@ std::vector<double> by_counting(const ModelSpace& all, const OpenUnits& units) {
 TEST(ModelPosterior, TheWalkFindsWhatCountingAllChoicesFinds) {
   const Session session = simulated({sure, doubtful}, 21, 60);
   const Diagnosis model = diagnosed_with(session, {sure});
-  const ModelSpace all(model, 0, 2);
+  const ModelSpace all(model.model.fit, 0, 2);
   const auto goes_on = [] { return true; };
   OpenUnits units = open_units(all, goes_on);
   ASSERT_GT(units.open.size(), 2U);

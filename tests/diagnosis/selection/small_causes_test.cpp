@@ -18,7 +18,7 @@ SmallCauses instead_of(const EffectTerm& model, const std::vector<EffectTerm>& h
   DiagnosisOptions o;
   o.with_held_out = false;
   o.estimated = {model};
-  const ModelSpace all(diagnose(session, o), 0, 3);
+  const ModelSpace all(diagnose(session, o).model.fit, 0, 3);
   const std::vector<SmallCauses> causes = find_small_causes(all, all.present());
   for (std::size_t n = 0; n < causes.size(); ++n)
     if (all.names()[n].id == model.id) return causes[n];
@@ -54,9 +54,9 @@ TEST(SmallCauses, LeaveChoicesStandingThatTheyCannotBe) {
   o.with_held_out = false;
   o.estimated = {{"joint_scale", 2, {0}}};
   const auto standing = [&](const std::vector<EffectTerm>& hidden, const Chosen& chosen) {
-    return ln_standing(find_small_causes(ModelSpace(diagnose(simulated(hidden, 21, 60), o), 0, 3), chosen));
+    return ln_standing(find_small_causes(ModelSpace(diagnose(simulated(hidden, 21, 60), o).model.fit, 0, 3), chosen));
   };
-  const Chosen present = ModelSpace(diagnose(simulated({}, 21, 60), o), 0, 3).present();
+  const Chosen present = ModelSpace(diagnose(simulated({}, 21, 60), o).model.fit, 0, 3).present();
   ASSERT_EQ(present.size(), 1U);
   EXPECT_LT(standing(zeros_a_little_off(21), present), std::log(0.1));
   EXPECT_NEAR(standing({{"joint_scale", 2, {2e-3}}}, present), 0, 1e-6);
@@ -65,7 +65,7 @@ TEST(SmallCauses, LeaveChoicesStandingThatTheyCannotBe) {
 
 TEST(SmallCauses, AreOnlyAskedAboutNamesOfTheModel) {
   const Session session = simulated({{"joint_elasticity", 1, {1.5e-4}}}, 21, 60);
-  const ModelSpace all(diagnose(session, {}), 0, 3);
+  const ModelSpace all(diagnose(session, {}).model.fit, 0, 3);
   for (const SmallCauses& causes : find_small_causes(all, all.present())) EXPECT_EQ(causes.share, 0);
 }
 

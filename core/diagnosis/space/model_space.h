@@ -3,12 +3,13 @@
 // first order about the model's answer: the evidence of any choice follows from sums that are made once.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
 #include "diagnosis/evidence/candidates.h"
 #include "diagnosis/evidence/noise_model.h"
-#include "diagnosis/verdict/diagnosis_result.h"
+#include "diagnosis/evidence/repeatability_levels.h"
 
 namespace handsight {
 
@@ -31,9 +32,10 @@ using Chosen = std::vector<std::size_t>;
 
 class ModelSpace {
  public:
-  /// In the place of the estimated terms from `first` on. A name costs ln odds of `cost_of_a_name`, a curve and a slip
-  /// those against them too.
-  ModelSpace(const Diagnosis& model, std::size_t first, double cost_of_a_name);
+  /// In the place of the fit's terms from `first` on. A name costs ln odds of `cost_of_a_name`, a curve and a slip
+  /// those against them too. Without a `repeatability` of the robot it is the likeliest for the fit.
+  ModelSpace(const Fit& fit, std::size_t first, double cost_of_a_name,
+             const std::optional<Repeatability>& repeatability = {});
 
   const std::vector<ModelSpaceUnit>& units() const { return units_; }  // of one name together
   const std::vector<ModelSpaceEffect>& names() const { return names_; }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 
 namespace handsight {
 
@@ -18,6 +18,12 @@ struct SpreadName {
   std::size_t name = 0;  // of the space
   double size = 0;       // of its numbers, in prior sigmas
 };
+
+/// The largest size of what is only a little: all places of a name at its usual size are a name.
+inline constexpr double largest_small = 0.3;
+
+/// ln of the sizes that a spread name may have.
+double ln_ways_of_size();
 
 /// Names that are spread over their places, one after another, beside a choice of units or some of them, to first
 /// order.
@@ -59,7 +65,7 @@ class Spreading {
   Score score_;
 };
 
-/// The units of a name that a choice leaves open.
-Chosen list_open_units(const ModelSpace& all, const Chosen& chosen, std::size_t name);
+/// Terms of the places that a choice leaves open, each with the prior size of its name.
+std::vector<EffectTerm> list_terms(const ModelSpace& all, const Chosen& chosen, const std::vector<SpreadName>& spread);
 
 }  // namespace handsight

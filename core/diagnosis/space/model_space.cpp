@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/selection/model_space.h"
+#include "diagnosis/space/model_space.h"
 
 #include <algorithm>
 
@@ -7,7 +7,6 @@
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
-#include "diagnosis/selection/exchange.h"
 
 namespace handsight {
 namespace {
@@ -28,21 +27,21 @@ std::vector<double> sizes_of_base(const Problem& problem, const Unknowns& answer
 
 }  // namespace
 
-ModelSpace::ModelSpace(const Diagnosis& model, std::size_t first, double cost_of_a_name)
-    : by_(noise_model(model.model.fit)) {
-  const Fit& fit = model.model.fit;
+ModelSpace::ModelSpace(const Fit& fit, std::size_t first, double cost_of_a_name,
+                       const std::optional<Repeatability>& repeatability)
+    : by_(noise_model(fit)) {
   const Candidates others = all_candidates(fit.problem);
-  const std::size_t first_term = model.model_options.effects.size() + first;
   base_ = std::count_if(fit.problem.columns_of_effects.begin(), fit.problem.columns_of_effects.end(),
-                        [&](const EffectColumn& c) { return c.term < first_term; });
+                        [&](const EffectColumn& c) { return c.term < first; });
   for (std::size_t c = static_cast<std::size_t>(base_); c < others.problem.columns_of_effects.size(); ++c)
     sizes_.push_back(others.problem.columns_of_effects[c].sigma);
-  list_units(fit.problem, first_term, others, cost_of_a_name);
+  list_units(fit.problem, first, others, cost_of_a_name);
 
   const Unknowns answer = estimate(fit);
   base_sizes_ = sizes_of_base(fit.problem, answer, base_);
   const LinearModel linear = linear_model(others.problem, answer, base_, by_.noise);
-  whitened_ = whiten(linear, fit_evidence(fit, base_, by_).repeatability, by_.knowledge);
+  const Repeatability scatter = repeatability ? *repeatability : fit_evidence(fit, base_, by_).repeatability;
+  whitened_ = whiten(linear, scatter, by_.knowledge);
   score_ = handsight::score(whitened_, 0, linear.candidates());
   whitened_.model = nullptr;  // it ends here
   whitened_.external.resize(0, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "diagnosis/selection/spreading.h"
+#include "diagnosis/space/spreading.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -17,7 +17,6 @@ constexpr std::size_t fewest_places = 2;
 /// What zeroing, machining, gears and encoders leave at each joint of every robot: whether a little of it shows is as
 /// likely as not.
 const std::set<std::string> of_every_robot{"joint_offset", "link_geometry", "joint_elasticity", "encoder_eccentricity"};
-const double cost_of_a_size = std::log(static_cast<double>(small_sizes.size()));  // any, before the measurements
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 /// Of some numbers at one size: how the residuals shrink, and ln of the volume that their prior wastes.
@@ -49,7 +48,17 @@ bool can_spread(const ModelSpace& all, std::size_t unit) {
   return of_every_robot.contains(all.names()[all.units()[unit].name].id);
 }
 
+/// The units of a name that a choice leaves open.
+Chosen list_open_units(const ModelSpace& all, const Chosen& chosen, std::size_t name) {
+  Chosen open;
+  for (std::size_t u = 0; u < all.units().size(); ++u)
+    if (all.units()[u].name == name && !is_in(chosen, u) && all.can_come(u, chosen)) open.push_back(u);
+  return open;
+}
+
 }  // namespace
+
+double ln_ways_of_size() { return std::log(static_cast<double>(small_sizes.size())); }
 
 Spreading::Spreading(const ModelSpace& all, const Chosen& most)
     : all_(all),
@@ -129,7 +138,7 @@ double Spreading::worth(const Beside& at, const Chosen& chosen, int spread) cons
   const double before = all_.whitened().residual_squares, after = at.residual_squares;
   const double gained =
       noise.known ? 0.5 * (before - after) : 0.5 * noise.degrees * (std::log(before) - std::log(after));
-  return gained - 0.5 * at.ln_volume - spread * cost_of_a_size - all_.compute_cost(chosen);
+  return gained - 0.5 * at.ln_volume - spread * ln_ways_of_size() - all_.compute_cost(chosen);
 }
 
 /// The numbers of each name that can be spread beside a choice.
@@ -143,11 +152,14 @@ std::map<std::size_t, Spreading::Numbers> Spreading::list_open(const Chosen& cho
   return open;
 }
 
-Chosen list_open_units(const ModelSpace& all, const Chosen& chosen, std::size_t name) {
-  Chosen open;
-  for (std::size_t u = 0; u < all.units().size(); ++u)
-    if (all.units()[u].name == name && !is_in(chosen, u) && all.can_come(u, chosen)) open.push_back(u);
-  return open;
+std::vector<EffectTerm> list_terms(const ModelSpace& all, const Chosen& chosen, const std::vector<SpreadName>& spread) {
+  std::vector<EffectTerm> terms;
+  for (const SpreadName& s : spread)
+    for (const std::size_t u : list_open_units(all, chosen, s.name)) {
+      terms.push_back(all.units()[u].term);
+      terms.back().size = s.size;
+    }
+  return terms;
 }
 
 }  // namespace handsight

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnosis/verdict/small_beside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "diagnosis/space/spreading.h"
+#include "effects/units.h"
+
+namespace handsight {
+namespace {
+
+/// Within what is usual, in every number.
+bool is_usual(const EffectTerm& term, const Chain& chain) {
+  const Effect& effect = term_effect(term);
+  for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+    if (!effect.parameters[p].is_choice && std::abs(term.values[p]) > prior_sigma(effect.parameters[p], chain))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+double gain_by_small_deviations(const Refit& candidate,
+                                const std::function<Refit(const std::vector<EffectTerm>&)>& refit) {
+  const std::vector<EffectTerm> all_terms = list_terms(candidate.fit);
+  const std::size_t first = all_terms.size() - candidate.added;
+  // Of a robot that repeats: what is left of small deviations passes for scatter else.
+  const ModelSpace all(candidate.fit, first, 0, Repeatability{});
+  const Chosen present = all.present();
+  const std::vector<SpreadName> spread =
+      Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest_small).likeliest;
+  if (spread.empty()) return 0;
+  std::vector<EffectTerm> terms(all_terms.begin() + static_cast<std::ptrdiff_t>(first), all_terms.end());
+  const std::vector<EffectTerm> small = list_terms(all, present, spread);
+  terms.insert(terms.end(), small.begin(), small.end());
+  const Refit beside = refit(terms);
+  if (!beside.fit.solution.normal.in_front) return 0;
+  const Chain& chain = candidate.fit.problem.source->chain;
+  const std::vector<EffectTerm> fitted = list_terms(beside.fit);
+  const auto stays_small = [&](const EffectTerm& t) { return is_usual(t, chain); };
+  if (!std::all_of(fitted.end() - static_cast<std::ptrdiff_t>(small.size()), fitted.end(), stays_small)) return 0;
+  const double gain =
+      beside.ln_bayes_factor - candidate.ln_bayes_factor - static_cast<double>(spread.size()) * ln_ways_of_size();
+  return std::max(gain, 0.0);
+}
+
+}  // namespace handsight
