@@ -14,6 +14,7 @@
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/selection/simple_models.h"
+#include "diagnosis/verdict/finding.h"
 #include "estimation/fit/sure_fit.h"
 
 namespace handsight {
@@ -31,6 +32,13 @@ void take_back(Improvement& settled, Improvement& m) {
 /// What was not taken beside other names and is in the model now was not refused.
 void forget_refusals_of(const std::vector<std::string>& come, std::vector<RefusedStep>& refused) {
   std::erase_if(refused, [&](const RefusedStep& r) { return std::find(come.begin(), come.end(), r.id) != come.end(); });
+}
+
+bool is_behind_small(const std::vector<DiagnosisCandidate>& candidates, const std::string& added) {
+  const auto taken = std::find_if(candidates.begin(), candidates.end(),
+                                  [&](const DiagnosisCandidate& c) { return !c.unnamed && c.id == added; });
+  return taken != candidates.begin() && taken != candidates.end() &&
+         is_likelier_beside_small(candidates.front(), *taken);
 }
 
 /// A name, or further places of one that the model has.
@@ -118,6 +126,8 @@ bool ModelWalk::one_more() {
   }
   ModelChange change = add_best(session_, options_, m_.last);
   refused_ = change.refused;
+  if (m_.steps.size() == 1 && change.model)
+    has_passed_over_ = is_behind_small(m_.last.candidates, change.steps.front().added);
   note_refusals(change);
   if (!change.model && may_seek() && sought_++ < most_times_sought) {
     change = search_models(session_, options_, m_.last);

@@ -33,6 +33,8 @@ class ModelWalk {
   /// Not concluded: its bill, shares and inclusion probabilities are not made yet.
   Improvement& so_far() { return m_; }
   const std::vector<RefusedStep>& refused_last() const { return refused_; }  // of the last model
+  /// Did another cause have more evidence than the first that was taken, but not beside small deviations?
+  bool has_passed_over() const { return has_passed_over_; }
   /// Of the last model; asked once.
   const InclusionProbabilities& certain();
 
@@ -53,7 +55,7 @@ class ModelWalk {
   Improvement settled_;                            // names alone: the last model that no unnamed curve outdoes
   std::vector<RefusedStep> refused_;               // of the last model
   std::optional<InclusionProbabilities> certain_;  // of the last model; absent: not asked yet
-  bool has_begun_with_names_ = false;
+  bool has_begun_with_names_ = false, has_passed_over_ = false;
   int sought_ = 0;  // times
   bool sought_simpler_ = false, sought_fuller_ = false, sought_likeliest_ = false;
   std::set<std::string> tried_;  // likely names

@@ -15,6 +15,7 @@
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
+#include "diagnosis/selection/taken_over.h"
 #include "diagnosis/verdict/explanation.h"
 #include "estimation/fit/sure_fit.h"
 
@@ -90,10 +91,21 @@ class Odds {
   double of_end_ = 0;
 };
 
-/// `gained`: ln of the odds of the other end.
-bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& end, Diagnosis& other) {
+std::vector<EffectTerm> terms_gone(const Diagnosis& from, const Diagnosis& to, std::size_t first) {
+  const std::set<std::string> left = ids_of(to, first);
+  std::vector<EffectTerm> gone = from.model_options.estimated;
+  std::erase_if(gone, [&](const EffectTerm& t) { return left.contains(t.id); });
+  return gone;
+}
+
+/// `gained`: ln of the odds of the other end. Where that has a large cause of the end in another name it is to predict
+/// better.
+bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& end, Diagnosis& other,
+                         std::size_t first) {
   if (!gained || *gained < -clear_gain) return false;
-  const double most = (*gained > clear_gain ? as_good_as_reported : clearly_less) * held_out_error(end);
+  const bool is_other_name = is_taken_over(terms_gone(end, other, first), end.model.fit, other.model.fit);
+  const double most =
+      (*gained > clear_gain && !is_other_name ? as_good_as_reported : clearly_less) * held_out_error(end);
   return held_out_error(other) <= most && worse_elsewhere(end, other).empty();
 }
 
@@ -111,7 +123,8 @@ class Regrowth {
  private:
   bool is_open() {
     const Improvement& m = walk_.so_far();
-    return !m.stopped && !is_out_of_models_ && is_worth_seeking(m.last, first_);
+    if (m.stopped || is_out_of_models_) return false;
+    return is_worth_seeking(m.last, first_) || (walk_.has_passed_over() && m.last.verdict == Verdict::adequate);
   }
 
   bool took_an_end_without_a_name() {
@@ -189,7 +202,7 @@ class Regrowth {
     m.stopped = end.stopped;
     if (m.stopped) return false;
     if (!odds_) odds_.emplace(m.last, first_);
-    if (!stands_in_its_place(odds_->of(end.last), m.last, end.last)) return false;
+    if (!stands_in_its_place(odds_->of(end.last), m.last, end.last, first_)) return false;
     odds_.reset();
     walk_.take(std::move(other));
     m.stopped = options_.on_step && !options_.on_step(m.steps.back());

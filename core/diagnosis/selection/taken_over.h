@@ -9,9 +9,10 @@
 
 namespace handsight {
 
-/// Is a large cause, larger than usual in a number, taken over where it goes: has a name that was within what is usual
-/// numbers beyond it without `gone`? Which of the two it is the measurements do not say then, only usual sizes: the
-/// zero of one joint turns the links after it, and so does a link that is built wrong by degrees.
+/// Is a large cause, larger than usual in a number, taken over where it goes: does a name that was within what is usual
+/// have numbers beyond it without `gone`, and describe the measurements as well (chi-squared grows by less than 20)?
+/// Which of the two it is these do not say then, only usual sizes: the zero of one joint turns the links after it, and
+/// so does a link that is built wrong by degrees.
 bool is_taken_over(const std::vector<EffectTerm>& gone, const Fit& with, const Fit& without);
 
 }  // namespace handsight

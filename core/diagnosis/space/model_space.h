@@ -8,8 +8,8 @@
 #include <string>
 
 #include "diagnosis/evidence/candidates.h"
+#include "diagnosis/evidence/evidence.h"
 #include "diagnosis/evidence/noise_model.h"
-#include "diagnosis/evidence/repeatability_levels.h"
 
 namespace handsight {
 
