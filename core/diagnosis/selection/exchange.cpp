@@ -41,7 +41,9 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     return goes_on();
   };
   const CleanFit without{model.model.session, fit(model.model.session, o), {}};
-  if (without.fit.solution.stopped || is_taken_over(present, model.model.fit, without.fit)) return std::nullopt;
+  if (without.fit.solution.stopped) return std::nullopt;
+  if (is_taken_over(present, model.model.session, model.model_options, model.model.fit, without.fit))
+    return std::nullopt;
   for (std::size_t t = 0; t < o.estimated.size(); ++t) o.estimated[t] = without.fit.effects[o.effects.size() + t].term;
 
   const Candidates candidates = all_candidates(without.fit.problem);

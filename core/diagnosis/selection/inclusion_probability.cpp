@@ -7,6 +7,7 @@
 #include <map>
 
 #include "chain/body_frame.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/indistinguishable.h"
 #include "diagnosis/selection/likeliest_choice.h"
 #include "diagnosis/selection/model_posterior.h"

@@ -7,6 +7,7 @@
 #include "base/threads.h"
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
+#include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/space/model_space.h"

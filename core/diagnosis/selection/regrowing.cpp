@@ -103,7 +103,8 @@ std::vector<EffectTerm> terms_gone(const Diagnosis& from, const Diagnosis& to, s
 bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& end, Diagnosis& other,
                          std::size_t first) {
   if (!gained || *gained < -clear_gain) return false;
-  const bool is_other_name = is_taken_over(terms_gone(end, other, first), end.model.fit, other.model.fit);
+  const bool is_other_name = is_taken_over(terms_gone(end, other, first), end.model.session, end.model_options,
+                                           end.model.fit, other.model.fit);
   const double most =
       (*gained > clear_gain && !is_other_name ? as_good_as_reported : clearly_less) * held_out_error(end);
   return held_out_error(other) <= most && worse_elsewhere(end, other).empty();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "diagnosis/space/spreading.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "effects/units.h"
 
 namespace handsight {
@@ -20,10 +21,9 @@ bool is_usual(const EffectTerm& term, const Chain& chain) {
   return true;
 }
 
-}  // namespace
+using Refitting = std::function<Refit(const std::vector<EffectTerm>&)>;
 
-double gain_by_small_deviations(const Refit& candidate,
-                                const std::function<Refit(const std::vector<EffectTerm>&)>& refit) {
+double gain_beside(const Refit& candidate, const Refitting& refit) {
   const std::vector<EffectTerm> all_terms = list_terms(candidate.fit);
   const std::size_t first = all_terms.size() - candidate.added;
   // Of a robot that repeats: what is left of small deviations passes for scatter else.
@@ -44,6 +44,20 @@ double gain_by_small_deviations(const Refit& candidate,
   const double gain =
       beside.ln_bayes_factor - candidate.ln_bayes_factor - static_cast<double>(spread.size()) * ln_ways_of_size();
   return std::max(gain, 0.0);
+}
+
+}  // namespace
+
+double gain_by_small_deviations(const Refit& candidate, const Refitting& refit) {
+  const std::vector<EffectTerm> all = list_terms(candidate.fit);
+  const Chain& chain = candidate.fit.problem.source->chain;
+  std::vector<EffectTerm> large(all.end() - static_cast<std::ptrdiff_t>(candidate.added), all.end());
+  std::erase_if(large, [&](const EffectTerm& t) { return is_plausible({t}, chain); });
+  const double gain = gain_beside(candidate, refit);
+  if (large.empty() || large.size() == candidate.added) return gain;
+  const Refit alone = refit(large);
+  if (!alone.fit.solution.normal.in_front) return gain;
+  return std::max(gain, alone.ln_bayes_factor - candidate.ln_bayes_factor + gain_beside(alone, refit));
 }
 
 }  // namespace handsight
