@@ -159,7 +159,7 @@ void judge_effects(std::uint64_t seed, const World& w, bool with_judge, Score& s
   score.first += is_first;
   const std::vector<EffectTerm>& last = m.last.model_options.estimated;
   const bool is_kept = w.dominant.empty() || std::any_of(last.begin(), last.end(), [&](const EffectTerm& t) {
-                         return w.dominant.contains(t.id);
+                         return !is_small(t) && w.dominant.contains(t.id);
                        });
   score.kept += is_kept;
   int disowned = 0, wrong = 0;
