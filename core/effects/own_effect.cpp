@@ -165,7 +165,13 @@ void move_by_formula(const Compiled& own, const ObservationState& c, int place, 
                      Sites& sites) {
   std::vector<double> numbers = numbers_at(own, c, place);
   std::copy(values.begin(), values.end(), numbers.begin());
-  for (const CompiledMove& m : own.moves) add_to(m.place, place, m.formula.value(numbers), c, sites);
+  const auto is_there = [&](std::size_t used) { return used < own.names.parameters && numbers[used] != 0; };
+  for (const CompiledMove& m : own.moves) {
+    // Every part has a parameter as a factor, and to evaluate a formula is dear: a fit asks for one parameter at a
+    // time.
+    const std::vector<std::size_t>& used = m.formula.used();
+    if (std::any_of(used.begin(), used.end(), is_there)) add_to(m.place, place, m.formula.value(numbers), c, sites);
+  }
 }
 
 bool near(double a, double b, double size) { return std::abs(a - b) <= 1e-9 * (size + std::abs(a) + std::abs(b)); }

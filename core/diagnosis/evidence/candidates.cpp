@@ -120,6 +120,17 @@ Candidates all_candidates(const Problem& model, int most_orders) {
   return candidates;
 }
 
+Candidates candidates_of(const Problem& model, const std::set<std::string>& effects) {
+  Candidates candidates;
+  candidates.problem = model;
+  candidates.base_effects = model.effect_count();
+  const Offer offer{model, {}, candidates};
+  for (const Effect* effect : catalogue_beside(model.source->own_effects))
+    if (effects.contains(effect->id)) offer(*effect, nullptr);
+  place_observations(candidates.problem);
+  return candidates;
+}
+
 Candidates list_candidates(const Problem& model, const std::vector<EffectTerm>& terms) {
   Candidates candidates;
   candidates.problem = model;

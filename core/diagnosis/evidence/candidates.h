@@ -2,6 +2,9 @@
 // Everything of the catalogue that a model may lack, as columns beside the model's own.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "estimation/problem/problem.h"
 
 namespace handsight {
@@ -29,6 +32,9 @@ struct Candidates {
 /// All units that are not in the model yet, in the order of the catalogue. Observations at which something may have
 /// slipped are thinned to `most_orders`, evenly.
 Candidates all_candidates(const Problem& model, int most_orders = 24);
+
+/// Those of some effects of the catalogue alone.
+Candidates candidates_of(const Problem& model, const std::set<std::string>& effects);
 
 /// These terms alone, each a unit of its own; their choices count, their numbers do not.
 Candidates list_candidates(const Problem& model, const std::vector<EffectTerm>& terms);

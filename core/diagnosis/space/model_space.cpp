@@ -29,8 +29,11 @@ std::vector<double> sizes_of_base(const Problem& problem, const Unknowns& answer
 
 ModelSpace::ModelSpace(const Fit& fit, std::size_t first, double cost_of_a_name,
                        const std::optional<Repeatability>& repeatability)
+    : ModelSpace(fit, all_candidates(fit.problem), first, cost_of_a_name, repeatability) {}
+
+ModelSpace::ModelSpace(const Fit& fit, const Candidates& others, std::size_t first, double cost_of_a_name,
+                       const std::optional<Repeatability>& repeatability)
     : by_(noise_model(fit)) {
-  const Candidates others = all_candidates(fit.problem);
   base_ = std::count_if(fit.problem.columns_of_effects.begin(), fit.problem.columns_of_effects.end(),
                         [&](const EffectColumn& c) { return c.term < first; });
   for (std::size_t c = static_cast<std::size_t>(base_); c < others.problem.columns_of_effects.size(); ++c)

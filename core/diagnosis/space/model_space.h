@@ -36,6 +36,9 @@ class ModelSpace {
   /// those against them too. Without a `repeatability` of the robot it is the likeliest for the fit.
   ModelSpace(const Fit& fit, std::size_t first, double cost_of_a_name,
              const std::optional<Repeatability>& repeatability = {});
+  /// Of these candidates alone beside the terms that are there.
+  ModelSpace(const Fit& fit, const Candidates& others, std::size_t first, double cost_of_a_name,
+             const std::optional<Repeatability>& repeatability = {});
 
   const std::vector<ModelSpaceUnit>& units() const { return units_; }  // of one name together
   const std::vector<ModelSpaceEffect>& names() const { return names_; }

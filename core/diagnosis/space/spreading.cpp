@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace handsight {
 namespace {
@@ -14,9 +13,6 @@ namespace {
 constexpr std::array<double, 4> small_sizes{0.03, 0.1, 0.3, 1};  // of the prior sigmas
 constexpr std::size_t fewest_places = 2;
 
-/// What zeroing, machining, gears and encoders leave at each joint of every robot: whether a little of it shows is as
-/// likely as not.
-const std::set<std::string> of_every_robot{"joint_offset", "link_geometry", "joint_elasticity", "encoder_eccentricity"};
 constexpr double none = -std::numeric_limits<double>::infinity();
 
 /// Of some numbers at one size: how the residuals shrink, and ln of the volume that their prior wastes.
@@ -45,7 +41,7 @@ double ln_sum(double a, double b) {
 bool is_in(const Chosen& chosen, std::size_t unit) { return std::binary_search(chosen.begin(), chosen.end(), unit); }
 
 bool can_spread(const ModelSpace& all, std::size_t unit) {
-  return of_every_robot.contains(all.names()[all.units()[unit].name].id);
+  return small_in_every_robot().contains(all.names()[all.units()[unit].name].id);
 }
 
 /// The units of a name that a choice leaves open.
@@ -57,6 +53,13 @@ Chosen list_open_units(const ModelSpace& all, const Chosen& chosen, std::size_t 
 }
 
 }  // namespace
+
+/// What zeroing, machining, gears and encoders leave at each joint: whether a little of it shows is as likely as not.
+const std::set<std::string>& small_in_every_robot() {
+  static const std::set<std::string> effects{"joint_offset", "link_geometry", "joint_elasticity",
+                                             "encoder_eccentricity"};
+  return effects;
+}
 
 double ln_ways_of_size() { return std::log(static_cast<double>(small_sizes.size())); }
 
@@ -145,7 +148,7 @@ double Spreading::worth(const Beside& at, const Chosen& chosen, int spread) cons
 std::map<std::size_t, Spreading::Numbers> Spreading::list_open(const Chosen& chosen) const {
   std::map<std::size_t, Numbers> open;
   for (std::size_t name = 0; name < all_.names().size(); ++name) {
-    if (!of_every_robot.contains(all_.names()[name].id)) continue;
+    if (!small_in_every_robot().contains(all_.names()[name].id)) continue;
     const Chosen units = list_open_units(all_, chosen, name);
     if (units.size() >= fewest_places) open[name] = list_numbers(units);
   }

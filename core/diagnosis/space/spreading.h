@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct SpreadName {
   std::size_t name = 0;  // of the space
   double size = 0;       // of its numbers, in prior sigmas
 };
+
+/// The effects' ids.
+const std::set<std::string>& small_in_every_robot();
 
 /// The largest size of what is only a little: all places of a name at its usual size are a name.
 inline constexpr double largest_small = 0.3;

@@ -27,7 +27,8 @@ double gain_beside(const Refit& candidate, const Refitting& refit) {
   const std::vector<EffectTerm> all_terms = list_terms(candidate.fit);
   const std::size_t first = all_terms.size() - candidate.added;
   // Of a robot that repeats: what is left of small deviations passes for scatter else.
-  const ModelSpace all(candidate.fit, first, 0, Repeatability{});
+  const ModelSpace all(candidate.fit, candidates_of(candidate.fit.problem, small_in_every_robot()), first, 0,
+                       Repeatability{});
   const Chosen present = all.present();
   const std::vector<SpreadName> spread =
       Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest_small).likeliest;

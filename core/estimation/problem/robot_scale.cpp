@@ -49,6 +49,9 @@ double drawn_value(const Joint& joint, std::mt19937_64& random) {
 
 std::shared_ptr<const ProblemSource> in_all_postures(const ProblemSource& source) {
   auto all = std::make_shared<ProblemSource>(source);
+  // What its effects read is worked out, as for the observations: once, not for every number at every step.
+  const bool torques = !source.states.empty() && source.states.front().torque.size() > 0;
+  const bool places = !source.states.empty() && source.states.front().tcp.has_value();
   all->states.clear();
   std::mt19937_64 random(20);
   const Chain& chain = all->chain;
@@ -58,7 +61,10 @@ std::shared_ptr<const ProblemSource> in_all_postures(const ProblemSource& source
       const auto joint = static_cast<std::size_t>(chain.joints[static_cast<std::size_t>(j)]);
       values[j] = drawn_value(chain.robot.joints[joint], random);
     }
-    all->states.push_back(states_at(chain, values));
+    ObservationState c = states_at(chain, values);
+    if (torques) c.torque = nominal_torques(chain, c.sensor);
+    if (places) c.tcp = nominal_tcp(chain, c.sensor);
+    all->states.push_back(std::move(c));
   }
   return all;
 }
