@@ -5,6 +5,7 @@
 
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/selection/begin_of_names.h"
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/space/spreading.h"

@@ -11,6 +11,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/slips.h"
 #include "diagnosis/selection/begin_of_names.h"
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/model_search.h"
 #include "diagnosis/selection/pruning.h"

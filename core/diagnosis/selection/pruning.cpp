@@ -9,6 +9,7 @@
 #include "diagnosis/ranking/curves.h"
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/begin_of_names.h"
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/selection/taken_over.h"
@@ -49,21 +50,6 @@ Eigen::Index number_count(const std::vector<EffectTerm>& terms, std::size_t firs
   return count;
 }
 
-DiagnosisOptions diagnosis_options(const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
-                                   const std::optional<Unknowns>& start, const std::optional<double>& most) {
-  DiagnosisOptions o;
-  o.most_held_out = most;
-  o.effects = options.effects;
-  o.estimated = estimated;
-  o.start = start;
-  o.with_curves = options.with_curves;
-  o.with_held_out = options.with_held_out;
-  o.with_regions = false;  // worked out where a change is judged by them
-  o.on_progress = options.on_progress;
-  o.on_iteration = options.on_iteration;
-  return o;
-}
-
 class Pruning {
  public:
   Pruning(const Session& session, const ImprovementOptions& options, double most, ModelChange& change)
@@ -81,7 +67,7 @@ class Pruning {
 
   double threshold() {
     Diagnosis& d = *change_.model;
-    if (d.threshold == 0) d.threshold = threshold_of(session_, diagnosis_options(options_, {}, {}, {}), d);
+    if (d.threshold == 0) d.threshold = threshold_of(session_, diagnosis_options(options_), d);
     return d.threshold;
   }
 
@@ -321,35 +307,6 @@ class Pruning {
 };
 
 }  // namespace
-
-Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
-                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
-                         const std::optional<double>& most) {
-  return diagnose(session, diagnosis_options(options, estimated, start, most));
-}
-
-Diagnosis model_from(const Session& session, const ImprovementOptions& options,
-                     const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
-                     const std::optional<double>& most) {
-  DiagnosisOptions o = diagnosis_options(options, estimated, start, most);
-  o.only_model = true;
-  return diagnose(session, o);
-}
-
-Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options, Diagnosis model) {
-  return diagnose_model(session, diagnosis_options(options, {}, {}, {}), std::move(model));
-}
-
-std::optional<Diagnosis> in_the_place_of(const Diagnosis& model, const Session& session,
-                                         const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
-                                         const std::optional<Unknowns>& start, double most) {
-  Diagnosis next = model_from(session, options, estimated, start, most);
-  if (next.stopped) return next;
-  if (held_out_error(next) > most || !worse_elsewhere(model, next).empty()) return std::nullopt;
-  next = diagnosed_on(session, options, std::move(next));
-  if (!next.stopped) set_errors_elsewhere(next);
-  return next;
-}
 
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first) {
   std::size_t last = first + 1;

@@ -23,24 +23,6 @@ inline constexpr double clear_gain = 3;
 /// ln of the evidence for one place more of an effect that is in the model.
 inline constexpr double worth_a_place = 1;
 
-/// A model with these estimated terms, diagnosed unless its held-out error is above `most` (DiagnosisOptions).
-Diagnosis diagnosed_from(const Session& session, const ImprovementOptions& options,
-                         const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
-                         const std::optional<double>& most = std::nullopt);
-
-/// The same, but what is missing is not asked (diagnosis.h, only_model), which is most of the work: of models that may
-/// not stay. diagnosed_on goes on with one that does.
-Diagnosis model_from(const Session& session, const ImprovementOptions& options,
-                     const std::vector<EffectTerm>& estimated, const std::optional<Unknowns>& start,
-                     const std::optional<double>& most = std::nullopt);
-Diagnosis diagnosed_on(const Session& session, const ImprovementOptions& options, Diagnosis model);
-
-/// A model with these estimated terms in the place of `model`, diagnosed: none where its held-out error is above
-/// `most`, or elsewhere clearly larger. One that was stopped says so.
-std::optional<Diagnosis> in_the_place_of(const Diagnosis& model, const Session& session,
-                                         const ImprovementOptions& options, const std::vector<EffectTerm>& estimated,
-                                         const std::optional<Unknowns>& start, double most);
-
 /// The terms of one effect that stand together, from `first` on, end there.
 std::size_t end_of_group(const std::vector<EffectTerm>& terms, std::size_t first);
 

@@ -16,6 +16,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/cost_of_names.h"
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/exchange.h"
 #include "diagnosis/selection/pruning.h"
 #include "diagnosis/space/model_space.h"

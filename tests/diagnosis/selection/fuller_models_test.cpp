@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/elsewhere.h"
-#include "diagnosis/selection/pruning.h"
 #include "diagnosis/simulated_stand.h"
 #include "diagnosis/verdict/stand_in.h"
 
