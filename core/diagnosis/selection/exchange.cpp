@@ -10,6 +10,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/taken_over.h"
 #include "diagnosis/verdict/candidate_report.h"
+#include "diagnosis/verdict/stand_in.h"
 
 namespace handsight {
 namespace {
@@ -21,6 +22,22 @@ constexpr double nearly = 0.9;       // of the present name's linear evidence: f
 /// Evidence of a full fit with the ways counted in which the effect could have sat elsewhere.
 double evidence_of(const Refit& refit, const RankedEffect& ranked) {
   return refit.ln_bayes_factor + ranked.ln_bayes_factor - ranked.ln_best;
+}
+
+/// Is what is large only called otherwise: of usual size beside it, `other` is as large in its place?
+bool comes_as_another(const std::vector<EffectTerm>& present, const Diagnosis& model, const Refit& other,
+                      const FitOptions& quick) {
+  if (is_plausible(present, model.model.fit.problem.source->chain)) return false;
+  FitOptions both = quick;
+  both.estimated = model.model_options.estimated;
+  std::vector<EffectTerm> terms = list_terms(other.fit);
+  terms.erase(terms.begin(), terms.end() - static_cast<std::ptrdiff_t>(other.added));
+  for (EffectTerm& t : terms)
+    for (std::size_t p = 0; p < t.values.size(); ++p)
+      if (!term_effect(t).parameters[p].is_choice) t.values[p] = 0;
+  both.estimated.insert(both.estimated.end(), terms.begin(), terms.end());
+  const Fit with = fit(model.model.session, both);
+  return with.converged() && is_taken_over(present, model.model.session, both, with, other.fit);
 }
 
 }  // namespace
@@ -82,6 +99,7 @@ std::optional<Exchange> better_name(const Diagnosis& model, std::size_t first, s
     const Refit& other = refits[i];
     // Where a fit has not ended its evidence is less than it could be, and may be enough.
     if (!other.fit.solution.normal.in_front || evidence_of(other, *others[i]) <= best_evidence) continue;
+    if (comes_as_another(present, model, other, o)) continue;
     best_evidence = evidence_of(other, *others[i]);
     const std::vector<EffectTerm> terms = list_terms(other.fit);
     best = Exchange{others[i]->candidate->effect->id,

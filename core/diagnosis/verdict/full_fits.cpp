@@ -9,6 +9,7 @@
 #include "base/threads.h"
 #include "diagnosis/evidence/prior_odds.h"
 #include "diagnosis/ranking/curves.h"
+#include "diagnosis/space/spreading.h"
 #include "diagnosis/verdict/candidate_report.h"
 #include "diagnosis/verdict/finding.h"
 #include "diagnosis/verdict/small_beside.h"
@@ -89,9 +90,10 @@ class FullFits {
 
   /// What the best one may stand in for and that explains most of the same, and the best one itself.
   void weigh_beside_small() {
-    constexpr double most = 0.8;  // of what the best one explains
     DiagnosisCandidate& best = d_.candidates.front();
     if (stopped_ || best.unnamed || !best.refitted || !best.explained) return;
+    // Of what the best one explains: one that is small in every robot has taken in small deviations of its own kind.
+    const double most = small_in_every_robot().contains(best.id) ? 0.6 : 0.8;
     std::vector<DiagnosisCandidate*> asked{&best};
     for (DiagnosisCandidate& c : d_.candidates)
       if (&c != &best && !c.unnamed && c.refitted && c.ln_bayes_factor >= d_.threshold && may_stand_in(best, c) &&
