@@ -24,7 +24,7 @@ QString next_text(const Story& story, const QString& lead) {
     case StoryNext::add:
       return QObject::tr("Next: add %1 to the model.").arg(lead);
     case StoryNext::add_or_stop:
-      return QObject::tr("Next: look for another cause; %1 would lower the error, but no robot is built so.").arg(lead);
+      return QObject::tr("Next: look for another cause; %1 would lower the error, but may stand in for it.").arg(lead);
     case StoryNext::tell_the_noise:
       return QObject::tr("Next: declare the noise (sigma), or repeat some poses.");
     case StoryNext::give_masses:

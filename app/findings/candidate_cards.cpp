@@ -71,6 +71,20 @@ QString list_words(const DiagnosisCandidate& c) {
   return translated(effect.cause);
 }
 
+QString caution_text(const DiagnosisCandidate& c) {
+  switch (find_disbelief(c)) {
+    case Disbelief::pushes_back:
+      return QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
+    case Disbelief::too_large:
+      return QObject::tr("Larger than robots are built. Probably another cause.");
+    case Disbelief::leaves_much:
+      return QObject::tr("More than three times what is usual, and it leaves much. Probably another cause.");
+    case Disbelief::none:
+      break;
+  }
+  return c.plausible ? QString() : QObject::tr("More than three times what is usual.");
+}
+
 CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const Diagnosis& d,
                   const ModelVersion& model) {
   const Effect& effect = term_effect(c.terms.front());
@@ -90,14 +104,7 @@ CardState card_of(const DiagnosisCandidate& c, const Workbench& workbench, const
   card.check = translated(effect.check);
   card.can_what_if = find_effect(c.id) != nullptr;  // the slider asks the catalogue where it may sit
   if (!c.unnamed) card.check_number = card_check(c.check, workbench.document.find_reading(c.id));
-  if (pushes_back(c.terms, c.sigmas))
-    card.caution = QObject::tr("A spring that pushes back: no joint is built so. Probably another cause.");
-  else if (c.too_large)
-    card.caution = QObject::tr("Larger than robots are built. Probably another cause.");
-  else if (!is_believable(c))
-    card.caution = QObject::tr("More than three times what is usual, and it leaves much. Probably another cause.");
-  else if (!c.plausible)
-    card.caution = QObject::tr("More than three times what is usual.");
+  card.caution = caution_text(c);
   return card;
 }
 

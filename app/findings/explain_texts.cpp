@@ -226,7 +226,11 @@ QString missing_sentence(const ModelVersion& model, const Story& story, const Di
   const QString name = display_name(d.candidates[lead.candidate], d.model.session);
   QString text = QObject::tr("Most likely missing: %1%2.").arg(name, brings_text(story, lead));
   if (story.state == StoryState::implausible)
-    text = QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so.").arg(name);
+    text = (find_disbelief(d.candidates[lead.candidate]) == Disbelief::leaves_much
+                ? QObject::tr("No plausible cause explains it: %1 would help, but it is more than three times what is "
+                              "usual, and leaves much.")
+                : QObject::tr("No plausible cause explains it: %1 would help, but no robot is built so."))
+               .arg(name);
   if (story.state == StoryState::ambiguous)
     text = QObject::tr("%1 or %2: on these poses they look the same.")
                .arg(name.left(1).toUpper() + name.mid(1), effect_text(lead.indistinguishable_from.front(), {}));

@@ -5,6 +5,7 @@
 #include "diagnosis/evidence/repeatability_levels.h"
 #include "diagnosis/story/story.h"
 #include "diagnosis/verdict/explanation.h"
+#include "diagnosis/verdict/finding.h"
 
 namespace handsight {
 namespace {
@@ -24,15 +25,25 @@ Message both(const Story& s) {
                  s.error.held_out ? " held out" : "", size_or_unknown(s.error.noise, s.error.in_pixels));
 }
 
+Message of_disbelief(const DiagnosisCandidate& c) {
+  switch (find_disbelief(c)) {
+    case Disbelief::pushes_back:
+      return " It pushes back where springs give way: it probably stands in for another cause.";
+    case Disbelief::too_large:
+      return " It is larger than robots are built: it probably stands in for another cause.";
+    case Disbelief::leaves_much:
+      return " It is more than three times what is usual, and it leaves much: it may stand in for another cause.";
+    case Disbelief::none:
+      break;
+  }
+  return "";
+}
+
 Message of_lead(const Story& s, const Diagnosis& d) {
   const DiagnosisCandidate& c = d.candidates[s.causes.front().candidate];
   if (c.unnamed) return d.reason;
-  Message text = missing_text(c, s.state == StoryState::ambiguous, d);
-  if (s.state == StoryState::implausible)
-    text +=
-        " It is larger than robots are built, or pushes back where springs give way: it probably stands in for "
-        "another cause.";
-  return text;
+  const Message text = missing_text(c, s.state == StoryState::ambiguous, d);
+  return s.state == StoryState::implausible ? text + of_disbelief(c) : text;
 }
 
 Message of_repeatability(const Story& s, const Diagnosis& d) {

@@ -52,10 +52,13 @@ bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::ve
   return false;
 }
 
-bool is_believable(const DiagnosisCandidate& c) {
+Disbelief find_disbelief(const DiagnosisCandidate& c) {
   constexpr double nearly_all = 0.9;  // of what the model misses
-  const bool is_size_believable = c.plausible || (!c.too_large && c.explained.value_or(1) >= nearly_all);
-  return is_size_believable && !pushes_back(c.terms, c.sigmas);
+  if (pushes_back(c.terms, c.sigmas)) return Disbelief::pushes_back;
+  if (c.plausible) return Disbelief::none;
+  if (c.too_large) return Disbelief::too_large;
+  const bool leaves_little = c.explained.value_or(1) >= nearly_all || c.ln_of_small.value_or(0) > 0;
+  return leaves_little ? Disbelief::none : Disbelief::leaves_much;
 }
 
 bool may_stand_in(const DiagnosisCandidate& best, const DiagnosisCandidate& c) {

@@ -20,9 +20,18 @@ bool can_be_added(const DiagnosisCandidate& candidate);
 /// `sigmas` may be empty: none is known.
 bool pushes_back(const std::vector<EffectTerm>& terms, const std::vector<std::vector<double>>& sigmas);
 
-/// Of a usual size, or of a larger one that robots have (not DiagnosisCandidate::too_large) where it explains nearly
-/// all that is missing: what is large and leaves much stands in for something else. And no spring that pushes back.
-bool is_believable(const DiagnosisCandidate& candidate);
+/// Why a candidate's numbers are not believed to be what they say.
+enum class Disbelief {
+  none,
+  pushes_back,  // a spring with a negative compliance: no robot is built so
+  too_large,    // DiagnosisCandidate::too_large: nor so
+  leaves_much   // more than usual, as robots have it now and then, but then it would explain more
+};
+
+/// What is more than usual is believed where it explains nearly all that is missing, or where small deviations at each
+/// joint explain the rest.
+Disbelief find_disbelief(const DiagnosisCandidate& candidate);
+inline bool is_believable(const DiagnosisCandidate& c) { return find_disbelief(c) == Disbelief::none; }
 
 /// Could the one with the most evidence stand in for this candidate: a curve, or twice as many numbers that no robot
 /// has?

@@ -127,6 +127,25 @@ TEST_F(StoryOf, ASpringThatPushesBackIsNotBelieved) {
   EXPECT_TRUE(is_believable(spring)) << "one sigma below nothing is nothing";
 }
 
+/// Zeros of degrees are in robots: where they leave much the words are not that no robot is built so, and beside small
+/// deviations, which explain the rest, nothing is said against them.
+TEST_F(StoryOf, WhatIsLargeAndLeavesMuchIsDoubtedInOtherWords) {
+  DiagnosisCandidate zero = named("joint_offset", 90);
+  zero.plausible = false;
+  zero.explained = 0.7;
+  const auto said = [&] {
+    const Diagnosis d = diagnosed(Verdict::missing_effect, 8, {zero});
+    return story_text(find_story(d), d).english();
+  };
+  EXPECT_EQ(find_disbelief(zero), Disbelief::leaves_much);
+  EXPECT_NE(said().find("more than three times what is usual, and it leaves much"), std::string::npos) << said();
+  zero.ln_of_small = 12;
+  EXPECT_TRUE(is_believable(zero));
+  EXPECT_EQ(said().find("stands in"), std::string::npos) << said();
+  zero.too_large = true;
+  EXPECT_NE(said().find("larger than robots are built"), std::string::npos) << said();
+}
+
 TEST_F(StoryOf, WhatStandsInIsSaidWhereverItIsInTheModel) {
   Diagnosis d = diagnosed(Verdict::adequate, 1.0);
   FittedEffect spring;
