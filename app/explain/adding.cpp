@@ -164,6 +164,7 @@ void Adding::start(Run run, const QString& what, Proof offered) {
   const std::int64_t observation =
       workbench_.selection.current().observation.value_or(workbench_.document.session().observations.front().id);
   watch_ = std::make_shared<FitWatch>();
+  enough_ = std::make_shared<std::atomic<bool>>(false);
   pictures_ = skipped_ = 0;
   is_running_ = true;
   offered_ = std::move(offered);
@@ -173,24 +174,25 @@ void Adding::start(Run run, const QString& what, Proof offered) {
   workbench_.explaining.start<Outcome>(
       "add", what,
       [session = workbench_.document.shared_session(), settings = workbench_.document.settings(), run, observation,
-       watch = watch_, looks = workbench_.document.second_looks()](JobControl& control) {
+       watch = watch_, enough = enough_, looks = workbench_.document.second_looks()](JobControl& control) {
         if (run.candidate) show_the_fit(*run.before, *run.candidate, observation, *watch);
-        return make_outcome(run, *session, settings, looks, control);
+        return make_outcome(run, *session, settings, looks, *enough, control);
       },
       [this, run](const Outcome& outcome) { finish(run, outcome); },
       [this](const QString& sentence) { end(AdditionEnd::failed, sentence); });
 }
 
 Adding::Outcome Adding::make_outcome(const Run& run, const Session& session, const ModelSettings& settings,
-                                     const SecondLooks& looks, JobControl& control) {
+                                     const SecondLooks& looks, const std::atomic<bool>& enough, JobControl& control) {
   ImprovementOptions options;
   options.effects = settings.held;
   options.estimated.assign(settings.estimated.begin(), settings.estimated.begin() + settings.by_hand);
+  const auto goes_on = [&] { return !control.is_cancelled() && !enough; };
   options.on_progress = [&](double done) {
     control.report(done);
-    return !control.is_cancelled();
+    return goes_on();
   };
-  options.on_iteration = [&](int, double, const Unknowns&) { return !control.is_cancelled(); };
+  options.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
   Outcome outcome{run.candidate ? add_candidate(session, options, *run.before, *run.candidate)
                                 : found_by_seeking(session, options, *run.before, run.seeking)};
   if (!outcome.change.model) return outcome;

@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <QTimer>
+#include <atomic>
+#include <memory>
 
 #include "diagnosis/selection/improvement_result.h"
 #include "findings/explain_texts.h"
@@ -37,6 +39,8 @@ class Adding : public QObject {
   };
   /// Nothing happens without a diagnosis, or while something is added.
   void seek(Seeking what);
+  /// Ends what seeks at its next look: what was found until then is taken.
+  void settle() { *enough_ = true; }
   bool is_running() const { return is_running_; }
   /// Of the open document, in the order in which they were tried.
   const std::vector<Refusal>& refused() const { return workbench_.refused; }
@@ -75,7 +79,7 @@ class Adding : public QObject {
   /// `what` is done for the user; `offered`: what it is to prove.
   void start(Run run, const QString& what, Proof offered);
   static Outcome make_outcome(const Run& run, const Session& session, const ModelSettings& settings,
-                              const SecondLooks& looks, JobControl& control);
+                              const SecondLooks& looks, const std::atomic<bool>& enough, JobControl& control);
   QString find_refusal(const Run& run) const;
   void show_news(bool is_end);
   void finish(const Run& run, const Outcome& outcome);
@@ -84,6 +88,7 @@ class Adding : public QObject {
 
   Workbench& workbench_;
   std::shared_ptr<FitWatch> watch_;
+  std::shared_ptr<std::atomic<bool>> enough_ = std::make_shared<std::atomic<bool>>(false);  // of the present run
   QTimer timer_;
   Proof offered_, taken_;
   bool is_running_ = false;

@@ -59,7 +59,11 @@ void AddingOn::start() {
 void AddingOn::stop() {
   if (!is_running_) return;
   end({});
-  if (adding_.is_running()) workbench_.explaining.stop();
+  if (!adding_.is_running()) return;
+  if (is_seeking_longer_)
+    adding_.settle();
+  else
+    workbench_.explaining.stop();
 }
 
 void AddingOn::pause() {

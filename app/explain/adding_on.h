@@ -15,7 +15,7 @@ class AddingOn : public QObject {
 
   /// Seeks longer where that alone is left to do.
   void start();
-  /// What is being added now is stopped with it.
+  /// What is being added now is stopped with it; of what seeks longer, what it has found is taken.
   void stop();
   /// What is being added is added to its end; then it rests, on the proof of what came last, until it goes on.
   void pause();

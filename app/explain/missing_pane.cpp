@@ -217,7 +217,8 @@ void MissingPane::show_until_it_stops() {
                "finds is taken where it is clearly likelier and predicts as well")
           : tr("Adds the first card, and the first of what is left, until nothing more helps; then seeks other names "
                "that explain what was added better"));
-  until_it_stops_->setEnabled(can_begin || runs || can_seek_longer);
+  const bool is_ending = !runs && adding_.is_running();
+  until_it_stops_->setEnabled(runs || ((can_begin || can_seek_longer) && !is_ending));
 }
 
 void MissingPane::refresh_cards() {

@@ -96,9 +96,11 @@ bool is_curve_at(const EffectTerm& term, const std::string& joint, const Session
   });
 }
 
+/// Small deviations claim nothing: whether they were hidden is not asked.
 void add_what_was_not_hidden(const Session& session, const Truth& truth, const Fit& fit,
                              std::vector<widgets::TruthRow>& rows) {
   for (const FittedEffect& f : fit.effects) {
+    if (is_small(f.term)) continue;
     const bool is_hidden = std::any_of(truth.effects.begin(), truth.effects.end(), [&](const EffectTerm& t) {
       return t.id == f.term.id && t.place == f.term.place;
     });
@@ -188,6 +190,8 @@ TruthComparison compare_with_truth(const Session& session, const Truth& truth, c
                           : nothing_hidden              ? QObject::tr("Right: nothing was added.")
                                                         : QObject::tr("Right.");
   c.sentence = hidden + ' ' + verdict;
+  if (std::any_of(fit.effects.begin(), fit.effects.end(), [](const FittedEffect& f) { return is_small(f.term); }))
+    c.sentence += ' ' + QObject::tr("The small deviations at each joint that it has besides are no causes.");
   return c;
 }
 

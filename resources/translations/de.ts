@@ -249,6 +249,10 @@
         <translation>Etwas Wirkliches bleibt: %1 erklärt einen Teil davon, und nichts im Katalog erklärt den Rest. %2</translation>
     </message>
     <message>
+        <source>No plausible cause explains it: %1 would help, but it is more than three times what is usual, and leaves much.</source>
+        <translation>Keine plausible Ursache erklärt es: %1 würde helfen, ist aber mehr als das Dreifache des Üblichen und lässt viel übrig.</translation>
+    </message>
+    <message>
         <source>No plausible cause explains it: %1 would help, but no robot is built so.</source>
         <translation>Keine plausible Ursache erklärt es: %1 würde helfen, aber so ist kein Roboter gebaut.</translation>
     </message>
@@ -3419,6 +3423,10 @@
         <translation>Falsch: das Modell hat mehr, als versteckt war.</translation>
     </message>
     <message>
+        <source>The small deviations at each joint that it has besides are no causes.</source>
+        <translation>Die kleinen Abweichungen an jedem Gelenk, die es daneben hat, sind keine Ursachen.</translation>
+    </message>
+    <message>
         <source>XML as it will be written</source>
         <translation>XML, wie es geschrieben wird</translation>
     </message>
@@ -5385,8 +5393,8 @@
         <translation>Als Nächstes: %1 ins Modell aufnehmen.</translation>
     </message>
     <message>
-        <source>Next: look for another cause; %1 would lower the error, but no robot is built so.</source>
-        <translation>Als Nächstes: eine andere Ursache suchen; %1 würde den Fehler senken, aber so ist kein Roboter gebaut.</translation>
+        <source>Next: look for another cause; %1 would lower the error, but may stand in for it.</source>
+        <translation>Als Nächstes: eine andere Ursache suchen; %1 würde den Fehler senken, steht aber vielleicht nur für sie.</translation>
     </message>
     <message>
         <source>Next: declare the noise (sigma), or repeat some poses.</source>

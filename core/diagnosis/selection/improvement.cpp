@@ -116,7 +116,7 @@ ModelChange improve_on(const Session& session, const ImprovementOptions& options
   change.models = m.models;
   change.refused = std::move(m.refused);
   change.stopped = m.stopped;
-  if (m.stopped || places_of(m.last) == places_of(model)) return change;
+  if (places_of(m.last) == places_of(model)) return change;
   change.steps.assign(m.steps.begin() + 1, m.steps.end());
   change.model = std::move(m.last);
   return change;

@@ -11,7 +11,8 @@ namespace handsight {
 Improvement improve(const Session& session, const ImprovementOptions& options = {});
 
 /// From a model with names, however they came, to where improve() would end: what is left of its steps, and the ends
-/// that are sought beside its own. No model where nothing better was found.
+/// that are sought beside its own. No model where nothing better was found. Where it is stopped, what was found until
+/// then.
 ModelChange improve_on(const Session& session, const ImprovementOptions& options, const Diagnosis& model);
 
 /// ImprovementOptions::most_models of an improvement that is thorough: minutes, of a thousand rows.

@@ -168,6 +168,13 @@ TEST_F(Explain, SeekLongerFindsWhatNoCardOffers) {
   const int stairs = desk.document().undo_stack().index();
   ASSERT_EQ(button->text(), "Seek longer");
   ASSERT_TRUE(button->isEnabled());
+  desk.press_button("until_it_stops");
+  ASSERT_EQ(button->text(), "Stop");
+  desk.press_button("until_it_stops");
+  ASSERT_TRUE(desk.wait([&] { return button->text() == "Seek longer"; }, 120000));
+  ASSERT_TRUE(explain.is_settled());
+  EXPECT_EQ(desk.document().undo_stack().index(), stairs) << "stopped at once, it has found nothing";
+  EXPECT_TRUE(said.contains("Everything is as before")) << said.toStdString();
   ASSERT_TRUE(press_and_wait());
   EXPECT_EQ(effects_in_the_model().count("base_tilt "), 1U);
   EXPECT_LT(held_out(), 0.96 * before);

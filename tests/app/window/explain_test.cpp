@@ -7,7 +7,10 @@
 #include "app/window/explain_fixture.h"
 #include "cli/cli_runner.h"
 #include "cli/hidden_sessions.h"
+#include "diagnosis/simulated_stand.h"
 #include "document/effect_words.h"
+#include "estimation/fit/fit.h"
+#include "explain/truth.h"
 #include "export/report.h"
 #include "session/calibration_xml.h"
 #include "widgets/base/number_text.h"
@@ -40,6 +43,22 @@ TEST_P(HiddenSession, TheFirstCardUntilItSaysStopGivesWhatImproveGives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HiddenSession, testing::Range(1, 9));
+
+/// They are part of the model of every robot: revealed, none of them is a wrong cause, nor what was hidden.
+TEST(RevealedTruth, SmallDeviationsAreNoCauses) {
+  const EffectTerm hidden{"joint_elasticity", 1, {2e-4}};
+  const Session s = simulated({hidden}, 5, 40);
+  FitOptions o;
+  o.estimated = {hidden};
+  for (int joint = 0; joint < 6; ++joint)
+    o.estimated.push_back({.id = "joint_offset", .place = joint, .values = {0}, .size = 0.1});
+  const app::TruthComparison c = app::compare_with_truth(s, {{hidden}, {}}, fit(s, o), nullptr);
+  ASSERT_EQ(c.rows.size(), 1U);
+  EXPECT_EQ(c.rows[0].verdict, widgets::TruthVerdict::right);
+  EXPECT_TRUE(c.sentence.contains(" Right. The small deviations")) << c.sentence.toStdString();
+  o.estimated = {hidden, {"joint_offset", 0, {0}}};
+  EXPECT_TRUE(app::compare_with_truth(s, {{hidden}, {}}, fit(s, o), nullptr).sentence.contains("Wrong"));
+}
 
 TEST_F(Explain, WhatIsInTheModelIsNotSaidToBeUnseen) {
   const auto shared = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "examples/sagging";

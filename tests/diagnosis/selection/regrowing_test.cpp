@@ -94,6 +94,25 @@ TEST(Regrowing, StopsWhereItIsTold) {
   EXPECT_EQ(names(walk.so_far().last), (std::set<std::string>{"joint_elasticity", "joint_offset"}));
 }
 
+/// Minutes of a search are not lost to who has seen enough.
+TEST(Regrowing, WhatWasFoundUntilItWasStoppedIsKept) {
+  const std::vector<EffectTerm> hidden = play_beside_a_tilt();
+  const Session s = simulated(hidden, 91009, 80, fixture::seven_axis_session(4));
+  ModelWalk walk = walked(s);
+  ImprovementOptions o;
+  o.is_thorough = true;
+  o.most_models = 400;
+  o.on_step = [](const ImprovementStep& step) { return step.exchanged.empty(); };
+  const ModelChange change = improve_on(s, o, walk.so_far().last);
+  EXPECT_TRUE(change.stopped);
+  ASSERT_TRUE(change.model);
+  EXPECT_EQ(names(*change.model), ids(hidden));
+  EXPECT_FALSE(change.steps.empty());
+  o.on_step = {};
+  o.on_progress = [](double) { return false; };
+  EXPECT_FALSE(improve_on(s, o, walk.so_far().last).model) << "nothing was found yet";
+}
+
 TEST(Regrowing, SpendsNoMoreModelsThanAreLeft) {
   const Session s = simulated(three_causes(), 31, 40);
   ModelWalk right = walked(s);
