@@ -9291,6 +9291,18 @@
         <translation> Nicht genannt: %1.</translation>
     </message>
     <message>
+        <source> It pushes back where springs give way: it probably stands in for another cause.</source>
+        <translation> Sie drückt zurück, wo Federn nachgeben: wahrscheinlich steht sie für eine andere Ursache.</translation>
+    </message>
+    <message>
+        <source> It is larger than robots are built: it probably stands in for another cause.</source>
+        <translation> Sie ist größer, als Roboter gebaut werden: wahrscheinlich steht sie für eine andere Ursache.</translation>
+    </message>
+    <message>
+        <source> It is more than three times what is usual, and it leaves much: it may stand in for another cause.</source>
+        <translation> Sie ist mehr als das Dreifache des Üblichen und lässt viel übrig: vielleicht steht sie für eine andere Ursache.</translation>
+    </message>
+    <message>
         <source> Nothing in the residuals speaks for it.</source>
         <translation> Nichts in den Residuen spricht dafür.</translation>
     </message>
