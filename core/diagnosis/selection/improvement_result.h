@@ -57,7 +57,7 @@ struct ImprovementOptions {
 
 /// What a change of a model comes to.
 struct ModelChange {
-  std::optional<Diagnosis> model;      // afterwards; none where nothing was taken, or it was stopped
+  std::optional<Diagnosis> model;      // afterwards; none where nothing was taken, or nothing until it was stopped
   std::vector<ImprovementStep> steps;  // the addition, then what it made superfluous
   std::vector<RefusedStep> refused;
   int models = 0;  // that were fitted and held out on the way

@@ -20,7 +20,7 @@ struct SpreadName {
   double size = 0;       // of its numbers, in prior sigmas
 };
 
-/// The effects' ids.
+/// Ids of the effects that are there a little at each joint of every robot.
 const std::set<std::string>& small_in_every_robot();
 
 /// The largest size of what is only a little: all places of a name at its usual size are a name.
