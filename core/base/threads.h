@@ -17,28 +17,43 @@ inline int& most_threads() {
   return most;
 }
 
-// What a part of other parts is made of is done where it is: its threads would only be in each other's way.
+// Whether this thread does one of several parts.
 inline bool& is_a_part() {
   thread_local bool is = false;
   return is;
 }
 
+// Threads that do a part now, whoever called for it.
+inline std::atomic<int>& threads_at_work() {
+  static std::atomic<int> at_work{0};
+  return at_work;
+}
+
 class AsPart {
  public:
-  explicit AsPart(bool of_several) : before_(is_a_part()) { is_a_part() = before_ || of_several; }
-  ~AsPart() { is_a_part() = before_; }
+  explicit AsPart(bool of_several) : begins_(of_several && !is_a_part()) {
+    if (!begins_) return;
+    is_a_part() = true;
+    ++threads_at_work();
+  }
+  ~AsPart() {
+    if (!begins_) return;
+    --threads_at_work();
+    is_a_part() = false;
+  }
   AsPart(const AsPart&) = delete;
   AsPart& operator=(const AsPart&) = delete;
 
  private:
-  bool before_;
+  bool begins_;
 };
 
-/// How many of `count` parts are done at once, this thread's among them.
+/// How many of `count` parts are done at once, this thread's among them. Parts of a part get the threads that other
+/// parts leave idle: more would only be in each other's way.
 inline int threads_for(int count) {
-  if (is_a_part()) return 1;
   const int here = most_threads() > 0 ? most_threads() : static_cast<int>(std::thread::hardware_concurrency());
-  return std::max(1, std::min(here, count));
+  const int others = is_a_part() ? threads_at_work() - 1 : 0;
+  return std::max(1, std::min(here - others, count));
 }
 
 /// Calls act(i) once for each i below `count`, which must not depend on each other; where `is_worth_it` (more than a

@@ -96,6 +96,8 @@ struct Passes {
   std::vector<T> corrected, carried, mass;
   std::vector<char> is_corrected;
   std::vector<Vector3T<T>> first_moment;
+  std::vector<T> turned_by;       // rad: the angles of these turns
+  std::vector<Matrix3T<T>> turn;  // about the joints' axes
   DeflectionT<T> next;
 
   Passes(const Robot& robot, const RobotChangeT<T>& change)
@@ -104,7 +106,9 @@ struct Passes {
         corrected(robot.joints.size()),
         mass(robot.links.size()),
         is_corrected(robot.joints.size()),
-        first_moment(robot.links.size()) {
+        first_moment(robot.links.size()),
+        turned_by(robot.joints.size()),
+        turn(robot.joints.size(), Matrix3T<T>::Identity()) {
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
       parent_from_joint[j] = cast<T>(robot.joints[j].parent_from_joint);
       bent_from_child[j] = cast<T>(robot.joints[j].joint_from_child);
@@ -143,8 +147,18 @@ void set_values(const Robot& robot, const Eigen::VectorXd& sensor, const RobotCh
     if (robot.joints[j].moves()) posture.value[j] = corrected_value(corrected_value, j) + deflection.angle[j];
 }
 
+/// A joint's turn by an angle. Where no load bends a joint the angle is the same from pass to pass.
 template <class T>
-void set_frames(const Robot& robot, const DeflectionT<T>& deflection, bool elastic, const Passes<T>& passes,
+const Matrix3T<T>& turned(const Robot& robot, std::size_t joint, const T& angle, Passes<T>& passes) {
+  if (!std::is_same_v<T, double> || passes.turned_by[joint] != angle) {
+    passes.turn[joint] = rotation_about<T>(robot.joints[joint].axis, angle);
+    passes.turned_by[joint] = angle;
+  }
+  return passes.turn[joint];
+}
+
+template <class T>
+void set_frames(const Robot& robot, const DeflectionT<T>& deflection, bool elastic, Passes<T>& passes,
                 PostureT<T>& posture) {
   posture.root_from_link[0] = RigidT<T>{};
   RigidT<T> root_from_base;
@@ -157,7 +171,7 @@ void set_frames(const Robot& robot, const DeflectionT<T>& deflection, bool elast
     if (joint.kind == JointKind::prismatic) {
       frame.translation += frame.rotation * (joint.axis.cast<T>() * posture.value[j]);
     } else if (joint.moves()) {
-      frame.rotation = frame.rotation * rotation_about<T>(joint.axis, posture.value[j]);
+      frame.rotation = frame.rotation * turned(robot, j, posture.value[j], passes);
     }
     posture.root_from_turned[j] = frame.rotation;
     if (elastic && !is_nothing(deflection.lateral[j]))

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "effects/term_numbers.h"
+
 namespace handsight {
 namespace {
 
@@ -63,6 +65,8 @@ bool has_choice(const Effect& effect, int place, const std::vector<double>& valu
          j.gap != 0;
 }
 
+Candidates none_yet(const Problem& model) { return {{}, model, model.effect_count()}; }
+
 /// Every unit of an effect that is not in the model yet, as a candidate.
 struct Offer {
   const Problem& model;
@@ -110,9 +114,7 @@ void Offer::operator()(const Effect& effect, std::shared_ptr<const Effect> own) 
 }  // namespace
 
 Candidates all_candidates(const Problem& model, int most_orders) {
-  Candidates candidates;
-  candidates.problem = model;
-  candidates.base_effects = model.effect_count();
+  Candidates candidates = none_yet(model);
   const Offer offer{model, step_orders(model, most_orders), candidates};
   for (const Effect* effect : catalogue_beside(model.source->own_effects)) offer(*effect, nullptr);
   for (const std::shared_ptr<const Effect>& own : model.source->own_effects) offer(*own, own);
@@ -121,9 +123,7 @@ Candidates all_candidates(const Problem& model, int most_orders) {
 }
 
 Candidates candidates_of(const Problem& model, const std::set<std::string>& effects) {
-  Candidates candidates;
-  candidates.problem = model;
-  candidates.base_effects = model.effect_count();
+  Candidates candidates = none_yet(model);
   const Offer offer{model, {}, candidates};
   for (const Effect* effect : catalogue_beside(model.source->own_effects))
     if (effects.contains(effect->id)) offer(*effect, nullptr);
@@ -132,14 +132,11 @@ Candidates candidates_of(const Problem& model, const std::set<std::string>& effe
 }
 
 Candidates list_candidates(const Problem& model, const std::vector<EffectTerm>& terms) {
-  Candidates candidates;
-  candidates.problem = model;
-  candidates.base_effects = model.effect_count();
+  Candidates candidates = none_yet(model);
   for (const EffectTerm& term : terms) {
     const Effect& effect = term_effect(term);
     EffectTerm at = term;
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice) at.values[p] = 0;
+    clear_numbers(at);
     candidates.effects.push_back({&effect, {}, list_sizes(effect, model), term.own});
     add_unit(effect, at, candidates.effects.back(), candidates.problem, candidates.base_effects);
   }
@@ -151,9 +148,7 @@ namespace {
 
 /// A term's effect at its place alone, a unit for each of these values.
 Candidates at_place(const Problem& model, const EffectTerm& term, const std::vector<std::vector<double>>& choices) {
-  Candidates candidates;
-  candidates.problem = model;
-  candidates.base_effects = model.effect_count();
+  Candidates candidates = none_yet(model);
   const Effect& effect = term_effect(term);
   CandidateEffect candidate{&effect, {}, list_sizes(effect, model), term.own};
   for (const std::vector<double>& values : choices) {
@@ -179,13 +174,12 @@ Candidates choices_at_place(const Problem& model, const EffectTerm& term, int mo
 Candidates candidates_at_orders(const Problem& model, const EffectTerm& term, const std::vector<double>& orders) {
   const Effect& effect = term_effect(term);
   std::vector<std::vector<double>> choices;
+  EffectTerm at = term;
+  clear_numbers(at);
   for (const double order : orders) {
-    choices.push_back(term.values);
     for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice)
-        choices.back()[p] = 0;
-      else if (effect.parameters[p].choices.empty())
-        choices.back()[p] = order;
+      if (effect.parameters[p].is_choice && effect.parameters[p].choices.empty()) at.values[p] = order;
+    choices.push_back(at.values);
   }
   return at_place(model, term, choices);
 }

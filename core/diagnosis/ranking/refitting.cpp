@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnosis/evidence/repeatability_levels.h"
+#include "effects/term_numbers.h"
 
 namespace handsight {
 namespace {
@@ -196,8 +197,7 @@ std::vector<EffectTerm> best_choices(const Session& session, const std::vector<E
     const bool has_choice = !choices.effects.empty() && !choices.effects.front().units.empty();
     if (has_choice) term = likeliest_choice(*model, choices, term, by);
     if (has_choice) term = with_settled_orders(*model, {term}, by).front();
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-      if (!effect.parameters[p].is_choice) term.values[p] = 0;
+    clear_numbers(term);
   }
   return settled;
 }

@@ -11,6 +11,7 @@
 #include "diagnosis/selection/taken_over.h"
 #include "diagnosis/verdict/candidate_report.h"
 #include "diagnosis/verdict/stand_in.h"
+#include "effects/term_numbers.h"
 
 namespace handsight {
 namespace {
@@ -32,9 +33,7 @@ bool comes_as_another(const std::vector<EffectTerm>& present, const Diagnosis& m
   both.estimated = model.model_options.estimated;
   std::vector<EffectTerm> terms = list_terms(other.fit);
   terms.erase(terms.begin(), terms.end() - static_cast<std::ptrdiff_t>(other.added));
-  for (EffectTerm& t : terms)
-    for (std::size_t p = 0; p < t.values.size(); ++p)
-      if (!term_effect(t).parameters[p].is_choice) t.values[p] = 0;
+  for (EffectTerm& t : terms) clear_numbers(t);
   both.estimated.insert(both.estimated.end(), terms.begin(), terms.end());
   const Fit with = fit(model.model.session, both);
   return with.converged() && is_taken_over(present, model.model.session, both, with, other.fit);

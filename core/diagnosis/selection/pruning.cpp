@@ -159,7 +159,9 @@ class Pruning {
     if (squares_without(with, d.model_options, first, last, by.noise) > 10 * threshold() + 100) return false;
     const FitOptions o = options_without(first, last, by);
     const Fit without = fit(d.model.session, o);
-    if (is_taken_over(dropped, d.model.session, d.model_options, with, without)) return false;
+    FitOptions asked = d.model_options;
+    asked.on_iteration = [&](int, double, const Unknowns&) { return goes_on(); };
+    if (is_taken_over(dropped, d.model.session, asked, with, without) || change_.stopped) return false;
     const double gained = ln_evidence(by) - fit_evidence(without, without.problem.effect_count(), by).ln_evidence;
     const double least = options_.likely.contains(dropped.front().id) ? worth_a_place : threshold();
     if (gained >= least - (is_curve(dropped.front()) ? ln_odds_of_unnamed : 0)) return false;

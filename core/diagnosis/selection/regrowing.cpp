@@ -12,6 +12,7 @@
 #include "diagnosis/ranking/refitting.h"
 #include "diagnosis/selection/begin_of_names.h"
 #include "diagnosis/selection/cost_of_names.h"
+#include "diagnosis/selection/diagnosed_model.h"
 #include "diagnosis/selection/elsewhere.h"
 #include "diagnosis/selection/model_changes.h"
 #include "diagnosis/selection/pruning.h"
@@ -110,6 +111,12 @@ bool stands_in_its_place(const std::optional<double>& gained, const Diagnosis& e
   return held_out_error(other) <= most && worse_elsewhere(end, other).empty();
 }
 
+/// Is nothing left but noise, or too little measured to say?
+bool is_explained(const Diagnosis& end) {
+  return (end.verdict == Verdict::adequate && !end.repeatability.is_any()) ||
+         end.verdict == Verdict::too_few_observations || has_no_answer(end.model.fit);
+}
+
 /// Seeks ends other than that of a walk, and goes on from those that are better.
 class Regrowth {
  public:
@@ -117,6 +124,7 @@ class Regrowth {
       : session_(session), options_(options), walk_(walk), first_(options.estimated.size()) {}
 
   void run() {
+    take_names_found_without_what_is_given();
     while (is_open() && (took_an_end_without_a_name() || took_an_end_from_another_beginning())) {
     }
   }
@@ -126,6 +134,28 @@ class Regrowth {
     const Improvement& m = walk_.so_far();
     if (m.stopped || is_out_of_models_) return false;
     return is_worth_seeking(m.last, first_) || (walk_.has_passed_over() && m.last.verdict == Verdict::adequate);
+  }
+
+  /// Terms that were given stay, and with them the search may have gone another way. Beside them the names are tried at
+  /// which it ends without.
+  void take_names_found_without_what_is_given() {
+    const Improvement& m = walk_.so_far();
+    if (m.stopped || options_.estimated.empty() || is_explained(m.last)) return;
+    ImprovementOptions own = options_;
+    own.estimated.clear();
+    ModelWalk alone(session_, quiet(own));
+    alone.begin();
+    alone.run();
+    if (!has_ended(alone.so_far())) return;
+    std::vector<EffectTerm> terms = options_.estimated;
+    for (const EffectTerm& t : alone.so_far().last.model_options.estimated)
+      if (std::none_of(terms.begin(), terms.end(), [&](const EffectTerm& g) { return is_same_place(g, t); }))
+        terms.push_back(t);
+    if (terms.size() == options_.estimated.size()) return;
+    const auto begin = [&](ModelWalk& other) {
+      other.begin_at(diagnosed_from(session_, quiet(options_), terms, std::nullopt));
+    };
+    took_the_end_at_any_cost(options_, begin, left_to_begin());
   }
 
   bool took_an_end_without_a_name() {
@@ -187,21 +217,39 @@ class Regrowth {
     return !options_.on_progress || options_.on_progress(options_.is_thorough ? done_ : nearly_all);
   }
 
-  /// Of another walk, where that is better. `left`: walks that may be left with it, should none be better.
-  bool took_the_end_of(ImprovementOptions own, const std::function<void(ModelWalk&)>& begin, std::size_t left) {
-    Improvement& m = walk_.so_far();
-    if (is_without_models()) return false;
+  /// Of a walk beside; in no budget but that of all models.
+  ImprovementOptions quiet(ImprovementOptions own) const {
     own.on_step = {};
-    own.on_progress = [&](double) { return goes_on(); };
-    own.most_models = models_left(options_, m);
-    ModelWalk other(session_, own);
+    own.on_progress = [this](double) { return goes_on(); };
+    own.most_models = options_.most_models - walk_.so_far().models;
+    return own;
+  }
+
+  /// Counts the models of another walk; false where that was stopped.
+  bool has_ended(const Improvement& other) {
+    Improvement& m = walk_.so_far();
+    m.models += other.models;
+    m.stopped = other.stopped;
+    return !m.stopped;
+  }
+
+  /// Of another walk, where that is better. `left`: walks that may be left with it, should none be better.
+  bool took_the_end_of(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin, std::size_t left) {
+    if (is_without_models()) return false;
+    return took_the_end_at_any_cost(own, begin, left, models_left(options_, walk_.so_far()));
+  }
+
+  bool took_the_end_at_any_cost(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin,
+                                std::size_t left, std::optional<int> most_models = {}) {
+    Improvement& m = walk_.so_far();
+    ImprovementOptions of_other = quiet(own);
+    if (most_models) of_other.most_models = *most_models;
+    ModelWalk other(session_, of_other);
     begin(other);
     other.run();
     done_ += (1 - done_) / static_cast<double>(left + 1);
     Improvement& end = other.so_far();
-    m.models += end.models;
-    m.stopped = end.stopped;
-    if (m.stopped) return false;
+    if (!has_ended(end)) return false;
     if (!odds_) odds_.emplace(m.last, first_);
     if (!stands_in_its_place(odds_->of(end.last), m.last, end.last, first_)) return false;
     odds_.reset();
@@ -225,10 +273,8 @@ class Regrowth {
 }  // namespace
 
 bool is_worth_seeking(const Diagnosis& end, std::size_t first) {
-  const bool is_explained =
-      (end.verdict == Verdict::adequate && !end.repeatability.is_any()) || end.verdict == Verdict::too_few_observations;
   const std::vector<EffectTerm>& all = end.model_options.estimated;
-  return !is_explained && all.size() > begin_of_names(all, first) && !has_no_answer(end.model.fit);
+  return !is_explained(end) && all.size() > begin_of_names(all, first);
 }
 
 void regrow(const Session& session, const ImprovementOptions& options, ModelWalk& walk) {

@@ -13,8 +13,6 @@
 namespace handsight {
 namespace {
 
-bool is_same_place(const EffectTerm& a, const EffectTerm& b) { return a.id == b.id && a.place == b.place; }
-
 /// Is a number larger than usual that was not before?
 bool has_grown(const Fit& before, const Fit& after, const Chain& chain) {
   const std::vector<EffectTerm> was = list_terms(before), is = list_terms(after);
@@ -30,6 +28,8 @@ bool describes_as_well(const Fit& with, const Fit& without, double noise) {
 }
 
 }  // namespace
+
+bool is_same_place(const EffectTerm& a, const EffectTerm& b) { return a.id == b.id && a.place == b.place; }
 
 bool is_taken_over(const std::vector<EffectTerm>& gone, const Session& session, const FitOptions& options,
                    const Fit& with, const Fit& without) {

@@ -10,6 +10,9 @@
 
 namespace handsight {
 
+/// The same effect at the same place, whatever its numbers.
+bool is_same_place(const EffectTerm& a, const EffectTerm& b);
+
 /// Is a large cause, terms of `gone` that are larger than usual in a number, taken over where it leaves the model that
 /// `with` has fitted: does a name that was within what is usual have numbers beyond it then, and describe the
 /// measurements as well (chi-squared grows by less than 20)? Which of the two it is these do not say, only usual sizes:

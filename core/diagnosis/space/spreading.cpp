@@ -110,6 +110,23 @@ Spreading::Sum Spreading::sum(const Chosen& chosen, std::optional<std::size_t> f
   return sum;
 }
 
+double Spreading::estimate_largest(const Chosen& chosen, const std::vector<SpreadName>& spread) const {
+  Numbers numbers = list_numbers(chosen);
+  const std::size_t before = numbers.size();
+  std::vector<double> sizes(before, scale_);
+  for (const SpreadName& s : spread) {
+    const Numbers more = list_numbers(list_open_units(all_, chosen, s.name));
+    numbers.insert(numbers.end(), more.begin(), more.end());
+    sizes.resize(numbers.size(), s.size);
+  }
+  if (numbers.size() == before) return 0;
+  Score own = take_part(score_, numbers);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    own.information.diagonal()[static_cast<Eigen::Index>(i)] += 1 / (sizes[i] * sizes[i]);
+  const Eigen::VectorXd values = own.information.ldlt().solve(own.gradient);
+  return values.tail(static_cast<Eigen::Index>(numbers.size() - before)).cwiseAbs().maxCoeff();
+}
+
 Spreading::Beside Spreading::with(const Beside& before, const Numbers& numbers, double size) {
   if (numbers.empty()) return before;
   const Gain gain = gain_by(before.score, numbers, size);

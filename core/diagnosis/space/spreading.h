@@ -49,6 +49,9 @@ class Spreading {
   Sum sum(const Chosen& chosen, std::optional<std::size_t> first, std::optional<std::size_t> never,
           double largest = 1) const;
 
+  /// The largest of the numbers of these names beside a choice, in prior sigmas.
+  double estimate_largest(const Chosen& chosen, const std::vector<SpreadName>& spread) const;
+
  private:
   /// What the measurements say of all numbers beside those that are in already.
   struct Beside {

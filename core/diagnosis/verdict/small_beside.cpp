@@ -30,9 +30,10 @@ double gain_beside(const Refit& candidate, const Refitting& refit) {
   const ModelSpace all(candidate.fit, candidates_of(candidate.fit.problem, small_in_every_robot()), first, 0,
                        Repeatability{});
   const Chosen present = all.present();
-  const std::vector<SpreadName> spread =
-      Spreading(all, present).sum(present, std::nullopt, std::nullopt, largest_small).likeliest;
-  if (spread.empty()) return 0;
+  const Spreading spreading(all, present);
+  const std::vector<SpreadName> spread = spreading.sum(present, std::nullopt, std::nullopt, largest_small).likeliest;
+  // What is not usual already to first order need not be fitted.
+  if (spread.empty() || spreading.estimate_largest(present, spread) > 1) return 0;
   std::vector<EffectTerm> terms(all_terms.begin() + static_cast<std::ptrdiff_t>(first), all_terms.end());
   const std::vector<EffectTerm> small = list_terms(all, present, spread);
   terms.insert(terms.end(), small.begin(), small.end());

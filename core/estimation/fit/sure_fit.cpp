@@ -37,11 +37,21 @@ void narrow(const Session& session, Problem& images, const FitOptions& options, 
     }
 }
 
+/// For the answers between which widths and noise are settled: within a hundredth of a sigma is enough.
+FitOptions for_widths(const FitOptions& options, const Problem& problem, const Solution& solution) {
+  constexpr double little = 1e-4;  // of a residual's square
+  const double usual =
+      std::max(problem.noise * problem.noise, solution.normal.data_cost() / std::max(solution.normal.rows, 1));
+  FitOptions near = options;
+  near.reuse_below = std::max(options.reuse_below, 1e-3);
+  near.least_gain = std::max(options.least_gain, little * usual);
+  return near;
+}
+
 /// Widths and noise follow from the solution, and it from them: a few times in turn.
 void settle_priors(const Session& session, Problem& images, const FitOptions& options, double noise, Fit& fit) {
   constexpr int most_rounds = 6;
-  FitOptions near = options;  // of the widths, to which an answer nearby is enough
-  near.reuse_below = std::max(options.reuse_below, 1e-3);
+  const FitOptions near = for_widths(options, images, fit.solution);
   const bool is_quick = options.least_gain > 0;
   bool is_another = false, is_circle = false;
   std::vector<Widths> before{list_widths(images)};
@@ -57,8 +67,7 @@ void settle_priors(const Session& session, Problem& images, const FitOptions& op
     minimise(session, images, Unknowns(fit.solution.unknowns), near, noise, fit);
     is_another = true;
   }
-  const bool is_exact = near.reuse_below == options.reuse_below;
-  if (is_another && !is_exact && !fit.solution.stopped)
+  if (is_another && !is_quick && !fit.solution.stopped)
     minimise(session, images, Unknowns(fit.solution.unknowns), options, noise, fit);
 }
 

@@ -83,6 +83,28 @@ TEST(Regrowing, GoesOnFromAnEndThatIsClearlyLikelier) {
   }
 }
 
+/// More rows than the budget of other ends allows: what was given costs nothing of it.
+TEST(Regrowing, WhatWasGivenDoesNotDecideWhereTheSearchEnds) {
+  const Session s = simulated(three_causes(), 31, 120);
+  ModelWalk right = walked(s);
+  ImprovementOptions given;
+  given.estimated = {{"encoder_eccentricity", 0, {0, 0}}};
+  ImprovementOptions one = given;
+  one.most_models = 1;
+  ModelWalk walk(s, one);
+  walk.begin();
+  walk.run();
+  ASSERT_EQ(names(walk.so_far().last), std::set<std::string>{"encoder_eccentricity"});
+  regrow(s, given, walk);
+  const Improvement& m = walk.so_far();
+  std::set<std::string> all = ids(three_causes());
+  all.insert("encoder_eccentricity");
+  EXPECT_EQ(names(m.last), all);
+  EXPECT_EQ(m.last.model_options.estimated.front().id, "encoder_eccentricity");
+  EXPECT_LT(held_out_error(m.last), 1.02 * held_out_error(right.so_far().last));
+  EXPECT_GT(m.models, right.so_far().models);
+}
+
 TEST(Regrowing, StopsWhereItIsTold) {
   const Session s = simulated(three_causes(), 31, 40);
   ModelWalk right = walked(s);
