@@ -23,10 +23,11 @@
 namespace handsight {
 namespace {
 
-/// How many more models a walk may try. Unless it is to be thorough, rows times models in all are seconds.
-int models_left(const ImprovementOptions& options, const Improvement& m) {
+/// How many more models a walk may try; `others` that were tried do not count. Unless it is to be thorough, rows times
+/// models are seconds.
+int models_left(const ImprovementOptions& options, const Improvement& m, int others) {
   constexpr int most_rows = 10000;
-  const int most = options.is_thorough ? options.most_models : most_rows / std::max(m.last.model.fit.rows, 1);
+  const int most = options.is_thorough ? options.most_models : most_rows / std::max(m.last.model.fit.rows, 1) + others;
   return std::min(most, options.most_models) - m.models;
 }
 
@@ -124,7 +125,9 @@ class Regrowth {
       : session_(session), options_(options), walk_(walk), first_(options.estimated.size()) {}
 
   void run() {
+    const int before = walk_.so_far().models;
     take_names_found_without_what_is_given();
+    tried_beside_ = walk_.so_far().models - before;
     while (is_open() && (took_an_end_without_a_name() || took_an_end_from_another_beginning())) {
     }
   }
@@ -206,7 +209,7 @@ class Regrowth {
 
   bool is_without_models() {
     Improvement& m = walk_.so_far();
-    if (models_left(options_, m) > 0) return false;
+    if (models_left(options_, m, tried_beside_) > 0) return false;
     is_out_of_models_ = true;
     m.is_budget_spent = m.is_budget_spent || options_.is_thorough;
     return true;
@@ -236,7 +239,7 @@ class Regrowth {
   /// Of another walk, where that is better. `left`: walks that may be left with it, should none be better.
   bool took_the_end_of(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin, std::size_t left) {
     if (is_without_models()) return false;
-    return took_the_end_at_any_cost(own, begin, left, models_left(options_, walk_.so_far()));
+    return took_the_end_at_any_cost(own, begin, left, models_left(options_, walk_.so_far(), tried_beside_));
   }
 
   bool took_the_end_at_any_cost(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin,
@@ -264,6 +267,7 @@ class Regrowth {
   std::size_t first_;  // term that was added
   std::optional<std::vector<std::vector<EffectTerm>>> beginnings_;
   std::size_t begun_ = 0;
+  int tried_beside_ = 0;      // models for which there is no budget but that of all
   std::optional<Odds> odds_;  // against the end where the walk stands
   bool is_out_of_models_ = false;
   static constexpr double nearly_all = 0.98;
