@@ -237,7 +237,7 @@ TEST_F(Explained, FromTheVerdictToTheTruth) {
 }
 
 /// Of a session of one's own, HANDSIGHT_SESSION: Explain at the end of *Add until it stops*, and of *Seek longer* where
-/// that is offered; Inspect and Export.
+/// that is offered, the truth where it has one; Inspect and Export.
 TEST_F(Explained, ASessionOfOnesOwn) {
   const QString session = qEnvironmentVariable("HANDSIGHT_SESSION");
   if (session.isEmpty()) GTEST_SKIP() << "HANDSIGHT_SESSION names no session";
@@ -258,6 +258,11 @@ TEST_F(Explained, ASessionOfOnesOwn) {
     ASSERT_TRUE(desk.wait([&] { return desk.find<QAbstractButton>("until_it_stops")->text() != running; }, 400000));
     ASSERT_TRUE(explain.is_settled());
     photo.take_now("own_explain_sought");
+  }
+  if (desk.find<QAction>("reveal")->isEnabled()) {
+    desk.choose("reveal");
+    photo.take_now("own_truth");
+    desk.press_button("truth_back");
   }
   desk.key(Qt::Key_3, Qt::ControlModifier);
   photo.take("own_inspect_end");
