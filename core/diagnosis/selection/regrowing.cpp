@@ -143,22 +143,24 @@ class Regrowth {
   /// which it ends without.
   void take_names_found_without_what_is_given() {
     const Improvement& m = walk_.so_far();
-    if (m.stopped || options_.estimated.empty() || is_explained(m.last)) return;
+    const auto models = [&] { return options_.most_models - m.models; };
+    if (m.stopped || options_.estimated.empty() || is_explained(m.last) || models() <= 0) return;
     ImprovementOptions own = options_;
     own.estimated.clear();
-    ModelWalk alone(session_, quiet(own));
+    ModelWalk alone(session_, quiet(own, models()));
     alone.begin();
     alone.run();
-    if (!has_ended(alone.so_far())) return;
+    if (!has_ended(alone.so_far()) || models() <= 0) return;
     std::vector<EffectTerm> terms = options_.estimated;
     for (const EffectTerm& t : alone.so_far().last.model_options.estimated)
       if (std::none_of(terms.begin(), terms.end(), [&](const EffectTerm& g) { return is_same_place(g, t); }))
         terms.push_back(t);
     if (terms.size() == options_.estimated.size()) return;
     const auto begin = [&](ModelWalk& other) {
-      other.begin_at(diagnosed_from(session_, quiet(options_), terms, std::nullopt));
+      other.begin_at(diagnosed_from(session_, quiet(options_, models()), terms, std::nullopt));
+      other.so_far().models = 1;
     };
-    took_the_end_at_any_cost(options_, begin, left_to_begin());
+    took_the_end_within(models(), options_, begin, left_to_begin());
   }
 
   bool took_an_end_without_a_name() {
@@ -220,11 +222,11 @@ class Regrowth {
     return !options_.on_progress || options_.on_progress(options_.is_thorough ? done_ : nearly_all);
   }
 
-  /// Of a walk beside; in no budget but that of all models.
-  ImprovementOptions quiet(ImprovementOptions own) const {
+  /// Of a walk beside.
+  ImprovementOptions quiet(ImprovementOptions own, int most_models) const {
     own.on_step = {};
     own.on_progress = [this](double) { return goes_on(); };
-    own.most_models = options_.most_models - walk_.so_far().models;
+    own.most_models = most_models;
     return own;
   }
 
@@ -239,15 +241,13 @@ class Regrowth {
   /// Of another walk, where that is better. `left`: walks that may be left with it, should none be better.
   bool took_the_end_of(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin, std::size_t left) {
     if (is_without_models()) return false;
-    return took_the_end_at_any_cost(own, begin, left, models_left(options_, walk_.so_far(), tried_beside_));
+    return took_the_end_within(models_left(options_, walk_.so_far(), tried_beside_), own, begin, left);
   }
 
-  bool took_the_end_at_any_cost(const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin,
-                                std::size_t left, std::optional<int> most_models = {}) {
+  bool took_the_end_within(int most_models, const ImprovementOptions& own, const std::function<void(ModelWalk&)>& begin,
+                           std::size_t left) {
     Improvement& m = walk_.so_far();
-    ImprovementOptions of_other = quiet(own);
-    if (most_models) of_other.most_models = *most_models;
-    ModelWalk other(session_, of_other);
+    ModelWalk other(session_, quiet(own, most_models));
     begin(other);
     other.run();
     done_ += (1 - done_) / static_cast<double>(left + 1);
