@@ -2,8 +2,10 @@
 // A target that is not as described, and joints that turn with each other: fitted, named, and nothing named without.
 #include <gtest/gtest.h>
 
+#include "diagnosis/ranking/outlier_rejection.h"
 #include "diagnosis/selection/improvement.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "effects/own_effect.h"
 #include "estimation/report/fit_report.h"
 #include "fixtures/targets.h"
@@ -64,6 +66,29 @@ TEST(TargetSize, IsFoundWithTheBodyInItsPlace) {
       EXPECT_LT(error_of_body(s, f), 22.5) << "chi-squared of six, p 1e-3";
       EXPECT_EQ(f.covariance_kind, CovarianceKind::noise) << "nothing is left";
     }
+}
+
+/// What the description says of the size is no matter where the size is estimated: a fifth, a half and twice of it.
+TEST(TargetSize, IsFoundHoweverWrongTheDescription) {
+  for (const Session& like : {target_session(fixture::charuco(), 2), eye_in_hand_session()}) {
+    const Fit right = fitted(printed_larger(like, 0).session, "target_scale");
+    const double size = 1 + right.effects.at(0).term.values[0];
+    for (const double by : {4.0, 1.0, -0.5}) {
+      const Fit f = fitted(printed_larger(like, by).session, "target_scale");
+      EXPECT_TRUE(f.converged()) << by;
+      EXPECT_NEAR(1 + f.effects.at(0).term.values[0], size * (1 + by), 1e-5 * (1 + by)) << by;
+      EXPECT_LT((f.tcp_from_body.translation - right.tcp_from_body.translation).norm(), 1e-6) << by;
+    }
+  }
+}
+
+TEST(TargetSize, IsNoStandInHoweverLarge) {
+  const Improvement m = improve(printed_larger(eye_in_hand_session(), 1.2).session, {});
+  ASSERT_GE(m.steps.size(), 2u);
+  EXPECT_EQ(m.steps[1].added, "target_scale");
+  EXPECT_TRUE(m.steps[1].stands.empty());
+  EXPECT_EQ(m.last.verdict, Verdict::adequate) << m.last.reason;
+  EXPECT_TRUE(stand_ins(m.last.model.fit).empty());
 }
 
 TEST(TargetSize, IsNamedFirstHoweverLarge) {
@@ -160,6 +185,20 @@ TEST(TargetSize, OfARealBoardIsNotTakenForABend) {
   ASSERT_FALSE(d.candidates.empty());
   EXPECT_EQ(d.candidates.front().id, "target_scale") << d.reason;
   EXPECT_NEAR(d.candidates.front().terms.at(0).values[0], 0.09, 0.01) << "squares of 21.8 mm in place of 20";
+}
+
+/// Squares of 22 mm, described as 10: no fit without their size has an answer, and none of its points is wrong.
+TEST(TargetSize, OfARealBoardDescribedAtHalfItsSize) {
+  const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  Session session = read_session(folder);
+  set_target(session, scaled(*session.target, 0.5));
+  EXPECT_TRUE(fit_without_outliers(session, {}).wrong.empty());
+  const Diagnosis d = diagnose(session, quick_sizes());
+  ASSERT_FALSE(d.candidates.empty());
+  EXPECT_EQ(d.candidates.front().id, "target_scale") << d.reason;
+  EXPECT_NEAR(d.candidates.front().terms.at(0).values[0], 1.18, 0.03);
+  EXPECT_GT(d.attribution.body, 0.9) << "of the target, not of the robot";
 }
 
 /// Two axes through one point keep every place on a sphere: shrunk to nothing all places are the same.

@@ -13,6 +13,7 @@
 #include "diagnosis/evidence/body_rows.h"
 #include "diagnosis/evidence/noise_model.h"
 #include "estimation/fit/fit_noise.h"
+#include "estimation/fit/sure_fit.h"
 #include "estimation/problem/problem_part.h"
 #include "geometry/orthonormal_columns.h"
 
@@ -218,6 +219,13 @@ FitOptions roughly(FitOptions options, const NoiseModel& by) {
   return options;
 }
 
+/// Where a fit has no answer no point is far from where the others put it for a reason of its own, unless without it
+/// less is left.
+bool leads_to_an_answer(const Fit& now, double residual_before) {
+  constexpr double hardly_less = 0.99;
+  return !has_no_answer(now) || now.residual_rms < hardly_less * residual_before;
+}
+
 }  // namespace
 
 CleanFit clean_fit(const Session& session, const FitOptions& options) {
@@ -227,7 +235,10 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
   bool is_rough = bends && options.start && declared;
   CleanFit clean{session, fit(session, is_rough ? roughly(options, {.noise = *declared}) : options), {}};
   const auto most = static_cast<std::size_t>(most_dropped * static_cast<double>(point_count(session)));
-  constexpr int most_rounds = 8;
+  const std::optional<CleanFit> as_it_is = has_no_answer(clean.fit) ? std::optional(clean) : std::nullopt;
+  const bool was_rough = is_rough;
+  constexpr int most_rounds = 8, most_fruitless = 2;
+  int fruitless = 0;
   for (int round = 0; round < most_rounds && !clean.fit.solution.stopped; ++round) {
     std::vector<WrongPoint> wrong = wrong_points(clean.session, clean.fit);
     if (wrong.empty() || clean.wrong.size() + wrong.size() > most) break;
@@ -239,8 +250,14 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
       again = roughly(again, noise_model(clean.fit));
     else if (again.least_gain == 0)
       again.least_gain = nothing;
+    const double before = clean.fit.residual_rms;
     clean.fit.problem = {};  // of a long session every copy counts
     clean.fit = fit(clean.session, again);
+    if (as_it_is && !leads_to_an_answer(clean.fit, before) && ++fruitless == most_fruitless) {
+      clean = *as_it_is;
+      is_rough = was_rough;
+      break;
+    }
   }
   if (is_rough && !clean.fit.solution.stopped) {
     const FitOptions whole = from_there(options, clean.fit);

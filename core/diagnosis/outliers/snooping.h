@@ -26,7 +26,8 @@ inline constexpr double wrong_by_chance = 1e-5;  // share of right points that a
 std::size_t point_count(const Session& session);
 
 /// A fit without the points that are wrong with p < 1e-5 each, whatever the robot does; a point is only tested where
-/// the observation has more coordinates than a body has motions.
+/// the observation has more coordinates than a body has motions. None is where the fit has no answer and two rounds
+/// without wrong points bring it no nearer to one: then it is no few points that are wrong.
 struct CleanFit {
   Session session;  // without the wrong points
   Fit fit;

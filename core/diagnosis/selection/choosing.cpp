@@ -20,7 +20,7 @@ bool are_few_to_choose_by(const Fit& fit) {
 }
 
 bool is_cheap_to_choose(const Fit& fit, int models) {
-  constexpr int most_rows = 20000;  // of all models together: a few seconds
+  constexpr int most_rows = 8000;  // of all models together: a few seconds
   return fit.rows <= most_rows / std::max(models, 1);
 }
 

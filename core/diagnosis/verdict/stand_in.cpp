@@ -10,6 +10,7 @@ namespace handsight {
 namespace {
 
 constexpr double steepest_bend = 3 * M_PI / 180;
+constexpr double longest_misprint = 3;  // of a target's length: what was typed or printed wrong may be any factor
 
 /// What is distal of a joint, stretched out across gravity: no posture has a larger moment (N m).
 double find_heaviest_load(const Robot& robot, const Vector3& gravity, std::size_t joint) {
@@ -41,6 +42,7 @@ bool is_estimated(const FittedEffect& effect) {
 
 double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain) {
   const Effect& effect = term_effect(term);
+  if (effect.id == "target_scale") return longest_misprint;
   const double usual = largest_built * prior_sigma(effect.parameters[parameter], chain);
   if (!is_spring(effect, parameter) || term.place < 0) return usual;
   const double load = find_heaviest_load(chain.robot, chain.gravity, static_cast<std::size_t>(term.place));

@@ -26,7 +26,7 @@ inline constexpr double largest_plausible = 3;
 
 /// Up to where a number of a term is built, in its own unit: largest_built times what is usual, and of a spring what
 /// bends by 3 degrees under the heaviest load that its joint can have: light arms have soft bearings and series
-/// springs.
+/// springs. A target may be four times as large as its description says: that was typed or printed wrong.
 double find_largest_built(const EffectTerm& term, std::size_t parameter, const Chain& chain);
 
 /// Is every number of the terms within largest_plausible?

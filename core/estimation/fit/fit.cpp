@@ -11,6 +11,7 @@
 #include "estimation/fit/fit_parts.h"
 #include "estimation/fit/flange_error_size.h"
 #include "estimation/fit/objectives.h"
+#include "estimation/fit/slip_frames.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/fit/touch_counts.h"
 #include "estimation/fit/touch_unknown.h"
@@ -27,18 +28,6 @@ namespace handsight {
 namespace {
 
 std::string session_name(const Session& session) { return session.file.filename().string(); }
-
-bool all_are_seen(const Problem& problem) {
-  return std::all_of(problem.marker_is_seen.begin(), problem.marker_is_seen.end(), [](char seen) { return seen != 0; });
-}
-
-BodySides make_sides(const FitOptions& options, const Problem& problem, const Unknowns& unknowns) {
-  if (options.sides) return *options.sides;
-  // As the shape is described: the estimate of a regular one would change its mind between equal sides.
-  if (problem.shape && problem.shape->piece_count() == 1 && (problem.shape->sigma || all_are_seen(problem)))
-    return choose_sides({problem.shape->markers.begin(), problem.shape->markers.end()});
-  return sides_of_body(problem, unknowns.markers_in_tcp, 0);
-}
 
 /// TCP->Body and effects explain the same measurements, so that their errors go together. `factor`: of the covariance
 /// of the problem's columns.
@@ -172,47 +161,6 @@ void require_use_of_camera_images(const Session& session, const FitOptions& opti
                                                                    : ", rig")));
 }
 
-/// Does a term move the body or its markers on the hand, in the body's own frame?
-bool is_slip(const EffectTerm& term, const Chain& chain) {
-  const Effect& effect = term_effect(term);
-  if (effect.scope == EffectScope::marker) return true;
-  if (effect.definition) {
-    const std::vector<DefinedMove>& moves = effect.definition->moves;
-    return std::any_of(moves.begin(), moves.end(), [](const DefinedMove& m) { return m.site.starts_with("body_"); });
-  }
-  const auto joints = static_cast<Eigen::Index>(chain.joints.size());
-  EffectTerm one = term;
-  std::fill(one.values.begin(), one.values.end(), 1.0);
-  const Sites sites = moved_sites(states_at(chain, Eigen::VectorXd::Zero(joints)), {one});
-  return !sites.body.isZero(0) ||
-         std::any_of(sites.markers.begin(), sites.markers.end(), [](const Vector3& m) { return !m.isZero(0); });
-}
-
-bool has_slip(const Problem& problem) {
-  return std::any_of(problem.terms.begin(), problem.terms.end(),
-                     [&](const EffectTerm& t) { return is_slip(t, problem.source->chain); });
-}
-
-/// Slips are measured in the body's frame, which follows from the markers: the frame is renewed until it stays.
-void settle_slip_frame(const Session& session, const FitOptions& options, Problem& images, Fit& result) {
-  if (!has_slip(images)) return;
-  for (int pass = 0; pass < 5; ++pass) {
-    const Unknowns& u = result.solution.unknowns;
-    const BodySides sides = make_sides(options, result.problem, u);
-    if (sides.markers.empty()) return;
-    const Matrix3 start = options.start_tcp_from_body ? options.start_tcp_from_body->rotation : Matrix3::Identity();
-    const Rigid tcp_from_body = body_frame(sides, u.markers_in_tcp, start).tcp_from_body;
-    const Vector6 change = small_motion_between(images.tcp_from_slip, tcp_from_body);
-    const bool others_moved = set_slip_frames(images, u.markers_in_tcp);
-    if (change.norm() < 1e-10 && !others_moved) return;
-    images.tcp_from_slip = tcp_from_body;
-    result.problem.copy_slip_frames(images);
-    set_effects(result.problem, u.effects);
-    if (&images != &result.problem) set_effects(images, u.effects);
-    minimise(session, images, Unknowns(u), options, images.noise, result);
-  }
-}
-
 void set_effect_results(const std::size_t held, Fit& fit) {
   const Eigen::Index first = fit.problem.effect_column();
   for (std::size_t t = 0; t < fit.problem.terms.size(); ++t) {
@@ -284,10 +232,7 @@ Fit fit_as_given(const Session& session, const FitOptions& options) {
       options.fix_markers || options.objective == Objective::angle_axis || (images.shape && images.shape->is_rigid());
   if (images.effect_count() > 0 || images.shape || session.robot.is_of_poses) set_prior_noise(session, *start, images);
   if (has_slip(images)) {
-    // A first frame for slips; settled below.
-    const BodySides sides = make_sides(options, images, *start);
-    if (!sides.markers.empty()) images.tcp_from_slip = body_frame(sides, start->markers_in_tcp).tcp_from_body;
-    set_slip_frames(images, start->markers_in_tcp);
+    start_slip_frames(options, *start, images);  // settled below
     place_observations(images);
   }
   // Of a long session every copy counts: where the images themselves are fitted there is one problem.
@@ -304,7 +249,7 @@ Fit fit_as_given(const Session& session, const FitOptions& options) {
       options.objective == Objective::angle_axis ? noise_at_start(session, measured, *start).value_or(1) : 1;
   result.loss_noise = loss_noise(session, measured, result.problem, *start, options);
   minimise_surely(session, measured, *start, options, pose_noise, result);
-  settle_slip_frame(session, options, measured, result);
+  settle_slip_frames(session, options, measured, result);
   if (measured.effect_count() > 0) {
     set_effects(result.problem, result.solution.unknowns.effects);
     if (!are_images) set_effects(images, result.solution.unknowns.effects);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "diagnosis/simulated_stand.h"
+#include "estimation/fit/sure_fit.h"
 
 namespace handsight {
 namespace {
@@ -30,6 +31,17 @@ TEST(OutlierRejection, LeavesOutPointsThatNothingMakesRight) {
     EXPECT_EQ(w.marker, w.index % 4);
     EXPECT_NEAR(w.distance, 5e-3, 2e-3);
   }
+}
+
+/// Points that are wrong by metres leave a fit without an answer; one of an observation is found a round.
+TEST(OutlierRejection, FindsTheWrongPointsOfAFitWithoutAnAnswer) {
+  Session session = simulated({}, 12, 50, fixture::tracker_session(5));
+  for (const std::size_t i : {5, 17, 23, 31})
+    for (const std::size_t m : {0, 1}) session.observations[i].sightings[m].point->x() += 4;
+  ASSERT_TRUE(has_no_answer(fit(session, {})));
+  const CleanFit model = clean_fit(session, {});
+  EXPECT_EQ(model.wrong.size(), 8u);
+  EXPECT_FALSE(has_no_answer(model.fit));
 }
 
 TEST(OutlierRejection, BelievesADeclaredNoiseThatIsLargerThanWhatOnePoseShows) {
