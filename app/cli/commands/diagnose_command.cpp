@@ -9,6 +9,7 @@
 #include "printing/bill_output.h"
 #include "printing/blunder_output.h"
 #include "printing/diagnosis_output.h"
+#include "printing/json_values.h"
 #include "printing/outputs.h"
 #include "printing/proof_output.h"
 
