@@ -10,7 +10,7 @@ namespace handsight {
 namespace {
 
 constexpr double steepest_bend = 3 * M_PI / 180;
-constexpr double longest_misprint = 3;  // of a target's length: what was typed or printed wrong may be any factor
+constexpr double longest_misprint = 3;  // of a target's length: four times as large as it was typed
 
 /// What is distal of a joint, stretched out across gravity: no posture has a larger moment (N m).
 double find_heaviest_load(const Robot& robot, const Vector3& gravity, std::size_t joint) {
