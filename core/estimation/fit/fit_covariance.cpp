@@ -16,9 +16,12 @@
 #include "estimation/solvers/normal_equations.h"
 #include "estimation/solvers/priors.h"
 #include "estimation/solvers/unit_factor.h"
+#include "estimation/solvers/unknown_steps.h"
 
 namespace handsight {
 namespace {
+
+constexpr double agreement = 1e-3;  // the least probability of what is left, were it noise
 
 /// Of the unknowns, how many their priors know: tr(P H^-1). The measurements know the rest, tr(H_data H^-1).
 double known_by_priors(const Problem& problem, const Unknowns& unknowns, const Eigen::MatrixXd& inverse) {
@@ -124,17 +127,30 @@ LossMoments loss_moments(Problem& problem, const Unknowns& unknowns, Loss loss, 
   return moments;
 }
 
-/// Does the model agree with the measurements down to the noise (p > 1e-3)? Asked of the most efficient fit, images
-/// with free markers: the other objectives leave more of the noise by their nature.
+/// Is what free markers would leave, by the equations at the solution, ten times what could be noise? It saves most of
+/// the time in which they are fitted.
+bool is_far_from_noise(const Problem& images, const Fit& fit, double estimated) {
+  constexpr double tenth = 0.1;
+  const NormalEquations normal = normal_equations(images, fit.solution.unknowns);
+  const double gain = normal.gradient.dot(damped_step(normal.information, normal.gradient, 1e-8));
+  const double squares = tenth * (normal.data_cost() - gain) / (*fit.noise * *fit.noise);
+  const auto test = noise_test(squares, normal.rows, estimated);
+  return test && test->p < agreement;
+}
+
+/// Does the model agree with the measurements down to the noise? Asked of the most efficient fit, images with free
+/// markers: the other objectives leave more of the noise by their nature.
 bool agrees_with_noise(const Problem& images, const NormalEquations& at_solution, bool declared, const Fit& fit) {
   if (!fit.noise || !(*fit.noise > 0)) return false;
+  const double estimated = declared ? 0 : fit.noise_estimate->degrees;
   const bool is_own = fit.objective == Objective::image && !fit.fixed_markers;
+  if (!is_own && is_far_from_noise(images, fit, estimated)) return false;
   const std::optional<Solution> other = is_own ? std::nullopt : std::optional(solve(images, fit.solution.unknowns));
   const int unknowns = other ? unknowns_of(images, *other, unit_covariance(*other), false) : fit.unknowns;
   const NormalEquations& efficient = other ? other->normal : at_solution;
   const double squares = efficient.data_cost() / (*fit.noise * *fit.noise);
-  const auto test = noise_test(squares, efficient.rows - unknowns, declared ? 0 : fit.noise_estimate->degrees);
-  return !test || test->p > 1e-3;  // where nothing is left, nothing speaks against it
+  const auto test = noise_test(squares, efficient.rows - unknowns, estimated);
+  return !test || test->p > agreement;  // where nothing is left, nothing speaks against it
 }
 
 /// The least of what a factor says of a number of a marker's place; 1 where it says nothing.

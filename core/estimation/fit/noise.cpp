@@ -16,12 +16,12 @@
 namespace handsight {
 namespace {
 
-/// The rows of one observation: by the body's six small motions, and by what observations share (3 a marker, then
-/// the rig's numbers) with the error as the last column, so that one product makes all sums. Kept from one observation
-/// to the next, for their memory.
+/// The rows of one observation: by the body's six small motions, by the place of the marker that each row sees, and by
+/// the rig's numbers with the error as the last column. Kept from one observation to the next, for their memory.
 struct NoiseRows {
   Eigen::Matrix<double, Eigen::Dynamic, 6> by_pose;
-  Eigen::MatrixXd shared_and_error;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> by_marker;
+  Eigen::MatrixXd by_rig_and_error;
 };
 
 /// A step of the body (m, rad) that changes no residual by more than 1e-5 px: near enough to linearise.
@@ -36,50 +36,103 @@ void set_rows(const Problem& problem, const ProblemObservation& o, const Unknown
   if (const auto pose = refined_body_pose(rig, o.sightings, markers_at(o, u), sensor_from_tcp, near_enough))
     sensor_from_tcp = *pose;
 
-  const Eigen::Index cameras = 3 * problem.marker_count;
-  const Eigen::Index error = cameras + rig_numbers(problem);
+  const Eigen::Index rig_columns = rig_numbers(problem);
   Eigen::Index count = 0;
   for (const Sighting& s : o.sightings) count += row_count(s);
   rows.by_pose.resize(count, 6);
-  rows.shared_and_error.setZero(count, error + 1);
+  rows.by_marker.resize(count, 3);
+  rows.by_rig_and_error.resize(count, rig_columns + 1);
   Eigen::Index row = 0;
   for (const Sighting& s : o.sightings) {
     const Vector3 x = sensor_from_tcp * marker_at(o, u, s.marker);
     const SightingResidual r = sighting_residual(rig, s, x);
-    const SightingRows<3> by_rotation = -r.by_point * cross_matrix(x);
-    const SightingRows<3> by_marker = r.by_point * sensor_from_tcp.rotation;
-    rows.shared_and_error.col(error).segment(row, r.rows) = r.error;
     rows.by_pose.block(row, 0, r.rows, 3) = r.by_point;
-    rows.by_pose.block(row, 3, r.rows, 3) = by_rotation;
-    rows.shared_and_error.block(row, 3 * s.marker, r.rows, 3) = by_marker;
-    if (rig) rows.shared_and_error.block(row, cameras, r.rows, rig_numbers(problem)) = camera_columns(*rig, s, x);
+    rows.by_pose.block(row, 3, r.rows, 3) = -r.by_point * cross_matrix(x);
+    rows.by_marker.middleRows(row, r.rows) = r.by_point * sensor_from_tcp.rotation;
+    if (rig) rows.by_rig_and_error.block(row, 0, r.rows, rig_columns) = camera_columns(*rig, s, x);
+    rows.by_rig_and_error.col(rig_columns).segment(row, r.rows) = r.error;
     row += r.rows;
   }
 }
+
+/// Sums of squares and products of what the body's six motions cannot explain: by 3 columns a marker, the rig's, and
+/// the error. A row knows the place of one marker only, so that what the motions explain of these is summed apart, six
+/// rows an observation; of rig and error, of which they may explain nearly all, it is taken away before.
+class NoiseSums {
+ public:
+  NoiseSums(const Problem& problem)
+      : markers_(3 * problem.marker_count),
+        others_(rig_numbers(problem) + 1),
+        sums_(Eigen::MatrixXd::Zero(markers_ + others_, markers_ + others_)),
+        explained_(Eigen::MatrixXd::Zero(markers_, markers_)),
+        gathered_(explained_, 6 * static_cast<Eigen::Index>(problem.observations.size())) {
+    qr_.setThreshold(1e-9);
+  }
+
+  /// Changes `rows`. Returns how many of them the motions leave free.
+  Eigen::Index add(const ProblemObservation& o, NoiseRows& rows) {
+    const Eigen::Index count = rows.by_pose.rows();
+    if (count <= 6) return 0;
+    qr_.compute(rows.by_pose);
+    const Eigen::Index rank = qr_.rank();
+    if (rank == count) return 0;
+    qr_.householderQ().adjoint().applyThisOnTheLeft(rows.by_rig_and_error);
+    rows.by_rig_and_error.topRows(rank).setZero();
+    qr_.householderQ().applyThisOnTheLeft(rows.by_rig_and_error);
+    motions_.setIdentity(count, rank);
+    qr_.householderQ().applyThisOnTheLeft(motions_);
+    motions_by_marker_.setZero(rank, markers_);
+    Eigen::Index row = 0;
+    for (const Sighting& s : o.sightings) {
+      const Eigen::Index m = 3 * s.marker, size = row_count(s);
+      const auto by_marker = rows.by_marker.middleRows(row, size);
+      sums_.block(m, m, 3, 3) += by_marker.transpose() * by_marker;
+      sums_.block(markers_, m, others_, 3) += rows.by_rig_and_error.middleRows(row, size).transpose() * by_marker;
+      motions_by_marker_.middleCols(m, 3) += motions_.middleRows(row, size).transpose() * by_marker;
+      row += size;
+    }
+    sums_.bottomRightCorner(others_, others_) += rows.by_rig_and_error.transpose() * rows.by_rig_and_error;
+    gathered_.add(motions_by_marker_);
+    return count - rank;
+  }
+
+  /// All of them, the error as the last column.
+  Eigen::MatrixXd settled() {
+    constexpr double rounding = 1e-13;
+    gathered_.settle();
+    const Eigen::VectorXd before = sums_.diagonal().head(markers_);
+    sums_.topLeftCorner(markers_, markers_) -= explained_;
+    for (Eigen::Index i = 0; i < markers_; ++i) {
+      if (sums_(i, i) > rounding * before[i]) continue;
+      sums_.row(i).setZero();
+      sums_.col(i).setZero();
+    }
+    return sums_.selfadjointView<Eigen::Lower>();
+  }
+
+ private:
+  Eigen::Index markers_, others_;
+  Eigen::MatrixXd sums_, explained_;  // lower triangles
+  GatheredRows gathered_;
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 6>> qr_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Eigen::Dynamic, 6> motions_;
+  Eigen::MatrixXd motions_by_marker_;
+};
 
 }  // namespace
 
 std::optional<NoiseEstimate> estimate_noise(const Problem& problem, const Unknowns& unknowns) {
   const Eigen::Index shared = 3 * problem.marker_count + rig_numbers(problem);
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(shared + 1, shared + 1);  // lower triangle
-  GatheredRows gathered(sums);
+  NoiseSums noise_sums(problem);
   Eigen::Index free_rows = 0;
   NoiseRows rows;
-  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 6>> qr;
-  qr.setThreshold(1e-9);
-  Eigen::RowVectorXd workspace(shared + 1);
   for (const ProblemObservation& o : problem.observations) {
     set_rows(problem, o, unknowns, rows);
-    if (rows.by_pose.rows() <= 6) continue;
-    qr.compute(rows.by_pose);
-    qr.householderQ().adjoint().applyThisOnTheLeft(rows.shared_and_error, workspace);
-    const Eigen::Index left = rows.by_pose.rows() - qr.rank();
-    free_rows += left;
-    gathered.add(rows.shared_and_error.bottomRows(left));
+    free_rows += noise_sums.add(o, rows);
   }
   if (free_rows == 0) return std::nullopt;
-  gathered.settle();
-  const Eigen::MatrixXd h = Eigen::MatrixXd(sums.selfadjointView<Eigen::Lower>()).topLeftCorner(shared, shared);
+  const Eigen::MatrixXd sums = noise_sums.settled();
+  const Eigen::MatrixXd h = sums.topLeftCorner(shared, shared);
   const Eigen::VectorXd g = sums.row(shared).head(shared).transpose();
   const double squares = sums(shared, shared);
   int unobservable = 0;

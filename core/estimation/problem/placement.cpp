@@ -131,6 +131,7 @@ void set_motion(const Problem& problem, const ObservationState& c, const Posture
       if (!d.markers[m].isZero(0))
         motion.markers.push_back({static_cast<int>(m), i, slip_frame.rotation * d.markers[m]});
   }
+  std::ranges::stable_sort(motion.markers, {}, &EffectMotion::MarkerColumn::marker);
 }
 
 bool is_nothing(const Deflection& d) {

@@ -22,7 +22,7 @@ struct EffectColumn {
   double prior_sigma() const { return sigma * width; }
 };
 
-/// Directions of the effects' columns in one observation; empty where no effect is estimated.
+/// Directions of effects' columns of one observation, in markers' order; empty where none is.
 struct EffectMotion {
   Eigen::Matrix<double, 6, Eigen::Dynamic> tcp_by_effect;     // of the TCP against the mount's link, root frame
   Eigen::Matrix<double, 6, Eigen::Dynamic> sensor_by_effect;  // of the sensor in its own frame; empty: none moves it

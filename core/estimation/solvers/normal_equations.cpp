@@ -40,8 +40,10 @@ Eigen::MatrixXd direct_by_effects(const Problem& problem, const ProblemObservati
                                   const SightingResidual& residual, const Vector3& x_in_sensor,
                                   const Matrix3& sensor_from_tcp_rotation) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(residual.rows, problem.effect_count());
-  for (const EffectMotion::MarkerColumn& m : o.motion.markers)
-    if (m.marker == sighting.marker) rows.col(m.column) += residual.by_point * (sensor_from_tcp_rotation * m.direction);
+  const std::vector<EffectMotion::MarkerColumn>& moved = o.motion.markers;
+  auto m = std::ranges::lower_bound(moved, sighting.marker, {}, &EffectMotion::MarkerColumn::marker);
+  for (; m != moved.end() && m->marker == sighting.marker; ++m)
+    rows.col(m->column) += residual.by_point * (sensor_from_tcp_rotation * m->direction);
   if (problem.cameras_by_effect.cols() == 0 || !problem.rig) return rows;
   // Camera by camera: what a sighting's rows owe to the numbers of the others is zero.
   const CameraColumns by_numbers = camera_columns(*problem.rig, sighting, x_in_sensor);
@@ -83,7 +85,16 @@ Matrix6 require_root(const Matrix6& m) {
   return ldlt.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal() * root;
 }
 
-/// One sighting's part. The usual two cameras have rows of a fixed number, whose products cost less.
+/// What products of large matrices are prepared with costs more than two rows' products themselves.
+template <int Rows, class A, class B>
+auto product(const A& a, const B& b) {
+  if constexpr (Rows == 2)
+    return a.lazyProduct(b);
+  else
+    return a * b;
+}
+
+/// One sighting's part. The usual two cameras, and one, have rows of a fixed number, whose products cost less.
 template <int Rows>
 void add_sighting_with_effects(const Problem& problem, const ProblemObservation& o, const Sighting& sighting,
                                const SightingResidual& r, const Vector3& x, double root, const Matrix3& rotation,
@@ -104,11 +115,11 @@ void add_sighting_with_effects(const Problem& problem, const ProblemObservation&
     normal.information.block(mount, m, count, 3).noalias() += motion.transpose() * (by_body.transpose() * by_marker);
     return;
   }
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = by_body * motion;
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> by_columns = product<Rows>(by_body, motion);
   by_columns.rightCols(problem.effect_count()) += root * direct_by_effects(problem, o, sighting, r, x, rotation);
   gathered.add(by_columns);
-  normal.information.block(mount, m, count, 3).noalias() += by_columns.transpose() * by_marker;
-  normal.gradient.segment(mount, count).noalias() += by_columns.transpose() * error;
+  normal.information.block(mount, m, count, 3).noalias() += product<Rows>(by_columns.transpose(), by_marker);
+  normal.gradient.segment(mount, count).noalias() += product<Rows>(by_columns.transpose(), error);
 }
 
 /// The general road: effects among the columns, or a sensor or markers that move.
@@ -127,7 +138,9 @@ void add_observation_with_effects(const Problem& problem, const ProblemObservati
     const double root = o.weights.empty() ? 1.0 : std::sqrt(o.weights[i]);
     normal.rows += r.rows;
     normal.in_front = normal.in_front && r.in_front;
-    const auto add = r.rows == 4 ? add_sighting_with_effects<4> : add_sighting_with_effects<Eigen::Dynamic>;
+    const auto add = r.rows == 4   ? add_sighting_with_effects<4>
+                     : r.rows == 2 ? add_sighting_with_effects<2>
+                                   : add_sighting_with_effects<Eigen::Dynamic>;
     add(problem, o, sighting, r, x, root, sensor_from_tcp.rotation, motion, direct, sums, gathered, normal);
   }
   if (direct) return;

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <random>
 
+#include "chain/sighting.h"
 #include "estimation/fit/fit.h"
+#include "estimation/problem/body_pose.h"
 #include "fixtures/arms.h"
 #include "fixtures/drawn.h"
+#include "fixtures/targets.h"
 
 namespace handsight {
 namespace {
@@ -140,6 +144,70 @@ TEST(RobotFreeNoise, IsNotThatOfWritingPointsDown) {
   const Fit measured = fit(written_to_10_um(2e-5));
   ASSERT_TRUE(measured.noise.has_value());
   EXPECT_NEAR(*measured.noise, 2e-5, 2e-6);
+}
+
+/// One regression of all rows by the poses of all observations, the markers and the rig.
+struct WholeRegression {
+  double sigma = 0;
+  Eigen::Index degrees = 0;
+};
+
+WholeRegression regress(const Problem& problem, const Unknowns& u) {
+  const Rig* rig = problem.rig_or_null();
+  const auto poses = static_cast<Eigen::Index>(6 * problem.observations.size());
+  const Eigen::Index markers = 3 * problem.marker_count, cameras = rig ? rig_number_count(rig->count()) : 0;
+  Eigen::Index count = 0;
+  for (const ProblemObservation& o : problem.observations)
+    for (const Sighting& s : o.sightings) count += row_count(s);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, poses + markers + cameras);
+  Eigen::VectorXd error(count);
+  Eigen::Index row = 0, pose = 0;
+  for (const ProblemObservation& o : problem.observations) {
+    const Rigid at = sensor_from_tcp_at(o, u);
+    const Rigid sensor_from_tcp = refined_body_pose(rig, o.sightings, u.markers_in_tcp, at, 1e-3).value_or(at);
+    for (const Sighting& s : o.sightings) {
+      const Vector3 x = sensor_from_tcp * u.markers_in_tcp[static_cast<std::size_t>(s.marker)];
+      const SightingResidual r = sighting_residual(rig, s, x);
+      rows.block(row, pose, r.rows, 3) = r.by_point;
+      rows.block(row, pose + 3, r.rows, 3) = -r.by_point * cross_matrix(x);
+      rows.block(row, poses + 3 * s.marker, r.rows, 3) = r.by_point * sensor_from_tcp.rotation;
+      if (rig) rows.block(row, poses + markers, r.rows, cameras) = camera_columns(*rig, s, x);
+      error.segment(row, r.rows) = r.error;
+      row += r.rows;
+    }
+    pose += 6;
+  }
+  for (Eigen::Index c = 0; c < rows.cols(); ++c)
+    if (const double norm = rows.col(c).norm(); norm > 0) rows.col(c) /= norm;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+  qr.setThreshold(1e-9);
+  qr.compute(rows);
+  Eigen::VectorXd left = qr.householderQ().adjoint() * error;
+  const Eigen::Index degrees = count - qr.rank();
+  return {left.tail(degrees).norm() / std::sqrt(static_cast<double>(degrees)), degrees};
+}
+
+TEST(RobotFreeNoise, IsThatOfOneRegressionOfAllRows) {
+  SimulationOptions options;
+  options.observations = 25;
+  for (Session session : {fixture::stand_session(4), fixture::stand_session(6), fixture::tracker_session(3),
+                          fixture::tracker_session(5), fixture::target_session(), fixture::eye_in_hand_session()}) {
+    session = simulate_session(session, options).session;
+    session.sigma_pixel.reset();
+    session.sigma_point.reset();
+    // Not every marker is always seen, and not by every camera.
+    for (std::size_t k = 0; k < session.observations.size(); k += 3) {
+      std::vector<Sighting>& sightings = session.observations[k].sightings;
+      if (session.rig && session.rig->count() == 2) forget(sightings.front(), 1);
+      if (sightings.size() > 3) sightings.pop_back();
+    }
+    const Fit f = fit(session);
+    const auto noise = estimate_noise(f.problem, estimate(f));
+    ASSERT_TRUE(noise.has_value());
+    const WholeRegression whole = regress(f.problem, estimate(f));
+    EXPECT_EQ(noise->degrees, whole.degrees);
+    EXPECT_NEAR(noise->sigma, whole.sigma, 1e-9 * whole.sigma);
+  }
 }
 
 TEST(ChiSquaredTail, HasAnAnswerForEverySum) {
