@@ -9,8 +9,8 @@ const std::vector<BlunderKind>& blunder_kinds() {
   static const std::vector<BlunderKind> all = [] {
     std::vector<BlunderKind> kinds;
     for (const auto& some :
-         {joint_blunders(), pairing_blunders(), pose_blunders(), image_blunders(), picture_blunders(), link_blunders(),
-          gravity_blunders(), order_blunders(), stray_blunders()})
+         {joint_blunders(), pairing_blunders(), pose_blunders(), image_blunders(), picture_blunders(), size_blunders(),
+          link_blunders(), gravity_blunders(), order_blunders(), stray_blunders()})
       kinds.insert(kinds.end(), some.begin(), some.end());
     return kinds;
   }();

@@ -45,6 +45,7 @@ std::vector<BlunderKind> order_blunders();
 std::vector<BlunderKind> pose_blunders();
 std::vector<BlunderKind> image_blunders();
 std::vector<BlunderKind> picture_blunders();
+std::vector<BlunderKind> size_blunders();
 std::vector<BlunderKind> link_blunders();
 std::vector<BlunderKind> gravity_blunders();
 std::vector<BlunderKind> stray_blunders();

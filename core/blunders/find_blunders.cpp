@@ -26,6 +26,7 @@ constexpr double several_pixels = 3;  // where the noise is not known
 constexpr double several_m = 3e-3;
 constexpr double few_pixels = 1, few_m = 1e-3;                // less than that no blunder leaves, whatever the noise
 constexpr double half = 0.5;                                  // of the rms, at most, once it is right
+constexpr double tenth = 0.1;                                 // ... where it is right and the robot is not
 constexpr double well_above = 10;                             // ln Bayes factor
 constexpr double smallest_zero = 2 * std::numbers::pi / 180;  // rad: less is a deviation as robots have them
 constexpr double smallest_shift = 0.01;                       // m
@@ -106,7 +107,7 @@ class Judge {
 
   /// It leaves a plain answer, and more numbers of the robot do not explain as much.
   bool is_right_alone(const Trial& trial, const Left& plain) const {
-    if (plain.is_lost || !(plain.rms < half * as_it_is_.plain.rms)) return false;
+    if (!(plain.rms < (plain.is_lost ? tenth : half) * as_it_is_.plain.rms)) return false;
     const bool is_large_zero = trial.mends[0].kind->id == "joint_zero" &&
                                !is_small_zero(trial.mends[0], thin_, large_zero, 10 * smallest_shift);
     if (thin_.robot.is_of_poses || (trial.mends.size() == 1 && is_large_zero)) return true;

@@ -124,17 +124,34 @@ Session with_few_markers(const Session& session) {
   return small;
 }
 
-Session as_point_session(const Session& session) {
-  if (!session.rig) return session;
+namespace {
+
+Session with_points(const Session& session, bool by_pose) {
   Session points = session;
   points.rig.reset();
   points.target.reset();
   points.shape.reset();
-  if (session.shape) points.marker_count = stand_in * session.shape->piece_count();
+  if (by_pose) points.marker_count = stand_in * session.shape->piece_count();
   for (Observation& o : points.observations)
-    o.sightings = !is_used(o)     ? std::vector<Sighting>()
-                  : session.shape ? shown_by_pose(session, o)
-                                  : triangulated(session, o);
+    o.sightings = !is_used(o) ? std::vector<Sighting>()
+                  : by_pose   ? shown_by_pose(session, o)
+                              : triangulated(session, o);
+  return points;
+}
+
+std::size_t count_shown(const Session& session) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      session.observations, [](const Observation& o) { return is_used(o) && !o.sightings.empty(); }));
+}
+
+}  // namespace
+
+Session as_point_session(const Session& session) {
+  if (!session.rig) return session;
+  Session points = with_points(session, session.shape.has_value());
+  // A target of quite another size has no pose before two cameras; its points have places all the same.
+  if (session.shape && session.rig->count() > 1 && 2 * count_shown(points) < count_shown(session))
+    return with_points(session, false);
   return points;
 }
 

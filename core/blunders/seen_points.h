@@ -19,7 +19,7 @@ Session thinned_session(const Session& session);
 Session with_few_markers(const Session& session);
 
 /// The session of cameras as one of a tracker in the first camera's frame: points seen by two cameras triangulated, of
-/// targets four points that follow from the pose. Sessions without cameras as they are.
+/// targets four points that follow from the pose, where it has one. Sessions without cameras as they are.
 Session as_point_session(const Session& session);
 
 /// What a session without cameras shows, by the chain as it is. `point_count`: Session::marker_count.

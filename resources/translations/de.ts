@@ -9479,6 +9479,10 @@
         <translation>die Schätzung findet damit keine Lösung: Halter, Kameras und Marken prüfen</translation>
     </message>
     <message>
+        <source>the target would be more than four times as large as it is described: that is a mistake in its description, which is put right before anything else</source>
+        <translation>das Ziel wäre mehr als viermal so groß, wie es beschrieben ist: das ist ein Fehler in seiner Beschreibung, der zuerst zu beheben ist</translation>
+    </message>
+    <message>
         <source>it is larger than robots are built, and the hand&apos;s or the sensor&apos;s place would be known ten times worse: it plays against what never moves</source>
         <translation>sie ist größer, als Roboter gebaut sind, und der Ort der Hand oder des Sensors wäre zehnmal schlechter bekannt: sie spielt gegen das aus, was sich nie bewegt</translation>
     </message>
@@ -11597,6 +11601,22 @@
     <message>
         <source>sides_swapped: the session has not two cameras.</source>
         <translation>sides_swapped: die Sitzung hat nicht zwei Kameras.</translation>
+    </message>
+    <message>
+        <source>The target is not as large as &lt;target&gt; says: its {} are about {:.3g} mm, not {:.6g} mm.</source>
+        <translation>Das Ziel ist nicht so groß, wie &lt;target&gt; sagt: seine {} messen etwa {:.3g} mm, nicht {:.6g} mm.</translation>
+    </message>
+    <message>
+        <source>Measure it, and write {}=&quot;{}&quot; (m), or what you measured, into &lt;target&gt; of {}.</source>
+        <translation>Messen Sie es nach und schreiben Sie {}=&quot;{}&quot; (m) oder das Gemessene in &lt;target&gt; von {}.</translation>
+    </message>
+    <message>
+        <source>target_size: the session has no &lt;target&gt;.</source>
+        <translation>target_size: die Sitzung hat kein &lt;target&gt;.</translation>
+    </message>
+    <message>
+        <source>target_size: {:?} is no length in m; expected one above 0, like 0.02.</source>
+        <translation>target_size: {:?} ist keine Länge in m; erwartet wird eine über 0, etwa 0.02.</translation>
     </message>
     <message>
         <source>board_transposed: the session has no board of rows and columns.</source>

@@ -201,6 +201,20 @@ TEST(TargetSize, OfARealBoardDescribedAtHalfItsSize) {
   EXPECT_GT(d.attribution.body, 0.9) << "of the target, not of the robot";
 }
 
+/// A scale of a thousand is no effect: it is a mistake in the description (blunders/size_blunder.cpp).
+TEST(TargetSize, IsNoEffectWhereItIsAMistake) {
+  const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "field/cameras/real_square_size";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  for (const double factor : {1e-3, 0.1}) {
+    Session session = read_session(folder);
+    set_target(session, scaled(*session.target, factor));
+    const Improvement end = improve(session);
+    EXPECT_EQ(end.last.verdict, Verdict::unexplained) << end.last.reason;
+    for (const FittedEffect& f : end.last.model.fit.effects)
+      EXPECT_FALSE(f.term.id == "target_scale" && f.term.values[0] > 3) << f.term.values[0];
+  }
+}
+
 /// Two axes through one point keep every place on a sphere: shrunk to nothing all places are the same.
 TEST(TargetSize, OfAPositionersTargetIsNotNothing) {
   const std::filesystem::path folder = std::filesystem::path(HANDSIGHT_SHARED_DIR) / "real/positioner_even";

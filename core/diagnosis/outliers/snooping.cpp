@@ -219,11 +219,14 @@ FitOptions roughly(FitOptions options, const NoiseModel& by) {
   return options;
 }
 
+/// Has it an answer, and come to its end?
+bool has_ended(const Fit& fit) { return fit.converged() && !has_no_answer(fit); }
+
 /// Where a fit has no answer no point is far from where the others put it for a reason of its own, unless without it
 /// less is left.
 bool leads_to_an_answer(const Fit& now, double residual_before) {
-  constexpr double hardly_less = 0.99;
-  return !has_no_answer(now) || now.residual_rms < hardly_less * residual_before;
+  constexpr double hardly_less = 0.97;
+  return has_ended(now) || now.residual_rms < hardly_less * residual_before;
 }
 
 }  // namespace
@@ -235,7 +238,7 @@ CleanFit clean_fit(const Session& session, const FitOptions& options) {
   bool is_rough = bends && options.start && declared;
   CleanFit clean{session, fit(session, is_rough ? roughly(options, {.noise = *declared}) : options), {}};
   const auto most = static_cast<std::size_t>(most_dropped * static_cast<double>(point_count(session)));
-  const std::optional<CleanFit> as_it_is = has_no_answer(clean.fit) ? std::optional(clean) : std::nullopt;
+  const std::optional<CleanFit> as_it_is = has_ended(clean.fit) ? std::nullopt : std::optional(clean);
   const bool was_rough = is_rough;
   constexpr int most_rounds = 8, most_fruitless = 2;
   int fruitless = 0;

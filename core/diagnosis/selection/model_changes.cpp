@@ -71,6 +71,12 @@ bool plays_against_what_rests(const Fit& before, const Diagnosis& after, std::si
          variance_of_mount(fit) > far_less_sure * variance_of_mount(before);
 }
 
+/// A length of the target that no printer makes of the one described.
+bool is_misprint_too_large(const std::vector<EffectTerm>& added, const Chain& chain) {
+  return std::any_of(added.begin(), added.end(),
+                     [&](const EffectTerm& t) { return t.id == "target_scale" && is_too_large(t, chain); });
+}
+
 void note_addition(const DiagnosisCandidate& candidate, const Diagnosis& next, ModelChange& change) {
   ImprovementStep step = find_step(next);
   step.added = candidate.unnamed ? candidate.terms.front().id : candidate.id;
@@ -111,6 +117,12 @@ ModelChange add_candidate(const Session& session, const ImprovementOptions& opti
   if (next.stopped) return change;
   if (has_no_answer(next.model.fit)) {
     change.refused.push_back({id, candidate.where, "the fit finds no answer with it: check mount, cameras and labels"});
+    return change;
+  }
+  if (is_misprint_too_large(last_group(next, candidate.terms.size()), next.model.fit.problem.source->chain)) {
+    change.refused.push_back({id, candidate.where,
+                              "the target would be more than four times as large as it is described: that is a mistake "
+                              "in its description, which is put right before anything else"});
     return change;
   }
   if (plays_against_what_rests(model.model.fit, next, candidate.terms.size())) {

@@ -81,7 +81,9 @@ void settle_slip_frames(const Session& session, const FitOptions& options, Probl
   const bool is_quick = options.least_gain > 0;
   const double still = is_quick ? 1e-6 : 1e-10;  // m, rad
   TurnOfFrame turn;
-  for (int pass = 0; pass < most_passes && !fit.solution.stopped; ++pass) {
+  // Of a fit that does not come to its end no frame is worth waiting for.
+  const auto has_ended = [&] { return fit.solution.converged && !fit.solution.stopped; };
+  for (int pass = 0; pass < most_passes && has_ended(); ++pass) {
     const Unknowns& u = fit.solution.unknowns;
     const BodySides sides = make_sides(options, fit.problem, u);
     if (sides.markers.empty()) return;
