@@ -76,13 +76,19 @@ class SizesByMotion {
 
   std::optional<double> best() const {
     constexpr double step = 0.14;  // of the logarithm
+    constexpr int halvings = 11;   // of the step: to less than a thousandth
+    const int steps = static_cast<int>(std::log(most) / step);
     double at = 0, least = left_at(0);
     if (!std::isfinite(least)) return std::nullopt;
-    for (double ln = -std::log(most); ln < std::log(most); ln += step)
+    const auto consider = [&](double ln) {
       if (const double left = left_at(ln); left < least) at = ln, least = left;
-    for (double by = step / 2; by > 1e-4; by /= 2)
-      for (const double ln : {at - by, at + by})
-        if (const double left = left_at(ln); left < least) at = ln, least = left;
+    };
+    for (int i = -steps; i <= steps; ++i) consider(step * i);
+    for (int i = 1; i <= halvings; ++i) {
+      const double from = at, by = step * std::pow(0.5, i);
+      consider(from + by);
+      consider(from - by);
+    }
     return described_ * std::exp(at);
   }
 

@@ -11603,20 +11603,20 @@
         <translation>sides_swapped: die Sitzung hat nicht zwei Kameras.</translation>
     </message>
     <message>
-        <source>The target is not as large as &lt;target&gt; says: its {} are about {:.3g} mm, not {:.6g} mm.</source>
-        <translation>Das Ziel ist nicht so groß, wie &lt;target&gt; sagt: seine {} messen etwa {:.3g} mm, nicht {:.6g} mm.</translation>
+        <source>The target is not as large as &lt;target&gt; says: its %1 are about %2 mm, not %3 mm.</source>
+        <translation>Das Ziel ist nicht so groß, wie &lt;target&gt; sagt: seine %1 messen etwa %2 mm, nicht %3 mm.</translation>
     </message>
     <message>
-        <source>Measure it, and write {}=&quot;{}&quot; (m), or what you measured, into &lt;target&gt; of {}.</source>
-        <translation>Messen Sie es nach und schreiben Sie {}=&quot;{}&quot; (m) oder das Gemessene in &lt;target&gt; von {}.</translation>
+        <source>Measure it, and write %1=&quot;%2&quot; (m), or what you measured, into &lt;target&gt; of %3.</source>
+        <translation>Messen Sie es nach und schreiben Sie %1=&quot;%2&quot; (m) oder das Gemessene in &lt;target&gt; von %3.</translation>
     </message>
     <message>
         <source>target_size: the session has no &lt;target&gt;.</source>
         <translation>target_size: die Sitzung hat kein &lt;target&gt;.</translation>
     </message>
     <message>
-        <source>target_size: {:?} is no length in m; expected one above 0, like 0.02.</source>
-        <translation>target_size: {:?} ist keine Länge in m; erwartet wird eine über 0, etwa 0.02.</translation>
+        <source>target_size: %1 is no length in m; expected one above 0, like 0.02.</source>
+        <translation>target_size: %1 ist keine Länge in m; erwartet wird eine über 0, etwa 0.02.</translation>
     </message>
     <message>
         <source>board_transposed: the session has no board of rows and columns.</source>
