@@ -3,6 +3,7 @@
 
 #include "command.h"
 #include "diagnosis/verdict/diagnosis.h"
+#include "diagnosis/verdict/stand_in.h"
 #include "estimation/fit/sure_fit.h"
 #include "estimation/report/fit_report.h"
 #include "options/named_effects.h"
@@ -22,11 +23,12 @@ struct DiagnoseArguments {
   Output output;
 };
 
-/// Does the target's size explain nearly all? Then no other mistake is looked for.
+/// Does the target's size explain nearly all, as a size that an effect can tell? Then no other mistake is looked for.
 bool is_size_alone(const Diagnosis& d) {
   constexpr double nearly_all = 0.8;
   if (d.candidates.empty()) return false;
   const DiagnosisCandidate& best = d.candidates.front();
+  if (best.id == "target_scale" && is_too_large(best.terms.front(), d.model.fit.problem.source->chain)) return false;
   return best.id == "target_scale" && best.ln_bayes_factor >= d.threshold && best.explained.value_or(0) > nearly_all;
 }
 
