@@ -11,6 +11,7 @@
 #include "blunders/blunder_kinds.h"
 #include "blunders/places.h"
 #include "blunders/seen_points.h"
+#include "blunders/target_size.h"
 #include "chain/sighting.h"
 #include "estimation/start/shape_start.h"
 
@@ -20,13 +21,6 @@ namespace {
 constexpr double smallest_factor = 1.2;    // less is a print's, and an effect tells it (target_size.h)
 constexpr double like_millimetres = 0.03;  // of a thousand: length_unit says it better
 constexpr double most = 1e5;
-
-bool has_squares(const Target& target) {
-  return target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
-}
-
-/// The length that tells how large a target is (m): of a square, or of a tag.
-double length_of(const Target& target) { return has_squares(target) ? target.square : target.tag; }
 
 const char* name_of_length(const Target& target) { return has_squares(target) ? "square" : "tag"; }
 
@@ -66,7 +60,7 @@ class SizesByMotion {
   explicit SizesByMotion(const Session& session) {
     constexpr double usual = 0.05;  // m: to a described speck every place is as good as another
     Session as_usual = session;
-    described_ = usual / length_of(*session.target);
+    described_ = usual / described_length(*session.target);
     set_target(as_usual, scaled(*session.target, described_));
     const Session points = as_point_session(with_few_markers(as_usual));
     sights_ = list_sights(points);
@@ -108,12 +102,12 @@ class SizesByMotion {
 };
 
 std::vector<std::string> sizes(const Session& session) {
-  if (!session.rig || !session.target || !session.shape || !(length_of(*session.target) > 0)) return {};
+  if (!session.rig || !session.target || !session.shape || !(described_length(*session.target) > 0)) return {};
   const auto factor = session.rig->count() > 1 ? seen_by_two(session) : SizesByMotion(session).best();
   if (!factor || !(*factor > 1 / most && *factor < most)) return {};
   const bool is_print = std::abs(std::log(*factor)) < std::log(smallest_factor);
   if (is_print || std::abs(1e3 * *factor - 1) < like_millimetres) return {};
-  return {fmt::format("{:.3g}", *factor * length_of(*session.target))};
+  return {fmt::format("{:.3g}", *factor * described_length(*session.target))};
 }
 
 BlunderKind target_size() {
@@ -127,12 +121,12 @@ BlunderKind target_size() {
     if (!s.target) throw InputError("target_size: the session has no <target>.");
     if (!(length > 0))
       throw InputError(message("target_size: {:?} is no length in m; expected one above 0, like 0.02.", where));
-    set_target(s, scaled(*s.target, length / length_of(*s.target)));
+    set_target(s, scaled(*s.target, length / described_length(*s.target)));
   };
   k.text = [](const std::string& where, const Session& s) {
     const double length = number_in(where, "target_size");
     return message("The target is not as large as <target> says: its {} are about {:.3g} mm, not {:.6g} mm.",
-                   has_squares(*s.target) ? "squares" : "tags", 1e3 * length, 1e3 * length_of(*s.target));
+                   has_squares(*s.target) ? "squares" : "tags", 1e3 * length, 1e3 * described_length(*s.target));
   };
   k.fix = [](const std::string& where, const Session& s) {
     return message("Measure it, and write {}=\"{}\" (m), or what you measured, into <target> of {}.",

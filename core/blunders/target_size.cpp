@@ -25,11 +25,9 @@ bool has_effect(const std::vector<EffectTerm>& terms, const std::string& id) {
 Message lengths(const Session& session, double scale) {
   const auto mm = [](double metres) { return message("{:.4g} mm", 1e3 * metres); };
   if (!session.target) return "";
-  const Target& t = *session.target;
-  const bool has_squares = t.kind == TargetKind::chessboard || t.kind == TargetKind::charuco;
-  const double described = has_squares ? t.square : t.tag;
-  return message(": its {} are about {}, not {}", has_squares ? "squares" : "tags", mm(described * (1 + scale)),
-                 mm(described));
+  const double described = described_length(*session.target);
+  return message(": its {} are about {}, not {}", has_squares(*session.target) ? "squares" : "tags",
+                 mm(described * (1 + scale)), mm(described));
 }
 
 struct SizeFound {
@@ -87,6 +85,12 @@ class SizesOfTags {
 };
 
 }  // namespace
+
+bool has_squares(const Target& target) {
+  return target.kind == TargetKind::chessboard || target.kind == TargetKind::charuco;
+}
+
+double described_length(const Target& target) { return has_squares(target) ? target.square : target.tag; }
 
 std::optional<TargetSize> other_target_size(const Session& session, const Fit& fit_before, const FitOptions& options) {
   const double before = fit_before.residual_rms;

@@ -10,6 +10,12 @@
 
 namespace handsight {
 
+/// Is a target's size that of its squares? Else it is that of its tags.
+bool has_squares(const Target& target);
+
+/// The length that tells how large a target is described (m): of a square, or of a tag.
+double described_length(const Target& target);
+
 struct TargetSize {
   double scale = 0, sigma = 0;  // the target is so much larger than its description says: 0.09 is 9 %
   bool in_pixels = true;

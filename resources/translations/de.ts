@@ -11608,7 +11608,7 @@
     </message>
     <message>
         <source>Measure it, and write %1=&quot;%2&quot; (m), or what you measured, into &lt;target&gt; of %3.</source>
-        <translation>Messen Sie es nach und schreiben Sie %1=&quot;%2&quot; (m) oder das Gemessene in &lt;target&gt; von %3.</translation>
+        <translation>Miss es nach und schreibe %1=&quot;%2&quot; (m) oder das Gemessene in &lt;target&gt; von %3.</translation>
     </message>
     <message>
         <source>target_size: the session has no &lt;target&gt;.</source>
